@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// abut analyze: one scene, from its file to the result files.
+#include <algorithm>
+#include <iostream>
+#include <optional>
+
+#include "apps/commands.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/plan_text.hpp"
+#include "apps/print_text.hpp"
+#include "apps/progress_line.hpp"
+#include "apps/result_files.hpp"
+#include "apps/stopwatch.hpp"
+#include "geometry/input_error.hpp"
+#include "src/analysis.hpp"
+#include "src/nearest_name.hpp"
+#include "src/plan.hpp"
+#include "src/result.hpp"
+#include "src/scene.hpp"
+
+namespace abut {
+
+namespace {
+
+const std::vector<std::string> accuracy_levels{"draft", "standard", "fine"};
+
+/// --accuracy stands for the scene's level, or as a number for its target.
+void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
+    if (!has(arguments, "--accuracy")) return;
+    const std::string text = arguments.options.at("--accuracy");
+    if (std::find(accuracy_levels.begin(), accuracy_levels.end(), text) != accuracy_levels.end()) {
+        accuracy.level = text;
+        accuracy.target.reset();
+        return;
+    }
+    const std::optional<double> target = to_number(text);
+    if (!target || *target <= 0 || *target >= 1) {
+        throw InputError("--accuracy", "'" + shortened(text) + "' is neither a level nor a number between 0 and 1",
+                         "use " + listed(accuracy_levels) + ", or an error to aim at such as 0.01");
+    }
+    accuracy.target = target;
+}
+
+Result analyze_with_progress(const Scene& scene, bool quiet) {
+    ProgressLine line(!quiet);
+    AnalyzeOptions options;
+    options.progress = [&line](const std::string& message) { line.show(message); };
+    return analyze(scene, options);
+}
+
+void print_result(const Result& result, const std::string& folder, const Arguments& arguments, const Output& output) {
+    if (has(arguments, "--json")) {
+        print_text(result_json(result));
+    } else if (!has(arguments, "--quiet")) {
+        print_text(result_table(result));
+        std::cout << main_file_line(folder, output);
+    }
+}
+
+}  // namespace
+
+CommandSpec analyze_spec() {
+    return {"analyze",
+            "SCENE",
+            "Analyses one scene and writes its results.",
+            {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
+             {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
+             {"--plan", "", "print which effects would be computed and why, and stop"},
+             {"--json", "", "print the result (or the plan) as JSON instead of a table"},
+             {"--quiet", "", "print nothing but errors"}},
+            "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
+            "known;\n"
+            "the exit status is 1 then.\n"};
+}
+
+int analyze_command(const Arguments& arguments) {
+    const Stopwatch watch;
+    Scene scene = read_scene(arguments.operand);
+    const double reading_seconds = watch.seconds();
+    override_accuracy(scene.accuracy, arguments);
+    if (has(arguments, "--plan")) {
+        print_text(has(arguments, "--json") ? plan_json(plan_effects(scene)) : plan_table(plan_effects(scene)));
+        return exit_done;
+    }
+    check_formats(scene);
+    const std::string folder = value_or(arguments, "-o", "out");
+    prepare_output_folder(folder);
+    Result result = analyze_with_progress(scene, has(arguments, "--quiet"));
+    complete_import_time(result, reading_seconds);
+    write_results(result, folder, scene.output.formats, watch);
+    print_result(result, folder, arguments, scene.output);
+    if (result.status != "failed") return exit_done;
+    std::cout.flush();
+    std::cerr << "abut: " << arguments.operand << ": the analysis failed: " << one_line_text(result.message) << "\n";
+    return exit_failed;
+}
+
+}  // namespace abut

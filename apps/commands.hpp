@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands of `abut`. Each takes its words after the command's name and gives the exit status.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "apps/arguments.hpp"
+
+namespace abut {
+
+/// The meaning of the exit status, for all commands.
+enum ExitStatus : int {
+    exit_done = 0,
+    exit_failed = 1,       ///< the analysis failed, a comparison differs, or the program itself gave up (memory, a bug)
+    exit_wrong_input = 2,  ///< the input or the usage is wrong
+};
+
+/// Throws InputError for wrong usage and wrong input; so do the others.
+int analyze_command(const Arguments& arguments);
+int contacts_command(const Arguments& arguments);
+int inspect_command(const Arguments& arguments);
+
+/// What each command accepts, for parsing and for its help.
+CommandSpec analyze_spec();
+CommandSpec contacts_spec();
+CommandSpec inspect_spec();
+
+}  // namespace abut

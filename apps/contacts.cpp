@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// abut contacts: contact detection alone.
+#include <iostream>
+#include <optional>
+
+#include "apps/commands.hpp"
+#include "apps/drawing_options.hpp"
+#include "apps/drawing_problems.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/print_text.hpp"
+#include "src/detect.hpp"
+#include "src/result.hpp"
+#include "src/scene.hpp"
+
+namespace abut {
+
+namespace {
+
+/// A drawing with problems is refused: parts that could not be read would be missing from the pairs without notice.
+Scene read_model(const Arguments& arguments) {
+    const DrawingOptions options = drawing_options(arguments);
+    if (kind_of_file(arguments.operand) == FileKind::scene) return read_scene(arguments.operand);
+    SketchReading reading = read_sketch(arguments.operand, options.tolerance, options.units);
+    std::vector<geometry::SketchProblem> problems = reading.drawing.problems;
+    problems.insert(problems.end(), reading.sketch.problems.begin(), reading.sketch.problems.end());
+    throw_if_any(arguments.operand, problems);
+    return std::move(reading.scene);
+}
+
+int report_differences(const Detection& detection, const std::string& expectation_file) {
+    const std::vector<std::string> differences = compare_detection(detection, expectation_file);
+    for (const std::string& line : differences) std::cerr << "abut: " << expectation_file << ": " << line << "\n";
+    return differences.empty() ? exit_done : exit_failed;
+}
+
+}  // namespace
+
+CommandSpec contacts_spec() {
+    CommandSpec spec{
+        "contacts", "FILE", "Finds the pairs of parts that touch, overlap or nearly touch in a scene or drawing.", {}, {}};
+    spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's diagonal)"},
+                    {"--expect", "FILE", "compare with the pairs of this file; exit status 1 on any difference"},
+                    {"-o", "DIR", "folder for contacts.json and contacts.svg (default: out)"}};
+    for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
+    return spec;
+}
+
+int contacts_command(const Arguments& arguments) {
+    const std::optional<double> distance = positive_number(arguments, "--distance");
+    const Scene scene = read_model(arguments);
+    const std::string folder = value_or(arguments, "-o", "out");
+    prepare_output_folder(folder);
+    const Detection detection = detect_contacts(scene, distance);
+    print_text(detection_table(scene, detection));
+    write_file(folder, "contacts.json", detection_json(scene, detection));
+    write_file(folder, "contacts.svg", detection_svg(scene, detection));
+    return has(arguments, "--expect") ? report_differences(detection, arguments.options.at("--expect")) : exit_done;
+}
+
+}  // namespace abut

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/drawing_problems.hpp"
+
+#include <utility>
+
+#include "geometry/input_error.hpp"
+
+namespace abut {
+
+namespace {
+
+Problem as_problem(const std::string& file, const geometry::SketchProblem& problem) {
+    std::string where = file;
+    if (problem.line > 0) where += ":" + std::to_string(problem.line);
+    if (!problem.entity.empty()) where += ": " + problem.entity;
+    return {where, problem.what, problem.hint};
+}
+
+}  // namespace
+
+void throw_if_any(const std::string& file, const std::vector<geometry::SketchProblem>& problems) {
+    std::vector<Problem> lines;
+    lines.reserve(problems.size());
+    for (const geometry::SketchProblem& problem : problems) lines.push_back(as_problem(file, problem));
+    if (!lines.empty()) throw InputError(std::move(lines));
+}
+
+}  // namespace abut

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plan of effects as `analyze --plan` prints it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/result.hpp"
+
+namespace abut {
+
+/// One line per effect: its name, on or off, and why.
+std::string plan_table(const std::vector<Effect>& effects);
+/// An array of objects with the keys of `effects` in result.json, without the seconds.
+std::string plan_json(const std::vector<Effect>& effects);
+
+}  // namespace abut

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/result_files.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "apps/output_folder.hpp"
+#include "geometry/input_error.hpp"
+#include "src/nearest_name.hpp"
+
+namespace abut {
+
+namespace {
+
+const std::vector<std::string> writable_formats{"json", "csv", "html"};
+
+bool holds(const std::vector<std::string>& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+void set_time(Result& result, const std::string& name, double seconds) {
+    auto entry = std::find_if(result.timing.begin(), result.timing.end(), [&](const auto& e) { return e.first == name; });
+    if (entry == result.timing.end()) entry = result.timing.insert(entry, {name, 0.0});
+    entry->second = seconds;
+}
+
+std::string contact_file(std::size_t k) {
+    return "contact_" + std::to_string(k) + ".csv";
+}
+
+void write_contacts(const Result& result, const std::string& folder) {
+    std::size_t k = 0;
+    for (; k < result.contacts.size(); ++k) write_file(folder, contact_file(k), contact_csv(result.contacts[k]));
+    std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
+    while (std::filesystem::remove(std::filesystem::path(folder) / contact_file(k), ignored)) ++k;
+}
+
+}  // namespace
+
+void check_formats(const Scene& scene) {
+    std::vector<Problem> problems;
+    for (const std::string& format : scene.output.formats) {
+        if (holds(writable_formats, format)) continue;
+        problems.push_back({scene.file + " /output/formats", "the format '" + shortened(format) + "' is not supported",
+                            "use " + listed(writable_formats)});
+    }
+    if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void complete_import_time(Result& result, double seconds) {
+    auto& timing = result.timing;
+    const auto entry = std::find_if(timing.begin(), timing.end(), [](const auto& e) { return e.first == "import"; });
+    if (entry == timing.end()) {
+        timing.insert(timing.begin(), {"import", seconds});
+    } else if (entry->second == 0) {
+        entry->second = seconds;
+    }
+}
+
+void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
+                   const Stopwatch& since_start) {
+    const Stopwatch output;
+    set_time(result, "output", 0);
+    if (holds(formats, "csv")) write_contacts(result, folder);
+    set_time(result, "total", since_start.seconds());
+    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result));
+    set_time(result, "output", output.seconds());
+    set_time(result, "total", since_start.seconds());
+    if (holds(formats, "json")) write_file(folder, "result.json", result_json(result));
+}
+
+std::string main_file_line(const std::string& folder, const Output& output) {
+    if (holds(output.formats, "html")) return "report: " + path_in(folder, "report.html") + "\n";
+    if (holds(output.formats, "json")) return "result: " + path_in(folder, "result.json") + "\n";
+    return "";
+}
+
+}  // namespace abut

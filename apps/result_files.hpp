@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of one analysis.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "apps/stopwatch.hpp"
+#include "src/result.hpp"
+#include "src/scene.hpp"
+
+namespace abut {
+
+/// Throws InputError if the scene asks for a format that cannot be written: before the analysis, not after it.
+void check_formats(const Scene& scene);
+
+/// Adds the time of reading the scene to the timing, where the analysis has not stated it.
+void complete_import_time(Result& result, double seconds);
+
+/// Writes the formats asked for; removes the contact_<k>.csv of an earlier run with more contacts. `since_start` runs since the
+/// program's start: the timing "total" and "output" are completed with it, up to the writing of result.json, which comes last.
+void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
+                   const Stopwatch& since_start);
+
+/// "report: DIR/report.html", or the first file there is where no report is asked for; empty where none is.
+std::string main_file_line(const std::string& folder, const Output& output);
+
+}  // namespace abut

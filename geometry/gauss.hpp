@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+namespace abut::geometry {
+
+/// Gauss-Legendre rule on [0, 1]: exact for polynomials of degree 2n - 1.
+struct GaussRule {
+    std::vector<double> points, weights;
+};
+
+/// n from 1 to 128; computed once, then shared. Safe to call from several threads.
+const GaussRule& gauss_rule(int n);
+
+}  // namespace abut::geometry

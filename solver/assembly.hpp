@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stiffness and loads of one part.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "solver/block_matrix.hpp"
+#include "solver/elasticity.hpp"
+#include "solver/spline_space.hpp"
+
+namespace abut::solver {
+
+/// Quadrature of one cut cell.
+struct CellRule {
+    int cell;
+    std::vector<Vec2> points;
+    std::vector<double> weights;
+};
+
+/// Rule on [0, 1] for cells that are wholly inside; exact to degree 2p.
+struct LineRule {
+    std::vector<double> points, weights;
+};
+
+/// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
+struct PartInput {
+    SplineSpace space;
+    std::vector<CellRule> cut_rules;     ///< every cell with 0 < fraction < 1
+    LineRule line_rule;
+    Elasticity elasticity;
+    double thickness = 1;
+};
+
+/// Stiffness over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices.
+BlockMatrix assemble_stiffness(const PartInput& input);
+
+/// Integrals of every function and of its derivatives over the part (not times the thickness).
+struct FunctionIntegrals {
+    Eigen::VectorXd value, dx, dy;
+};
+FunctionIntegrals integrate_functions(const PartInput& input);
+
+/// Load vector (2n) of a force per volume given as a field.
+Eigen::VectorXd body_load(const PartInput& input, const std::function<Vec2(const Vec2&)>& force);
+
+/// A traction at a boundary point; weight: arc length.
+struct TractionPoint {
+    int cell;
+    Vec2 x;
+    double weight;
+    Vec2 traction;
+};
+Eigen::VectorXd boundary_load(const PartInput& input, const std::vector<TractionPoint>& points);
+
+}  // namespace abut::solver

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps: rows of the interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left out
+// -> the contact QP -> displacements.
+#include "solver/assembly_solve.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Where each part's free motions stand among the amplitudes.
+std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
+    std::vector<Index> offset{0};
+    for (const PartSystem& p : parts) offset.push_back(offset.back() + p.modes.cols());
+    return offset;
+}
+
+/// The rows of one part, numbered among themselves.
+struct LocalRows {
+    std::vector<int> global;
+    MatrixXd columns;   // (kept unknowns x rows): D' of the part
+};
+
+LocalRows local_rows(const PartSystem& part, const std::vector<RowEntry>& entries) {
+    LocalRows local;
+    for (const RowEntry& e : entries) local.global.push_back(e.row);
+    std::sort(local.global.begin(), local.global.end());
+    local.global.erase(std::unique(local.global.begin(), local.global.end()), local.global.end());
+    local.columns.setZero(part.n_kept, static_cast<Index>(local.global.size()));
+    for (const RowEntry& e : entries) {
+        const int unknown = part.number[static_cast<std::size_t>(e.coefficient)];
+        const auto column = std::lower_bound(local.global.begin(), local.global.end(), e.row) - local.global.begin();
+        if (unknown >= 0) local.columns(unknown, column) += e.value;
+    }
+    return local;
+}
+
+VectorXd rows_times(const std::vector<RowEntry>& entries, const VectorXd& u, int n_rows) {
+    VectorXd v = VectorXd::Zero(n_rows);
+    for (const RowEntry& e : entries) v[e.row] += e.value * u[e.coefficient];
+    return v;
+}
+
+VectorXd transposed_times(const std::vector<RowEntry>& entries, const VectorXd& multipliers, int n) {
+    VectorXd f = VectorXd::Zero(2 * n);
+    for (const RowEntry& e : entries) f[e.coefficient] += e.value * multipliers[e.row];
+    return f;
+}
+
+/// C, g, G, h before scaling, with the rows that they belong to.
+ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    ContactQp qp{MatrixXd::Zero(rows.n, rows.n), rows.gap0, MatrixXd::Zero(rows.n, offset.back()), VectorXd::Zero(offset.back()),
+                 rows.unilateral, VectorXd::Zero(rows.n), rows.gap0, problem.load_scale};
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
+        const Index n_modes = part.modes.cols();
+        if (n_modes > 0) qp.mode_load.segment(offset[i], n_modes) = part.modes.transpose() * part.load;
+        if (rows.by_part[i].empty()) continue;
+        qp.gap += rows_times(rows.by_part[i], solve(part, part.load), rows.n);
+        for (Index k = 0; k < n_modes; ++k) qp.modes.col(offset[i] + k) = rows_times(rows.by_part[i], part.modes.col(k), rows.n);
+        const LocalRows local = local_rows(part, rows.by_part[i]);
+        const MatrixXd y = part.factor.solve_lower(local.columns);
+        const MatrixXd c = y.transpose() * y;
+        for (std::size_t a = 0; a < local.global.size(); ++a)
+            for (std::size_t b = 0; b < local.global.size(); ++b)
+                qp.compliance(local.global[a], local.global[b]) += c(static_cast<Index>(a), static_cast<Index>(b));
+    }
+    return qp;
+}
+
+/// Rows as mean gaps, multipliers as forces: C and G of comparable entries whatever the spacing of the multipliers.
+void scale_rows(ContactQp& qp, const VectorXd& weight) {
+    const VectorXd s = weight.cwiseInverse();
+    qp.compliance = s.asDiagonal() * qp.compliance * s.asDiagonal();
+    qp.gap = s.cwiseProduct(qp.gap);
+    qp.drawn_gap = s.cwiseProduct(qp.drawn_gap);
+    qp.modes = s.asDiagonal() * qp.modes;
+}
+
+void add_foundation(ContactQp& qp, const AssemblyProblem& problem, const std::vector<int>& first_row, const VectorXd& weight) {
+    double stiffest = 0;
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
+        for (int k = 0; k < problem.interfaces[i].pressure.n_functions(); ++k) {
+            const Index row = first_row[i] + k;
+            qp.foundation[row] = problem.foundation[i] * weight[row];
+            stiffest = std::max(stiffest, qp.foundation[row]);
+        }
+    for (Index row = 0; row < qp.foundation.size(); ++row)
+        if (!qp.unilateral[static_cast<std::size_t>(row)]) qp.foundation[row] = stiffest > 0 ? stiffest : 1.0;
+}
+
+/// How the candidates resist the free motions along the bodies' own normals: root-mean-square over each interface; constraints as
+/// they are. (rows x amplitudes)
+MatrixXd resistance(const AssemblyProblem& problem, const ContactQp& qp, Index n_modes) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    Index n_rows = 0;
+    for (const Interface& face : problem.interfaces) n_rows += static_cast<Index>(face.points.size());
+    MatrixXd r = MatrixXd::Zero(n_rows + static_cast<Index>(problem.constraints.size()), n_modes);
+    Index row = 0;
+    for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
+        const Interface& face = problem.interfaces[f];
+        double total = 0;
+        for (const InterfacePoint& p : face.points) total += p.weight;
+        for (std::size_t q = 0; q < face.points.size(); ++q, ++row)
+            for (std::size_t side = 0; side < 2; ++side) {
+                const auto part = static_cast<std::size_t>(face.part[side]);
+                const auto& motions = problem.parts[part].free_motions;
+                for (std::size_t k = 0; k < motions.size(); ++k)
+                    r(row, offset[part] + static_cast<Index>(k)) +=
+                        std::sqrt(face.points[q].weight / total) *
+                        -problem.own_normals[f][q][side].dot(motions[k].at(face.points[q].x[side]));
+            }
+    }
+    r.bottomRows(static_cast<Index>(problem.constraints.size())) = qp.modes.bottomRows(static_cast<Index>(problem.constraints.size()));
+    return r;
+}
+
+/// Orthonormal bases of the motions that something resists, and of the neutral ones.
+struct MotionSplit {
+    MatrixXd resisted, neutral;
+};
+
+MotionSplit split_motions(const MatrixXd& resistance) {
+    const Index n = resistance.cols();
+    if (n == 0) return {MatrixXd(0, 0), MatrixXd(0, 0)};
+    if (resistance.rows() == 0 || resistance.isZero(0)) return {MatrixXd(n, 0), MatrixXd::Identity(n, n)};
+    const Eigen::JacobiSVD<MatrixXd> svd(resistance.transpose() * resistance, Eigen::ComputeFullV);
+    // eigenvalues of R'R: squares of the singular values of R
+    const double limit = neutral_motion_fraction * neutral_motion_fraction * svd.singularValues()[0];
+    Index kept = 0;
+    while (kept < n && svd.singularValues()[kept] >= limit) ++kept;
+    return {svd.matrixV().leftCols(kept), svd.matrixV().rightCols(n - kept)};
+}
+
+/// Motion of every part that takes a notable share in a combination of the free motions.
+std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
+    const std::vector<Index> offset = mode_offsets(parts);
+    constexpr double notable = 1e-3;
+    std::vector<PartMotion> result;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = amplitudes.segment(offset[i], offset[i + 1] - offset[i]);
+        if (share.size() == 0 || share.norm() < notable * amplitudes.norm()) continue;
+        PartMotion m{static_cast<int>(i), {{0, 0}, 0, parts[i].free_motions[0].center}};
+        for (Index k = 0; k < share.size(); ++k) {
+            const RigidMotion& unit = parts[i].free_motions[static_cast<std::size_t>(k)];
+            m.motion.translation += share[k] * unit.translation;
+            m.motion.rotation += share[k] * unit.rotation;
+        }
+        result.push_back(m);
+    }
+    return result;
+}
+
+void find_driven_neutral_motion(const AssemblyProblem& problem, const MatrixXd& neutral, const VectorXd& mode_load,
+                                AssemblySolution& solution) {
+    const VectorXd work = neutral.transpose() * mode_load;
+    if (work.size() > 0 && work.cwiseAbs().maxCoeff() > neutral_work_fraction * problem.load_scale)
+        solution.mechanism = part_motions(problem.parts, neutral * work);
+    else
+        for (Index k = 0; k < neutral.cols(); ++k)
+            for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
+}
+
+/// The neutral motions' amplitudes that make the displacement least (in the coefficients).
+void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    if (neutral.cols() == 0) return;
+    MatrixXd gram = MatrixXd::Zero(neutral.cols(), neutral.cols());
+    VectorXd rhs = VectorXd::Zero(neutral.cols());
+    std::vector<MatrixXd> motion;
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        motion.push_back(problem.parts[i].modes * neutral.middleRows(offset[i], offset[i + 1] - offset[i]));
+        gram += motion.back().transpose() * motion.back();
+        rhs -= motion.back().transpose() * solution.displacement[i];
+    }
+    const VectorXd amplitude = gram.ldlt().solve(rhs);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
+}
+
+void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, const VectorXd& amplitudes,
+                           AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    VectorXd contact_only = multipliers;
+    for (Index k = 0; k < contact_only.size(); ++k)
+        if (!rows.unilateral[static_cast<std::size_t>(k)]) contact_only[k] = 0;
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
+        solution.contact_load.push_back(transposed_times(rows.by_part[i], contact_only, part.n()));
+        solution.load.push_back(part.load + transposed_times(rows.by_part[i], multipliers, part.n()));
+        VectorXd u = solve(part, solution.load.back());
+        if (part.modes.cols() > 0) u += part.modes * amplitudes.segment(offset[i], part.modes.cols());
+        solution.displacement.push_back(std::move(u));
+    }
+}
+
+}  // namespace
+
+AssemblySolution solve_assembly(const AssemblyProblem& problem) {
+    AssemblySolution solution;
+    std::vector<int> first_row;
+    Rows rows = interface_rows(problem.parts, problem.interfaces, first_row);
+    for (const MeanConstraint& c : problem.constraints)
+        append_mean_constraint(rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area, c.coefficient, c.size,
+                               c.value);
+    solution.n_multipliers = rows.n;
+
+    ContactQp qp = condense(problem, rows);
+    scale_rows(qp, rows.weight);
+    add_foundation(qp, problem, first_row, rows.weight);
+    const MotionSplit split = split_motions(resistance(problem, qp, qp.modes.cols()));
+    find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
+    if (!solution.mechanism.empty()) return solution;
+    qp.modes = qp.modes * split.resisted;
+    qp.mode_load = split.resisted.transpose() * qp.mode_load;
+
+    const ContactQpResult result = solve_contact_qp(qp);
+    solution.iterations = result.iterations;
+    solution.converged = result.converged;
+    solution.used_fallback = result.used_fallback;
+    if (!result.feasible) {
+        solution.mechanism = part_motions(problem.parts, split.resisted * result.mechanism);
+        return solution;
+    }
+    const VectorXd multipliers = result.multipliers.cwiseQuotient(rows.weight);
+    recover_displacements(problem, rows, multipliers, split.resisted * result.amplitudes, solution);
+    take_least_motion(problem, split.neutral, solution);
+    for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
+        solution.pressure.push_back(multipliers.segment(first_row[f], problem.interfaces[f].pressure.n_functions()));
+    for (std::size_t c = 0; c < problem.constraints.size(); ++c)
+        solution.constraint_force.push_back(multipliers[rows.n - static_cast<Index>(problem.constraints.size() - c)]);
+    return solution;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Symmetric sparse matrix of 2 x 2 blocks: one block for each pair of functions, rows and columns ordered (function, component).
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace abut::solver {
+
+/// Blocks of the lower triangle (row >= column); diagonal blocks are stored whole.
+struct BlockMatrix {
+    int n = 0;                              ///< functions; the matrix is 2n x 2n
+    std::vector<int> first;                 ///< n + 1 offsets by row
+    std::vector<int> column;                ///< ascending in each row, up to and with the diagonal
+    std::vector<Eigen::Matrix2d> block;
+
+    /// The block of (row, column), row >= column; it must be in the pattern.
+    Eigen::Matrix2d& at(int row, int column_index);
+};
+
+/// Zero matrix whose pattern couples all functions of each given set.
+BlockMatrix make_block_matrix(int n, const std::vector<std::vector<int>>& coupled);
+
+/// A x, x of size 2n.
+Eigen::VectorXd multiply(const BlockMatrix& a, const Eigen::VectorXd& x);
+
+/// Symmetric sparse matrix, lower triangle by columns, rows ascending.
+struct SparseSymmetric {
+    int n = 0;
+    std::vector<int> first, row;
+    std::vector<double> value;
+};
+
+/// The rows and columns whose number[] is not negative, renumbered by it (monotone).
+SparseSymmetric restricted(const BlockMatrix& a, const std::vector<int>& number, int n_kept);
+
+}  // namespace abut::solver

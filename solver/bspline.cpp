@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/bspline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abut::solver {
+
+namespace {
+
+/// Cox-de Boor on a fixed interval: values of all functions of degree p there.
+void cox_de_boor(const double* t, int p, double x, double* values) {
+    // t points at the knot that starts the interval
+    values[0] = 1;
+    for (int d = 1; d <= p; ++d) {
+        double carried = 0;
+        for (int r = 0; r < d; ++r) {
+            const double right = t[r + 1], left = t[r + 1 - d];
+            const double share = values[r] / (right - left);
+            values[r] = carried + (right - x) * share;
+            carried = (x - left) * share;
+        }
+        values[d] = carried;
+    }
+}
+
+const double* interval_start(const KnotVector& knots, int interval) { return knots.knots.data() + interval + knots.degree; }
+
+}  // namespace
+
+KnotVector clamped_knots(std::vector<double> breakpoints, int degree) {
+    KnotVector result{degree, std::move(breakpoints), {}};
+    const auto p = static_cast<std::size_t>(degree);
+    result.knots.assign(p, result.breakpoints.front());
+    result.knots.insert(result.knots.end(), result.breakpoints.begin(), result.breakpoints.end());
+    result.knots.insert(result.knots.end(), p, result.breakpoints.back());
+    return result;
+}
+
+int interval_of(const KnotVector& knots, double x) {
+    const auto& b = knots.breakpoints;
+    const int i = static_cast<int>(std::upper_bound(b.begin(), b.end(), x) - b.begin()) - 1;
+    return std::clamp(i, 0, knots.n_intervals() - 1);
+}
+
+void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values) {
+    cox_de_boor(interval_start(knots, interval), knots.degree, x, values.data());
+}
+
+void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives) {
+    const int p = knots.degree;
+    const double* t = interval_start(knots, interval);
+    LocalValues lower;
+    cox_de_boor(t, p - 1, x, lower.data());
+    // N_i' = p (N_{i,p-1} / (t_{i+p} - t_i) - N_{i+1,p-1} / (t_{i+p+1} - t_{i+1}))
+    double previous = 0;
+    for (int r = 0; r <= p; ++r) {
+        const double next = r < p ? p * lower[static_cast<std::size_t>(r)] / (t[r + 1] - t[r + 1 - p]) : 0.0;
+        derivatives[static_cast<std::size_t>(r)] = previous - next;
+        previous = next;
+    }
+    cox_de_boor(t, p, x, values.data());
+}
+
+double greville(const KnotVector& knots, int i) {
+    double sum = 0;
+    for (int k = 1; k <= knots.degree; ++k) sum += knots.knots[static_cast<std::size_t>(i + k)];
+    return sum / knots.degree;
+}
+
+LocalValues extension_coefficients(const KnotVector& knots, int interval, int j) {
+    const int p = knots.degree;
+    const double* t = interval_start(knots, interval);
+    LocalValues result{};
+    for (int unit = 0; unit <= p; ++unit) {
+        LocalValues d{};
+        d[static_cast<std::size_t>(unit)] = 1;
+        for (int r = 1; r <= p; ++r) {
+            const double u = knots.knots[static_cast<std::size_t>(j + r)];
+            for (int i = p; i >= r; --i) {
+                const double left = t[i - p], right = t[i + 1 - r];
+                const double a = (u - left) / (right - left);
+                d[static_cast<std::size_t>(i)] = (1 - a) * d[static_cast<std::size_t>(i) - 1] + a * d[static_cast<std::size_t>(i)];
+            }
+        }
+        result[static_cast<std::size_t>(unit)] = d[static_cast<std::size_t>(p)];
+    }
+    return result;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Univariate B-splines on clamped, non-uniform knots.
+#pragma once
+#include <array>
+#include <vector>
+
+namespace abut::solver {
+
+inline constexpr int max_degree = 6;
+/// Values of the at most max_degree + 1 functions that live on one interval.
+using LocalValues = std::array<double, max_degree + 1>;
+
+/// Knot vector of degree p over breakpoints x_0 < ... < x_n: the ends repeated p + 1 times, the inner ones simple. Functions i to
+/// i + p live on the interval [x_i, x_i+1]; only function 0 (n + p - 1) is not zero at x_0 (x_n).
+struct KnotVector {
+    int degree;
+    std::vector<double> breakpoints;
+    std::vector<double> knots;
+
+    int n_intervals() const { return static_cast<int>(breakpoints.size()) - 1; }
+    int n_functions() const { return n_intervals() + degree; }
+};
+
+KnotVector clamped_knots(std::vector<double> breakpoints, int degree);
+
+/// Interval that holds x; the last for the right end, the nearest for points outside.
+int interval_of(const KnotVector& knots, double x);
+
+/// Values (and first derivatives) at x of the functions of an interval; x may lie outside of it: the polynomials are continued.
+void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values);
+void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives);
+
+/// Abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville).
+double greville(const KnotVector& knots, int i);
+
+/// The polynomial pieces of an interval's functions, continued over the whole line, have B-spline coefficients everywhere: those
+/// for function j, one for each function of the interval, are the blossom at j's inner knots. This is the extension of
+/// [Grishin10, eqs 3.16-3.17] (Hoellig) on non-uniform knots.
+LocalValues extension_coefficients(const KnotVector& knots, int interval, int j);
+
+}  // namespace abut::solver

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Smoothed stresses: the spline of one degree less that fits the stresses of the displacement at the points where those are most
+// accurate, by least squares [Grishin10, eqs 4.39-4.40].
+#pragma once
+#include <vector>
+
+#include "solver/part_system.hpp"
+
+namespace abut::solver {
+
+struct SamplePoint {
+    int cell;
+    Vec2 x;
+};
+
+struct StressField {
+    SplineSpace space;
+    Eigen::MatrixX3d coefficients;   ///< (n_functions x (xx, yy, xy))
+    double out_of_plane = 0;
+    std::string failure;
+};
+
+/// inside: lines of the sample points of a full cell on [0, 1] (Gauss points of order p - 1; the corners are added here);
+/// cut: sample points of the cut cells, inside the part or on its boundary.
+StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
+                       const std::vector<SamplePoint>& cut);
+
+/// (xx, yy, xy, zz) at a point of a cell.
+Eigen::Vector4d stress_at(const StressField& field, int cell, const Vec2& x);
+
+}  // namespace abut::solver

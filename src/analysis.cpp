@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walk: conditions -> candidates -> passes (grids, solution, new grids from the contacts found) -> results.
+#include "src/analysis.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <set>
+
+#include "src/assembly_model.hpp"
+#include "src/contact_results.hpp"
+#include "src/equilibrium.hpp"
+#include "src/field_results.hpp"
+#include "src/motion_text.hpp"
+#include "src/plan.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int max_search_widenings = 4;
+constexpr double search_widening = 3;
+/// Contacts whose ends move by less than this fraction of their length from one grid to the next are found.
+constexpr double settled_fraction = 0.04;
+/// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
+constexpr double large_rotation = 0.05, large_strain = 0.05;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+int max_passes(const Scene& scene) {
+    if (scene.accuracy.level == "draft") return 3;
+    return scene.accuracy.level == "fine" ? 7 : 6;
+}
+
+/// Are all grids given, so that there is nothing to adapt?
+bool grids_are_fixed(const Scene& scene) {
+    if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
+    return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
+}
+
+struct Outcome {
+    std::vector<Candidate> candidates;
+    SolvedAssembly solved;
+    int passes = 0, factorizations = 0, iterations = 0;
+    bool have_previous = false, settled = true;
+    std::vector<double> previous_peak;   // by candidate
+    double previous_energy = 0;
+};
+
+double energy_of(const SolvedAssembly& s) {
+    double sum = 0;
+    for (std::size_t i = 0; i < s.problem.parts.size(); ++i) sum += strain_energy(s.problem.parts[i], s.solution.displacement[i]);
+    return sum;
+}
+
+double peak_of(const SolvedAssembly& s, std::size_t contact) {
+    if (s.interface_of[contact] < 0) return 0;
+    const solver::KnotVector& k = s.contacts[contact].face.pressure;
+    double peak = 0;
+    for (int i = 0; i < k.n_intervals(); ++i)
+        for (int q = 0; q < 4; ++q) {
+            const double a = k.breakpoints[at(i)], b = k.breakpoints[at(i) + 1];
+            peak = std::max(peak, solver::pressure_at(k, pressure_of(s, contact), a + (b - a) * q / 3));
+        }
+    return peak;
+}
+
+/// Has contact reached an end of a candidate zone that could be longer?
+bool zone_too_short(const SolvedAssembly& s) {
+    for (std::size_t k = 0; k < s.contacts.size(); ++k)
+        for (const ContactRun& run : s.runs[k])
+            if ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)) return true;
+    return false;
+}
+
+/// Same contacts as on the grid before, with ends that moved little?
+bool same_contacts(const SolvedAssembly& now, const SolvedAssembly& before) {
+    if (now.runs.size() != before.runs.size()) return false;
+    for (std::size_t k = 0; k < now.runs.size(); ++k) {
+        if (now.runs[k].size() != before.runs[k].size()) return false;
+        for (std::size_t r = 0; r < now.runs[k].size(); ++r) {
+            const ContactRun &a = now.runs[k][r], &b = before.runs[k][r];
+            const double limit = settled_fraction * std::max(a.end - a.begin, b.end - b.begin);
+            if (std::abs(a.begin - b.begin) > limit || std::abs(a.end - b.end) > limit) return false;
+        }
+    }
+    return true;
+}
+
+bool any_run(const SolvedAssembly& s) {
+    return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
+}
+
+std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& candidates) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const Candidate& c : candidates) pairs.emplace_back(c.first, c.second);
+    return pairs;
+}
+
+/// Grids, solution, new grids from the contacts found, until these stay where they are.
+Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds) {
+    Outcome out;
+    const double coarseness = coarseness_of(scene);
+    double factor = 1;
+    const auto search = [&] {
+        const auto begin = std::chrono::steady_clock::now();
+        out.candidates = find_candidates(scene, factor);
+        seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    search();
+    WantedSizes wanted = first_sizes(scene, out.candidates, coarseness);
+    int widenings = 0;
+    for (;;) {
+        if (options.progress) options.progress("pass " + std::to_string(out.passes + 1));
+        const std::vector<bool> solve = parts_to_solve(scene, touching_pairs(out.candidates));
+        SolvedAssembly now = solve_pass(scene, conditions, out.candidates, solve, wanted, coarseness, seconds);
+        ++out.passes;
+        out.factorizations += static_cast<int>(now.problem.parts.size());
+        out.iterations += now.solution.iterations;
+        const bool stuck = !now.failure.empty() || !now.solution.mechanism.empty();
+        const bool may_widen = !scene.contacts.search_distance && widenings < max_search_widenings && scene.contacts.detect && scene.parts.size() > 1;
+        if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now))) {
+            ++widenings;
+            factor *= search_widening;
+            search();
+            if (stuck || !any_run(now)) wanted = first_sizes(scene, out.candidates, coarseness);
+            else wanted = sizes_from(scene, now, coarseness);
+            continue;
+        }
+        if (stuck || grids_are_fixed(scene) || !any_run(now)) {
+            out.solved = std::move(now);
+            return out;
+        }
+        const bool settled = out.have_previous && same_contacts(now, out.solved);
+        if (settled || out.passes >= max_passes(scene) + widenings) {
+            out.settled = settled;
+            out.solved = std::move(now);
+            return out;
+        }
+        wanted = sizes_from(scene, now, coarseness);
+        out.have_previous = true;
+        out.previous_energy = energy_of(now);
+        out.previous_peak.clear();
+        for (std::size_t k = 0; k < now.contacts.size(); ++k) out.previous_peak.push_back(peak_of(now, k));
+        out.solved = std::move(now);
+    }
+}
+
+void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        PartResult part;
+        part.name = scene.parts[i].name;
+        part.material = scene.materials[at(scene.parts[i].material)].name;
+        part.area = area(scene.parts[i].part);
+        part.solved = !solved.solver_part.empty() && solved.solver_part[i] >= 0;
+        if (part.solved) {
+            const PartOnGrid& g = solved.grids[at(solved.solver_part[i])];
+            part.unknowns = 2 * g.input.space.n_functions;
+            part.grid_angle = std::atan2(g.frame.s, g.frame.c);
+            for (double v : g.cells.grid.x) part.grid_x.push_back(v + g.frame.shift.x());
+            for (double v : g.cells.grid.y) part.grid_y.push_back(v + g.frame.shift.y());
+            for (geometry::CellClass c : g.cells.cell_class) {
+                if (c == geometry::CellClass::inner) ++part.cells_inner;
+                else if (c == geometry::CellClass::boundary) ++part.cells_boundary;
+                else ++part.cells_outer;
+            }
+            result.unknowns += part.unknowns;
+            result.cells[0] += part.cells_inner;
+            result.cells[1] += part.cells_boundary;
+            result.cells[2] += part.cells_outer;
+        }
+        result.parts.push_back(std::move(part));
+        result.geometry.push_back(scene.parts[i].part);
+        result.fields.emplace_back();
+    }
+}
+
+void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, Result& result) {
+    for (const Probe& probe : scene.output.probes)
+        for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+            if (scene.parts[i].name != probe.part || solved.solver_part[i] < 0) continue;
+            const auto k = at(solved.solver_part[i]);
+            const PartOnGrid& g = solved.grids[k];
+            const Vec2 local = g.frame.to_local(probe.at);
+            const int cell = g.input.space.cell_at(local);
+            const FieldSample s = sample_field(g, solved.solution.displacement[k], stress[k], cell, local);
+            result.probes.push_back({probe.part, probe.at, s.displacement, s.stress});
+        }
+}
+
+void check_probes(const Scene& scene) {
+    std::vector<Problem> problems;
+    for (const Probe& probe : scene.output.probes)
+        for (const ScenePart& part : scene.parts) {
+            if (part.name != probe.part) continue;
+            double away = std::numeric_limits<double>::infinity();
+            for (const geometry::Edge& e : part.part.edges)
+                away = std::min(away, (point(e.curve, closest_parameter(e.curve, probe.at)) - probe.at).norm());
+            const double merge = geometry::merge_length(part.part);
+            if (away > merge && !contains(part.part, probe.at))
+                problems.push_back({probe.where, "the probe at (" + number_text(probe.at.x(), 6) + ", " + number_text(probe.at.y(), 6) +
+                                                     ") lies outside part " + probe.part,
+                                    "it is " + number_text(away, 3) + " away from the part's boundary"});
+        }
+    if (!problems.empty()) throw InputError(problems);
+}
+
+void fill_errors(const Outcome& out, Result& result) {
+    if (!out.have_previous) {
+        result.error_estimate.method = "none: one grid only";
+        return;
+    }
+    result.error_estimate.method = "change between the last two grids";
+    if (result.strain_energy > 0)
+        result.error_estimate.energy = std::abs(result.strain_energy - out.previous_energy) / result.strain_energy;
+    double worst = 0, largest = 0;
+    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.max_pressure.value);
+    for (std::size_t k = 0; k < result.contacts.size() && k < out.previous_peak.size(); ++k) {
+        if (result.contacts[k].max_pressure.value <= 0) continue;
+        const double change = std::abs(result.contacts[k].max_pressure.value - out.previous_peak[k]);
+        result.contacts[k].error_estimate = change / result.contacts[k].max_pressure.value;
+        worst = std::max(worst, change / largest);
+    }
+    if (largest > 0) result.error_estimate.contact_pressure = worst;
+}
+
+/// Warnings where the answer does not bear out what was assumed.
+void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
+        double rotation = 0, strain = 0;
+        const PartOnGrid& g = out.solved.grids[k];
+        const auto look = [&](int cell, const Vec2& x) {
+            const auto u = solver::displacement_at(g.input.space, out.solved.solution.displacement[k], cell, x);
+            rotation = std::max(rotation, 0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)));
+            strain = std::max(strain, (0.5 * (u.gradient + u.gradient.transpose())).norm());
+        };
+        for (const auto& [cell, x] : cut_cell_samples(g)) look(cell, x);
+        const std::string& name = scene.parts[at(g.part)].name;
+        if (rotation > large_rotation)
+            result.warnings.push_back("large displacement: part " + name + " turns by up to " + number_text(rotation * 180 / M_PI, 3) +
+                                      " degrees; the answer is that of small displacements");
+        if (strain > large_strain)
+            result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * strain, 3) +
+                                      " %; the answer is that of linear elasticity");
+    }
+    if (!out.settled)
+        result.warnings.push_back("the contacts still moved between the last two grids by more than " +
+                                  number_text(100 * settled_fraction, 2) + " % of their length");
+    if (out.solved.refined_for_walls > 0)
+        result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
+                                  " part(s) were refined because a wall was thinner than a cell");
+}
+
+void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    result.status = "failed";
+    result.solver.converged = false;
+    if (!solved.failure.empty()) {
+        result.message = solved.failure;
+        return;
+    }
+    std::string motions;
+    for (const solver::PartMotion& m : solved.solution.mechanism)
+        motions += (motions.empty() ? "" : "; ") + motion_text(scene, solved, m);
+    result.message = "the loads move a part that nothing holds: " + motions + ". Add a support, or a part that it can rest on";
+}
+
+void fill_answers(const Scene& scene, const Outcome& out, Stopwatches& seconds, Result& result) {
+    const SolvedAssembly& solved = out.solved;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        result.contacts.push_back(contact_result(scene, solved, out.candidates[k], k));
+    result.strain_energy = energy_of(solved);
+    fill_equilibrium(scene, solved, result);
+    fill_errors(out, result);
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<solver::StressField> stress;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        stress.push_back(stress_field(solved.grids[k], solved.solution.displacement[k]));
+        const auto i = at(solved.grids[k].part);
+        PartFieldResult field = part_field(solved.grids[k], solved.solution.displacement[k], stress.back());
+        result.parts[i].max_displacement = field.max_displacement;
+        result.parts[i].max_von_mises = field.max_von_mises;
+        result.fields[i] = std::move(field.field);
+    }
+    fill_probes(scene, solved, stress, result);
+    seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    std::set<std::string> neutral;
+    for (const solver::PartMotion& m : solved.solution.neutral) neutral.insert(motion_text(scene, solved, m));
+    for (const std::string& text : neutral)
+        result.warnings.push_back("nothing holds a motion that no load drives (the answer of least motion is given): " + text);
+    check_assumptions(scene, out, result);
+}
+
+}  // namespace
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
+    Result result;
+    result.title = scene.title;
+    result.length_unit = scene.length_unit;
+    result.force_unit = scene.force_unit;
+    result.degree = scene.accuracy.degree;
+    result.effects = plan_effects(scene);
+    result.warnings = scene.warnings;
+    check_probes(scene);
+    const ResolvedConditions conditions = resolve_conditions(scene);
+    result.support_marks = support_marks(scene, conditions);
+    result.load_marks = load_marks(scene, conditions);
+
+    const Outcome out = solve_adaptively(scene, conditions, options, seconds);
+    fill_parts(scene, out.solved, result);
+    result.multipliers = out.solved.solution.n_multipliers;
+    result.solver = {out.passes, out.factorizations, out.iterations, out.solved.condition, out.solved.solution.converged};
+    if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
+        fill_failure(scene, out.solved, result);
+    } else {
+        if (!out.solved.solution.converged) {
+            result.status = "failed";
+            result.message = "the contact iterations did not converge";
+        }
+        fill_answers(scene, out, seconds, result);
+    }
+    for (Effect& e : result.effects)
+        if (e.on && e.name == "contact") e.seconds = seconds["solve"];
+    const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"}) result.timing.emplace_back(stage, seconds[stage]);
+    result.timing.emplace_back("output", 0);
+    result.timing.emplace_back("total", total);
+    return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One pass of the analysis: grids, discretisation, contact interfaces, solution.
+#pragma once
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "solver/assembly_solve.hpp"
+#include "src/boundary_conditions.hpp"
+#include "src/candidates.hpp"
+#include "src/contact_interface.hpp"
+#include "src/contact_runs.hpp"
+#include "src/grid_design.hpp"
+
+namespace abut {
+
+/// Seconds by stage; stages of several passes add up.
+using Stopwatches = std::map<std::string, double>;
+
+/// A solved pass.
+struct SolvedAssembly {
+    std::vector<PartOnGrid> grids;                 ///< of the parts that are solved
+    std::vector<int> solver_part;                  ///< by scene part: index into grids, or -1
+    std::vector<ContactInterface> contacts;        ///< parallel to the candidates; those without pieces have no points
+    std::vector<int> interface_of;                 ///< by contact: index among the solver's interfaces, or -1
+    solver::AssemblyProblem problem;
+    solver::AssemblySolution solution;
+    std::vector<std::vector<ContactRun>> runs;     ///< by contact
+    double condition = 0;                          ///< largest of the parts'
+    std::string failure;                           ///< not empty: not solvable, and why
+    int refined_for_walls = 0;                     ///< parts whose grid had to be refined to hold the basis
+};
+
+/// What is asked of the grids of a pass: features by scene part, in assembly coordinates.
+struct WantedSize {
+    std::vector<Vec2> points;   ///< the cells around all of them
+    double size;
+};
+using WantedSizes = std::vector<std::vector<WantedSize>>;
+
+SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness, Stopwatches& seconds);
+
+/// Sizes wanted before anything is known: cells along the closest portions of the candidates.
+WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);
+
+/// Sizes wanted from a solution: cells within every contact, finer towards its ends.
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double coarseness);
+
+/// Factor on all cell sizes for the scene's accuracy level.
+double coarseness_of(const Scene& scene);
+
+/// Pressure spline's coefficients of a contact.
+const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);
+
+}  // namespace abut

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/candidates.hpp"
+
+#include <algorithm>
+
+#include "src/selection.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+const geometry::Part& part_of(const Scene& scene, int i) { return scene.parts[static_cast<std::size_t>(i)].part; }
+
+/// Does a rule speak of this zone: one selector matching an edge of either side.
+bool rule_matches(const Scene& scene, const PairRule& rule, const Candidate& c) {
+    const auto any = [&](const Selector& selector, int part, const geometry::Chain& chain) {
+        return std::any_of(chain.edges.begin(), chain.edges.end(), [&](int e) { return selector_matches(scene, selector, part, e); });
+    };
+    const auto both = [&](const Selector& a, const Selector& b) {
+        return any(a, c.first, c.zone.chain1) && any(b, c.second, c.zone.chain2);
+    };
+    return both(rule.between[0], rule.between[1]) || both(rule.between[1], rule.between[0]);
+}
+
+void check_overlap(const Scene& scene, const Candidate& c, double allowed, std::vector<Problem>& problems) {
+    if (c.zone.gap_min >= -allowed) return;
+    const ScenePart &a = scene.parts[static_cast<std::size_t>(c.first)], &b = scene.parts[static_cast<std::size_t>(c.second)];
+    const std::string edges = a.name + "/" + a.part.edges[static_cast<std::size_t>(c.zone.chain1.edges.front())].name + " and " + b.name +
+                              "/" + b.part.edges[static_cast<std::size_t>(c.zone.chain2.edges.front())].name;
+    problems.push_back({a.where, "parts " + a.name + " and " + b.name + " overlap by " + number_text(-c.zone.gap_min, 4) + " at " + edges,
+                        "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\""});
+}
+
+}  // namespace
+
+bool selector_matches(const Scene& scene, const Selector& selector, int part, int edge) {
+    const ScenePart& p = scene.parts[static_cast<std::size_t>(part)];
+    if (selector.pattern == p.name) return true;
+    Selector probe = selector;
+    std::vector<EdgePortion> portions;
+    try {
+        portions = select(scene, {probe});
+    } catch (const InputError&) {
+        return false;   // reported where the rules are read
+    }
+    return std::any_of(portions.begin(), portions.end(), [&](const EdgePortion& e) { return e.part == part && e.edge == edge; });
+}
+
+std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
+    std::vector<Candidate> candidates;
+    std::vector<Problem> problems;
+    const int n = static_cast<int>(scene.parts.size());
+    for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j) {
+            const auto box_i = bounding_box(part_of(scene, i)), box_j = bounding_box(part_of(scene, j));
+            const double size = std::min(box_i.diagonal(), box_j.diagonal());
+            const double distance = scene.contacts.search_distance ? *scene.contacts.search_distance : factor * first_search_fraction * size;
+            if (!box_i.overlaps(box_j, distance)) continue;
+            for (geometry::FacingZone& zone : find_facing_zones(part_of(scene, i), part_of(scene, j), distance)) {
+                Candidate c{i, j, std::move(zone), 0, scene.contacts.overlap == "ignore"};
+                bool wanted = scene.contacts.detect;
+                for (const PairRule& rule : scene.contacts.pairs) {
+                    if (!rule_matches(scene, rule, c)) continue;
+                    wanted = rule.kind == PairRule::Kind::contact;
+                    c.closing = rule.interference;
+                }
+                if (!wanted) continue;
+                if (scene.contacts.overlap == "report") check_overlap(scene, c, overlap_fraction * size, problems);
+                candidates.push_back(std::move(c));
+            }
+        }
+    if (!problems.empty()) throw InputError(problems);
+    return candidates;
+}
+
+}  // namespace abut

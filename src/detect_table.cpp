@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `contacts` prints for people.
+#include <algorithm>
+
+#include "src/detect.hpp"
+#include "src/result_units.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest entry, two blanks between them, no blanks at the ends of lines.
+std::string aligned(const std::vector<Row>& rows) {
+    std::vector<std::size_t> width(rows.front().size());
+    for (const Row& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], text_width(row[i]));
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(width[i] - text_width(row[i]) + 2, ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string pair_rows(const Scene& scene, const std::vector<DetectedPair>& pairs) {
+    std::vector<Row> rows{{"", "parts", "status", "interface", heading("gap", scene.length_unit), heading("facing", scene.length_unit),
+                           "cells", "between", "overlap area"}};
+    const bool overlaps = std::any_of(pairs.begin(), pairs.end(), [](const DetectedPair& p) { return p.overlap_area > 0; });
+    if (!overlaps) rows[0].pop_back();
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const DetectedPair& p = pairs[k];
+        const std::string gap = number_text(p.gap_min, 3) + " to " + number_text(p.gap_max, 3);
+        rows.push_back({std::to_string(k + 1), p.parts[0] + " - " + p.parts[1], p.status, p.interface, gap, number_text(p.length, 4),
+                        p.cells_case, p.between[0] + " - " + p.between[1]});
+        if (overlaps) rows.back().push_back(p.overlap_area > 0 ? number_text(p.overlap_area, 4) : "");
+    }
+    return aligned(rows);
+}
+
+std::string near_miss_lines(const std::vector<DetectedPair>& pairs) {
+    std::string text;
+    for (const DetectedPair& p : pairs) text += "  " + p.parts[0] + " - " + p.parts[1] + ": " + p.why + "\n";
+    return text.empty() ? text : "\nnear misses\n" + text;
+}
+
+}  // namespace
+
+std::string detection_table(const Scene& scene, const Detection& detection) {
+    std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " + with_unit(detection.distance, 4, scene.length_unit) +
+                                                     " of each other\n"
+                                               : pair_rows(scene, detection.pairs);
+    return text + near_miss_lines(detection.near_misses);
+}
+
+}  // namespace abut

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/field_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/gauss.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::CellClass;
+
+constexpr double drawn_arc = 0.06;   // radians between points of a drawn arc
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Patches a side of a cell: few cells are drawn finer than many.
+int patches_per_side(std::size_t n_cells) { return n_cells < 300 ? 4 : (n_cells < 1500 ? 2 : 1); }
+
+/// Stress turned from the grid's axes to the assembly's.
+Stress turned(const Eigen::Vector4d& s, const Frame& f) {
+    const double c = f.c, q = f.s;
+    return {c * c * s[0] + q * q * s[1] - 2 * c * q * s[2], q * q * s[0] + c * c * s[1] + 2 * c * q * s[2],
+            c * q * (s[0] - s[1]) + (c * c - q * q) * s[2], s[3]};
+}
+
+void take_maximum(PartFieldResult& r, const FieldSample& sample) {
+    const double u = sample.displacement.norm(), v = von_mises(sample.stress);
+    if (u > r.max_displacement.value) r.max_displacement = {u, sample.at};
+    if (v > r.max_von_mises.value) r.max_von_mises = {v, sample.at};
+}
+
+template <class Sample>
+void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sample sample) {
+    const geometry::Grid& lines = grid.cells.grid;
+    const auto i = at(lines.column_of(cell)), j = at(lines.row_of(cell));
+    const int base = static_cast<int>(r.field.samples.size());
+    for (int b = 0; b <= n; ++b)
+        for (int a = 0; a <= n; ++a)
+            r.field.samples.push_back(sample(cell, Vec2(lines.x[i] + (lines.x[i + 1] - lines.x[i]) * a / n,
+                                                        lines.y[j] + (lines.y[j + 1] - lines.y[j]) * b / n)));
+    for (int b = 0; b < n; ++b)
+        for (int a = 0; a < n; ++a) {
+            const int k = base + b * (n + 1) + a;
+            r.field.patches.push_back({{k, k + 1, k + n + 2, k + n + 1}});
+        }
+}
+
+}  // namespace
+
+solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
+    std::vector<solver::SamplePoint> cut;
+    for (const auto& [cell, x] : cut_cell_samples(grid)) cut.push_back({cell, x});
+    const int degree = std::max(grid.input.space.x.degree, grid.input.space.y.degree);
+    return solver::fit_stress(grid.input, displacement, geometry::gauss_rule(degree).points, cut);
+}
+
+FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress, int cell,
+                         const Vec2& local) {
+    const solver::DisplacementAt u = solver::displacement_at(grid.input.space, displacement, cell, local);
+    return {grid.frame.to_global(local), grid.frame.vector_to_global(u.value), turned(solver::stress_at(stress, cell, local), grid.frame)};
+}
+
+PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress) {
+    PartFieldResult r;
+    const auto sample = [&](int cell, const Vec2& p) { return sample_field(grid, displacement, stress, cell, p); };
+    const int n = patches_per_side(grid.cells.cell_class.size());
+    for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {
+        if (grid.cells.cell_class[c] == CellClass::outer) continue;
+        const std::size_t before = r.field.samples.size();
+        add_cell(r, grid, static_cast<int>(c), n, sample);
+        if (grid.cells.cell_class[c] == CellClass::inner)
+            for (std::size_t k = before; k < r.field.samples.size(); ++k) take_maximum(r, r.field.samples[k]);
+    }
+    for (const auto& [cell, p] : cut_cell_samples(grid)) take_maximum(r, sample(cell, p));
+    for (const geometry::Loop& loop : grid.local.loops) {
+        r.field.boundary.emplace_back();
+        for (int e : loop.edges)
+            for (int k = grid.cells.first_piece[at(e)]; k < grid.cells.first_piece[at(e) + 1]; ++k) {
+                const geometry::BoundaryPiece& piece = grid.cells.pieces[at(k)];
+                const geometry::Curve& curve = grid.local.edges[at(e)].curve;
+                const auto* arc = std::get_if<geometry::Arc>(&curve);
+                const double angle = arc ? std::abs(arc->sweep) * (piece.t1 - piece.t0) : 0.0;
+                const int steps = std::max(1, static_cast<int>(std::ceil(angle / drawn_arc)));
+                for (int q = 0; q < steps; ++q) {
+                    const double t = piece.t0 + (piece.t1 - piece.t0) * q / steps;
+                    r.field.boundary.back().push_back(sample(piece.cell, point(curve, t)));
+                    take_maximum(r, r.field.boundary.back().back());
+                }
+            }
+    }
+    return r;
+}
+
+}  // namespace abut

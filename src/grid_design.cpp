@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/grid_design.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/monotone.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::Box2;
+using geometry::Part;
+
+constexpr double cells_over_diagonal = 14;   // of a plain part
+constexpr double cells_over_extent = 4;      // at least, in each direction
+constexpr double cells_across_wall = 4;
+constexpr double cells_per_radius = 2.5;
+constexpr double corner_fraction = 0.25;     // of the largest cell, at re-entrant corners
+constexpr int chords = 48;                   // scan lines in each direction that look for walls
+
+double wanted_size(double v, int axis, double largest, const std::vector<SizeFeature>& features) {
+    double size = largest;
+    for (const SizeFeature& f : features) {
+        const double away = std::max({0.0, f.box.min[axis] - v, v - f.box.max[axis]});
+        size = std::min(size, f.size + size_growth * away);
+    }
+    return size;
+}
+
+/// Crossings of the boundary with the line where coordinate 1 - axis is `at`, and whether the boundary stands steeply on it.
+struct Hit {
+    double v;
+    bool steep;
+};
+
+std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int axis, double at) {
+    std::vector<Hit> found;
+    for (const geometry::MonotonePiece& p : pieces) {
+        const int other = 1 - axis;
+        if ((p.from[other] < at) == (p.to[other] < at)) continue;
+        const double v = axis == 0 ? geometry::x_at(p, at) : geometry::y_at(p, at);
+        const geometry::Vec2 along = p.is_arc ? geometry::left_of(axis == 0 ? geometry::Vec2(v - p.center.x(), at - p.center.y())
+                                                                            : geometry::Vec2(at - p.center.x(), v - p.center.y()))
+                                              : geometry::Vec2(p.to - p.from);
+        found.push_back({v, std::abs(along[other]) > std::abs(along[axis])});
+    }
+    std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.v < b.v; });
+    return found;
+}
+
+/// Material between two steep sides along scan lines: walls, which need cells across.
+void append_walls(std::vector<SizeFeature>& features, const Part& local, int axis, double coarseness) {
+    const Box2 box = bounding_box(local);
+    const auto pieces = geometry::monotone_pieces(local);
+    for (int k = 0; k < chords; ++k) {
+        const double at = box.min[1 - axis] + (k + 0.5) / chords * box.size()[1 - axis];
+        const std::vector<Hit> found = hits(pieces, axis, at);
+        for (std::size_t i = 0; i + 1 < found.size(); i += 2) {
+            if (!found[i].steep || !found[i + 1].steep) continue;
+            SizeFeature f;
+            f.size = coarseness * (found[i + 1].v - found[i].v) / cells_across_wall;
+            // only this axis is asked for: the other extent covers everything
+            f.box = box;
+            f.box.min[axis] = found[i].v;
+            f.box.max[axis] = found[i + 1].v;
+            f.box.min[1 - axis] = f.box.max[1 - axis] = std::numeric_limits<double>::infinity();
+            features.push_back(f);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features) {
+    constexpr double steps_per_cell = 24;
+    std::vector<double> v{low}, count{0};
+    while (v.back() < high) {
+        const double size = wanted_size(v.back(), axis, largest, features);
+        const double next = std::min(high, v.back() + size / steps_per_cell);
+        const double middle = wanted_size(0.5 * (v.back() + next), axis, largest, features);
+        count.push_back(count.back() + (next - v.back()) / middle);
+        v.push_back(next);
+    }
+    const int n = std::max(1, static_cast<int>(std::ceil(count.back() - 1e-9)));
+    std::vector<double> lines{low};
+    std::size_t i = 0;
+    for (int k = 1; k < n; ++k) {
+        const double target = count.back() * k / n;
+        while (count[i + 1] < target) ++i;
+        lines.push_back(v[i] + (target - count[i]) / (count[i + 1] - count[i]) * (v[i + 1] - v[i]));
+    }
+    lines.push_back(high);
+    return lines;
+}
+
+std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
+    std::vector<SizeFeature> features;
+    for (int axis : {0, 1}) append_walls(features, local, axis, coarseness);
+    const auto largest = largest_cells(local, coarseness);
+    for (const geometry::Loop& loop : local.loops)
+        for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+            const geometry::Edge& edge = local.edges[static_cast<std::size_t>(loop.edges[i])];
+            const geometry::Edge& next = local.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])];
+            if (const auto* arc = std::get_if<geometry::Arc>(&edge.curve))
+                features.push_back({bounding_box(edge.curve), coarseness * arc->radius / cells_per_radius});
+            const double turn = geometry::cross(geometry::unit_tangent(edge.curve, 1), geometry::unit_tangent(next.curve, 0));
+            if (turn < -0.1) {
+                Box2 at;
+                at.extend(geometry::point(edge.curve, 1));
+                features.push_back({at, corner_fraction * std::min(largest[0], largest[1])});
+            }
+        }
+    return features;
+}
+
+std::array<double, 2> largest_cells(const Part& local, double coarseness) {
+    const Box2 box = bounding_box(local);
+    const double by_diagonal = box.diagonal() / cells_over_diagonal;
+    return {coarseness * std::min(by_diagonal, box.size().x() / cells_over_extent),
+            coarseness * std::min(by_diagonal, box.size().y() / cells_over_extent)};
+}
+
+}  // namespace abut

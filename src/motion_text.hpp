@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "src/assembly_model.hpp"
+
+namespace abut {
+
+/// "pin slides along (1, 0)" or "pin rotates about (3, 4)", in assembly coordinates.
+std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion);
+
+}  // namespace abut

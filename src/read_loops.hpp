@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boundaries that are given edge by edge: the value of a `loops` node.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "geometry/csg.hpp"
+#include "src/scene_fields.hpp"
+
+namespace abut {
+
+/// Edges in the file's own direction and order, named `e0`, `e1`, ... over all loops where they have no name of their own.
+/// Nothing where an edge is wrong (reported). Whether the edges meet is for geometry::evaluate to say.
+std::optional<geometry::Loops> read_loops(SceneReading& reading, const JsonValue& value);
+
+/// The optional "name" of a node or an edge; empty where it is absent or wrong (reported).
+std::string read_edge_prefix(SceneReading& reading, const JsonValue& object);
+
+}  // namespace abut

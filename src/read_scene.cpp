@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+#include <utility>
+
+#include "src/json_document.hpp"
+#include "src/read_accuracy.hpp"
+#include "src/read_contacts.hpp"
+#include "src/read_materials.hpp"
+#include "src/read_output.hpp"
+#include "src/read_parts.hpp"
+#include "src/read_selection.hpp"
+#include "src/read_supports_loads.hpp"
+#include "src/scene.hpp"
+#include "src/scene_fields.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Problems beyond this number are counted, not printed.
+constexpr std::size_t reported_problems = 20;
+
+void read_version(SceneReading& reading) {
+    const JsonValue* version = find_member(reading.root, "abut");
+    if (!version) {
+        report(reading, reading.root, "the key 'abut' is missing", "a scene states its format version: \"abut\": 1");
+    } else if (version->kind != JsonValue::Kind::number || version->number != 1) {
+        report(reading, *version, "this format version is not known", "write \"abut\": 1");
+    }
+}
+
+void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
+    if (!check_object(reading, units, {{"length", "force"}, {}})) return;
+    scene.length_unit = member_or(reading, units, "length", std::string(), read_text);
+    scene.force_unit = member_or(reading, units, "force", std::string(), read_text);
+}
+
+void read_general(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    const JsonValue* title = find_member(root, "title");
+    if (title && title->kind != JsonValue::Kind::string) report(reading, *title, "expected a text, found " + described(*title));
+    if (title) scene.title = title->text;
+    if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
+    if (const JsonValue* analysis = find_member(root, "analysis")) {
+        const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain"}, {"axisymmetric"}});
+        scene.analysis = word == "plane_strain" ? Analysis::plane_strain : Analysis::plane_stress;
+    }
+    if (const JsonValue* symmetry = find_member(root, "symmetry")) read_word(reading, *symmetry, {{"off"}, {"auto"}});
+}
+
+void read_all_parts(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    const JsonValue* parts = find_member(root, "parts");
+    const JsonValue* assembly = find_member(root, "assembly");
+    if (!parts && !assembly) {
+        report(reading, root, "the scene has no parts", "give 'parts' or 'assembly'");
+        reading.all_parts_named = false;
+    }
+    Imports imports;
+    imports.length_unit = scene.length_unit;
+    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive);
+    if (parts) read_parts(reading, imports, *parts, thickness, scene);
+    if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
+    scene.imports = std::move(imports.records);
+}
+
+void read_sections(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    if (const JsonValue* supports = find_member(root, "supports")) scene.supports = read_supports(reading, *supports);
+    if (const JsonValue* loads = find_member(root, "loads")) scene.loads = read_loads(reading, *loads);
+    if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
+    if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
+    if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
+}
+
+/// Gravity acts on all parts, so all of them need a density (which may be given as 0).
+void check_gravity(SceneReading& reading, const Scene& scene) {
+    const Load* gravity = nullptr;
+    for (const Load& load : scene.loads) gravity = load.kind == Load::Kind::gravity ? &load : gravity;
+    if (!gravity) return;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        bool used = false;
+        for (const ScenePart& part : scene.parts) used |= part.material == static_cast<int>(m);
+        if (!used || scene.materials[m].has_density) continue;
+        report(reading, *find_pointer(reading.root, gravity->where),
+               "gravity needs the 'density' of the material '" + scene.materials[m].name + "'",
+               "give the material a 'density', or 0 for no weight");
+    }
+}
+
+[[noreturn]] void throw_problems(std::vector<Problem> problems) {
+    const std::size_t n = problems.size();
+    if (n > reported_problems) {
+        problems.resize(reported_problems);
+        problems.push_back({"", "and " + std::to_string(n - reported_problems) + " more problems", ""});
+    }
+    throw InputError(std::move(problems));
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+    JsonDocument document = read_json(path);
+    SceneReading reading{path, std::move(document.root), {}, std::move(document.problems), {}, true};
+    Scene scene;
+    scene.file = path;
+    const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
+                      "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+                     {}};
+    if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
+    read_version(reading);
+    if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
+    read_general(reading, scene);
+    if (const JsonValue* materials = find_member(reading.root, "materials")) {
+        scene.materials = read_materials(reading, *materials, scene.analysis);
+    }
+    read_all_parts(reading, scene);
+    read_sections(reading, scene);
+    // Edges can be looked up only where every part has its geometry.
+    if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);
+    check_gravity(reading, scene);
+    if (!reading.problems.empty()) throw_problems(std::move(reading.problems));
+    return scene;
+}
+
+}  // namespace abut

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/report_sections.hpp"
+#include "src/report_table.hpp"
+#include "src/result_units.hpp"
+
+namespace abut::report {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string count_text(int n) { return std::to_string(n); }
+std::string percent(const std::optional<double>& fraction) { return fraction ? number_text(100 * *fraction, 2) + " %" : "–"; }
+std::string subsection(const std::string& title, const std::string& html) { return "<h3>" + title + "</h3>\n" + html; }
+
+std::string ends_text(const std::vector<Vec2>& ends) {
+    std::vector<std::string> words;
+    for (const Vec2& end : ends) words.push_back(pair_text(end, 5));
+    return words.empty() ? "–" : joined(words, "  ");
+}
+
+std::string contact_table(const Result& result, const ResultUnits& u) {
+    if (result.contacts.empty()) return subsection("Contacts", "<p>No parts touch.</p>\n");
+    Rows forces, shapes;
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+        const ContactResult& c = result.contacts[k];
+        const std::string number = std::to_string(k + 1);
+        forces.push_back({number, c.between[0], c.between[1], c.interface, c.kind == "contact" ? c.status : c.kind + ", " + c.status,
+                          pair_text(c.force, 5), number_text(c.moment, 5), number_text(c.max_pressure.value, 5), pair_text(c.max_pressure.at, 5),
+                          percent(c.error_estimate)});
+        shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5), ends_text(c.ends),
+                          number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4), number_text(c.max_penetration, 3)});
+    }
+    return subsection("Contacts", html_table({{"", true},
+                                              {"first"},
+                                              {"second"},
+                                              {"interface"},
+                                              {"status"},
+                                              {heading("force on first", u.force), true},
+                                              {heading("moment", u.moment), true},
+                                              {heading("max pressure", u.stress), true},
+                                              {heading("at", u.length), true},
+                                              {"est. error", true}},
+                                             forces) +
+                                      html_table({{"", true},
+                                                  {"edges of the first"},
+                                                  {"edges of the second"},
+                                                  {heading("contact length", u.length), true},
+                                                  {heading("ends", u.length), true},
+                                                  {heading("initial gap", u.length), true},
+                                                  {heading("max penetration", u.length), true}},
+                                                 shapes));
+}
+
+std::string reaction_table(const Result& result, const ResultUnits& u) {
+    if (result.reactions.empty()) return "";
+    Rows rows;
+    for (const Reaction& r : result.reactions)
+        rows.push_back({count_text(r.support), r.label, r.method, pair_text(r.force, 5), number_text(r.moment, 5)});
+    return subsection("Reactions", html_table({{"support", true},
+                                               {""},
+                                               {"method"},
+                                               {heading("force on the model", u.force), true},
+                                               {heading("moment about the origin", u.moment), true}},
+                                              rows));
+}
+
+std::string equilibrium_table(const Result& result, const ResultUnits& u) {
+    const auto& e = result.equilibrium;
+    const Rows rows{{pair_text(e.applied, 5), pair_text(e.reaction, 5), number_text(e.relative_residual, 2),
+                     number_text(e.relative_moment_residual, 2), number_text(result.strain_energy, 5)}};
+    return subsection("Equilibrium", html_table({{heading("applied", u.force), true},
+                                                 {heading("reaction", u.force), true},
+                                                 {"relative residual", true},
+                                                 {"of moments", true},
+                                                 {heading("strain energy", u.energy), true}},
+                                                rows));
+}
+
+std::string part_table(const Result& result, const ResultUnits& u) {
+    if (result.parts.empty()) return "";
+    Rows rows;
+    for (const PartResult& p : result.parts) {
+        const auto value = [&](double v) { return p.solved ? number_text(v, 5) : "–"; };
+        const auto at = [&](const ValueAt& v) { return p.solved ? pair_text(v.at, 4) : "–"; };
+        rows.push_back({p.name, p.material, number_text(p.area, 6), p.solved ? count_text(p.unknowns) : "not analysed", value(p.max_displacement.value),
+                        at(p.max_displacement), value(p.max_von_mises.value), at(p.max_von_mises)});
+    }
+    return subsection("Parts", html_table({{"part"},
+                                           {"material"},
+                                           {heading("area", u.area), true},
+                                           {"unknowns", true},
+                                           {heading("max displacement", u.length), true},
+                                           {heading("at", u.length), true},
+                                           {heading("max von Mises", u.stress), true},
+                                           {heading("at", u.length), true}},
+                                          rows));
+}
+
+std::string probe_table(const Result& result, const ResultUnits& u) {
+    if (result.probes.empty()) return "";
+    Rows rows;
+    for (const ProbeResult& p : result.probes) {
+        std::vector<std::string> row{p.part, pair_text(p.at, 5), number_text(p.displacement.x(), 5), number_text(p.displacement.y(), 5)};
+        for (double s : {p.stress.xx, p.stress.yy, p.stress.xy, p.stress.zz, von_mises(p.stress)}) row.push_back(number_text(s, 5));
+        rows.push_back(std::move(row));
+    }
+    return subsection("Probes", html_table({{"part"},
+                                            {heading("at", u.length), true},
+                                            {heading("u", u.length), true},
+                                            {heading("v", u.length), true},
+                                            {heading("σxx", u.stress), true},
+                                            {heading("σyy", u.stress), true},
+                                            {heading("σxy", u.stress), true},
+                                            {heading("σzz", u.stress), true},
+                                            {heading("von Mises", u.stress), true}},
+                                           rows));
+}
+
+std::string smallest_step(const std::vector<double>& knots) {
+    double step = 0;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+        if (const double d = knots[i + 1] - knots[i]; d > 0 && (step == 0 || d < step)) step = d;
+    return step > 0 ? number_text(step, 3) : "–";
+}
+
+std::string grid_table(const Result& result, const ResultUnits& u) {
+    Rows rows;
+    for (const PartResult& p : result.parts) {
+        if (!p.solved || p.grid_x.size() < 2 || p.grid_y.size() < 2) continue;
+        rows.push_back({p.name, std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1),
+                        smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y), number_text(p.grid_angle * 180 / std::numbers::pi, 4),
+                        count_text(p.cells_inner), count_text(p.cells_boundary), count_text(p.cells_outer), count_text(p.unknowns)});
+    }
+    const auto& s = result.solver;
+    std::string words = "Degree " + std::to_string(result.degree) + ", " + std::to_string(result.unknowns) + " unknowns, " +
+                        std::to_string(result.multipliers) + " contact multipliers; " + counted(static_cast<std::size_t>(std::max(s.grids, 0)), "grid") +
+                        ", " + counted(static_cast<std::size_t>(std::max(s.factorizations, 0)), "factorization") + ", " +
+                        counted(static_cast<std::size_t>(std::max(s.contact_iterations, 0)), "contact iteration");
+    if (s.condition_estimate > 0) words += "; condition number about " + number_text(s.condition_estimate, 2);
+    words += s.converged ? "." : "; not converged.";
+    if (result.error_estimate.energy || result.error_estimate.contact_pressure)
+        words += " Estimated relative error: energy " + percent(result.error_estimate.energy) + ", contact pressure " +
+                 percent(result.error_estimate.contact_pressure) +
+                 (result.error_estimate.method.empty() ? "." : " (" + result.error_estimate.method + ").");
+    std::string html = "<p>" + escape_xml(words) + "</p>\n";
+    if (!rows.empty())
+        html += html_table({{"part"},
+                            {"cells", true},
+                            {heading("smallest", u.length), true},
+                            {"angle [°]", true},
+                            {"inner", true},
+                            {"boundary", true},
+                            {"outer", true},
+                            {"unknowns", true}},
+                           rows);
+    return subsection("Grids", html);
+}
+
+std::string effect_table(const Result& result) {
+    if (result.effects.empty()) return "";
+    Rows rows;
+    for (const Effect& e : result.effects) rows.push_back({e.on ? "on" : "off", e.name, e.why, seconds_text(e.seconds)});
+    return subsection("Plan of effects", html_table({{""}, {"effect"}, {"why"}, {"time", true}}, rows));
+}
+
+std::string timing_bars(const Result& result) {
+    double longest = 0;
+    for (const auto& [stage, seconds] : result.timing)
+        if (stage != "total") longest = std::max(longest, seconds);
+    if (!(longest > 0)) return "";
+    std::string html = "<table class=\"times\"><tbody>\n";
+    for (const auto& [stage, seconds] : result.timing) {
+        const std::string bar = stage == "total" ? "" : "<span class=\"bar\" style=\"width:" + coordinate_text(100 * seconds / longest) + "%\"></span>";
+        const std::string time = seconds > 0 ? seconds_text(seconds) : "0 s";
+        html += "<tr><td>" + escape_xml(stage) + "</td><td class=\"n\">" + time + "</td><td class=\"bars\">" + bar + "</td></tr>\n";
+    }
+    return subsection("Time", html + "</tbody></table>\n");
+}
+
+}  // namespace
+
+std::string tables_section(const Result& result) {
+    const ResultUnits units = result_units(result);
+    const bool solved = result.status == "ok";
+    std::string html = "<section class=\"tables\"><h2>Figures</h2>\n";
+    if (solved || !result.contacts.empty()) html += contact_table(result, units);
+    html += reaction_table(result, units);
+    if (solved) html += equilibrium_table(result, units);
+    html += part_table(result, units) + probe_table(result, units);
+    if (result.unknowns > 0) html += grid_table(result, units);
+    return html + effect_table(result) + timing_bars(result) + "</section>\n";
+}
+
+}  // namespace abut::report

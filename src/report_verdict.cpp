@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "src/report_sections.hpp"
+#include "src/result_units.hpp"
+
+namespace abut::report {
+
+namespace {
+
+std::string contact_words(const Result& result, const ResultUnits& units) {
+    const auto& contacts = result.contacts;
+    const auto open = static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.status == "open"; }));
+    std::string words = counted(contacts.size(), "contact");
+    if (open > 0) words += open == contacts.size() ? " (open)" : " (" + std::to_string(open) + " open)";
+    const auto largest = std::max_element(contacts.begin(), contacts.end(),
+                                          [](const auto& a, const auto& b) { return a.max_pressure.value < b.max_pressure.value; });
+    if (largest->max_pressure.value > 0)
+        words += ", largest pressure " + with_unit(largest->max_pressure.value, 4, units.stress) + " on " + largest->between[0] + " at " +
+                 pair_text(largest->max_pressure.at, 4);
+    return words;
+}
+
+std::string stress_words(const Result& result, const ResultUnits& units) {
+    const PartResult* most = nullptr;
+    for (const PartResult& part : result.parts)
+        if (part.solved && (!most || part.max_von_mises.value > most->max_von_mises.value)) most = &part;
+    if (!most) return "no contact";
+    return "no contact; largest von Mises stress " + with_unit(most->max_von_mises.value, 4, units.stress) + " in " + most->name + " at " +
+           pair_text(most->max_von_mises.at, 4);
+}
+
+}  // namespace
+
+std::string verdict(const Result& result) {
+    if (result.status != "ok") return "Failed: " + (result.message.empty() ? "no reason was given" : result.message);
+    const ResultUnits units = result_units(result);
+    std::string words = result.solver.converged ? "Solved: " : "Solved without convergence: ";
+    words += result.contacts.empty() ? stress_words(result, units) : contact_words(result, units);
+    words += "; residual " + number_text(result.equilibrium.relative_residual, 1);
+    const std::string time = seconds_text(stage_seconds(result, "total"));
+    return words + (time.empty() ? "" : "; " + time);
+}
+
+std::string warnings_box(const Result& result) {
+    if (result.warnings.empty()) return "";
+    std::string html = "<div class=\"warnings\"><b>" + counted(result.warnings.size(), "warning") + "</b>\n<ul>\n";
+    for (const std::string& warning : result.warnings) html += "<li>" + escape_xml(warning) + "</li>\n";
+    return html + "</ul></div>\n";
+}
+
+}  // namespace abut::report

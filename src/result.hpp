@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The answer of one analysis, in the scene's units and assembly coordinates: what result.json, the CSVs and the report show.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/part.hpp"
+
+namespace abut {
+
+using geometry::Vec2;
+
+struct ValueAt { double value = 0; Vec2 at{0, 0}; };
+
+struct Stress { double xx = 0, yy = 0, xy = 0, zz = 0; };
+double von_mises(const Stress& stress);
+
+struct Effect {
+    std::string name;
+    bool on = false;
+    std::string why;
+    double seconds = 0;
+};
+
+struct PartResult {
+    std::string name, material;
+    double area = 0;
+    int unknowns = 0;
+    bool solved = true;                       ///< false: carries nothing and was not analysed
+    ValueAt max_displacement, max_von_mises;
+    double grid_angle = 0;                    ///< radians
+    std::vector<double> grid_x, grid_y;       ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
+};
+
+/// Fields of one part for drawing. Patches of a cell: quadrilaterals by four sample points; those of boundary cells reach beyond
+/// the part and are to be clipped by its (deformed) boundary.
+struct FieldSample { Vec2 at; Vec2 displacement; Stress stress; };
+struct FieldPatch { std::array<int, 4> corner; };         ///< counter-clockwise, indices into samples
+struct PartField {
+    std::vector<FieldSample> samples;
+    std::vector<FieldPatch> patches;
+    /// The boundary as polylines, loop by loop, closed (first point not repeated): undeformed points and their displacements.
+    std::vector<std::vector<FieldSample>> boundary;
+};
+
+struct ContactProfile {
+    std::vector<std::string> edge;            ///< "part/edge" on the first part
+    std::vector<double> s, x, y, pressure, gap;
+    std::vector<std::string> edge2;           ///< the same points on the second part
+    std::vector<double> s2, x2, y2;
+};
+
+struct ContactResult {
+    std::array<int, 2> part{0, 0};            ///< indices into Result::parts
+    std::array<std::string, 2> parts, between;
+    std::array<std::vector<std::string>, 2> edges;
+    std::string kind = "contact", interface, status;      ///< status: closed, partial, open
+    double gap_min = 0, gap_max = 0;          ///< initial
+    Vec2 force{0, 0};                         ///< on the first part, total over the thickness
+    double moment = 0;
+    double contact_length = 0;
+    std::vector<Vec2> ends;
+    ValueAt max_pressure;
+    double max_penetration = 0;
+    std::optional<double> error_estimate;
+    ContactProfile profile;
+};
+
+struct Reaction {
+    int support = 0;                          ///< index into Scene::supports
+    std::string label;                        ///< "fix x, y on base/bottom"
+    std::string method;                       ///< "aligned", "nitsche", "rigid"
+    Vec2 force{0, 0};
+    double moment = 0;
+};
+
+struct ProbeResult { std::string part; Vec2 at; Vec2 displacement; Stress stress; };
+
+struct SupportMark { Vec2 at; Vec2 normal; bool x, y; };  ///< for the picture: a point of a supported edge, outward normal
+struct LoadMark { Vec2 at; Vec2 direction; };             ///< for the picture: a point and the unit direction of the load there
+
+struct Result {
+    std::string title, status = "ok", message;            ///< status: ok, failed
+    std::string length_unit, force_unit;
+    int unknowns = 0, degree = 2, multipliers = 0;
+    std::array<int, 3> cells{0, 0, 0};                    ///< inner, boundary, outer
+    struct { int grids = 0, factorizations = 0, contact_iterations = 0; double condition_estimate = 0; bool converged = true; } solver;
+    std::vector<std::pair<std::string, double>> timing;   ///< import, geometry, assembly, solve, recovery, output, total (seconds)
+    std::vector<Effect> effects;
+    double strain_energy = 0;
+    struct { Vec2 applied{0, 0}, reaction{0, 0}; double relative_residual = 0, relative_moment_residual = 0; } equilibrium;
+    struct { std::optional<double> energy, contact_pressure; std::string method; } error_estimate;
+    std::vector<PartResult> parts;
+    std::vector<ContactResult> contacts;
+    std::vector<Reaction> reactions;
+    std::vector<ProbeResult> probes;
+    std::vector<std::string> warnings;
+
+    // For the pictures; not part of result.json.
+    std::vector<geometry::Part> geometry;                 ///< parallel to parts
+    std::vector<PartField> fields;                        ///< parallel to parts; empty where not analysed
+    std::vector<SupportMark> support_marks;
+    std::vector<LoadMark> load_marks;
+};
+
+/// The text of result.json (SCENE.md); deterministic but for timing.
+std::string result_json(const Result& result);
+/// The text of contact_<k>.csv.
+std::string contact_csv(const ContactResult& contact);
+/// The text of report.html: one file, no network.
+std::string report_html(const Result& result);
+/// The table that `analyze` prints.
+std::string result_table(const Result& result);
+
+/// Writes text to DIR/name by way of a temporary name; creates DIR. Throws InputError naming the file where it cannot.
+void write_file(const std::string& directory, const std::string& name, const std::string& text);
+
+}  // namespace abut

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// result.json: the keys and their order are those of the scene format's page "Result".
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "src/result.hpp"
+
+namespace abut {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) {
+    if (!std::isfinite(value)) return nullptr;  // JSON has no other word for it
+    return value == 0 ? 0.0 : value;            // no "-0.0"
+}
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+Json numbers(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (double value : values) list.push_back(number(value));
+    return list;
+}
+Json vector(const Vec2& v) { return Json::array({number(v.x()), number(v.y())}); }
+Json value_at(const ValueAt& v) { return {{"value", number(v.value)}, {"at", vector(v.at)}}; }
+Json names(const std::vector<std::string>& list) { return list.empty() ? Json::array() : Json(list); }
+template <class T, class ToJson>
+Json list_of(const std::vector<T>& items, ToJson to_json) {
+    Json list = Json::array();
+    for (const T& item : items) list.push_back(to_json(item));
+    return list;
+}
+
+Json effect(const Effect& e) { return {{"name", e.name}, {"on", e.on}, {"why", e.why}, {"seconds", number(e.seconds)}}; }
+
+Json part(const PartResult& p) {
+    return {{"name", p.name},
+            {"area", number(p.area)},
+            {"unknowns", p.unknowns},
+            {"max_displacement", value_at(p.max_displacement)},
+            {"max_von_mises", value_at(p.max_von_mises)}};
+}
+
+Json profile(const ContactProfile& p) {
+    return {{"edge", names(p.edge)}, {"s", numbers(p.s)},        {"x", numbers(p.x)}, {"y", numbers(p.y)}, {"pressure", numbers(p.pressure)},
+            {"gap", numbers(p.gap)}};
+}
+
+Json contact(const ContactResult& c) {
+    return {{"parts", Json::array({c.parts[0], c.parts[1]})},
+            {"between", Json::array({c.between[0], c.between[1]})},
+            {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
+            {"kind", c.kind},
+            {"interface", c.interface},
+            {"status", c.status},
+            {"initial_gap", {{"min", number(c.gap_min)}, {"max", number(c.gap_max)}}},
+            {"force", vector(c.force)},
+            {"moment", number(c.moment)},
+            {"contact_length", number(c.contact_length)},
+            {"ends", list_of(c.ends, vector)},
+            {"max_pressure", value_at(c.max_pressure)},
+            {"max_penetration", number(c.max_penetration)},
+            {"error_estimate", number(c.error_estimate)},
+            {"profile", profile(c.profile)}};
+}
+
+Json reaction(const Reaction& r) { return {{"support", r.support}, {"force", vector(r.force)}, {"moment", number(r.moment)}}; }
+
+Json stress(const Stress& s) {
+    return {{"xx", number(s.xx)}, {"yy", number(s.yy)}, {"xy", number(s.xy)}, {"zz", number(s.zz)}};
+}
+
+Json probe(const ProbeResult& p) {
+    return {{"part", p.part}, {"at", vector(p.at)}, {"displacement", vector(p.displacement)}, {"stress", stress(p.stress)}};
+}
+
+Json solver(const Result& r) {
+    return {{"grids", r.solver.grids},
+            {"factorizations", r.solver.factorizations},
+            {"contact_iterations", r.solver.contact_iterations},
+            {"condition_estimate", number(r.solver.condition_estimate)},
+            {"converged", r.solver.converged}};
+}
+
+Json timing(const Result& r) {
+    Json times = Json::object();
+    for (const auto& [stage, seconds] : r.timing) times[stage] = number(seconds);
+    return times;
+}
+
+Json equilibrium(const Result& r) {
+    const auto& e = r.equilibrium;
+    return {{"applied", vector(e.applied)},
+            {"reaction", vector(e.reaction)},
+            {"relative_residual", number(e.relative_residual)},
+            {"relative_moment_residual", number(e.relative_moment_residual)}};
+}
+
+/// An analysis that failed before it had an answer must not claim zeros for it: the answers that were not reached are null.
+void hide_what_was_not_reached(Json& j, const Result& r) {
+    const auto& e = r.equilibrium;
+    if (r.strain_energy == 0) j["strain_energy"] = nullptr;
+    if (e.applied.isZero(0) && e.reaction.isZero(0)) j["equilibrium"] = nullptr;
+    for (std::size_t i = 0; i < r.parts.size(); ++i) {
+        if (r.parts[i].max_displacement.value == 0) j["parts"][i]["max_displacement"] = nullptr;
+        if (r.parts[i].max_von_mises.value == 0) j["parts"][i]["max_von_mises"] = nullptr;
+    }
+    if (r.solver.condition_estimate == 0) j["solver"]["condition_estimate"] = nullptr;
+}
+
+Json to_json(const Result& r) {
+    const bool failed = r.status != "ok";
+    Json j = {{"abut", 1}, {"title", r.title}, {"status", r.status}};
+    if (failed) j["message"] = r.message;
+    j["unknowns"] = r.unknowns;
+    j["degree"] = r.degree;
+    j["multipliers"] = r.multipliers;
+    j["cells"] = {{"inner", r.cells[0]}, {"boundary", r.cells[1]}, {"outer", r.cells[2]}};
+    j["solver"] = solver(r);
+    j["timing"] = timing(r);
+    j["effects"] = list_of(r.effects, effect);
+    j["strain_energy"] = number(r.strain_energy);
+    j["equilibrium"] = equilibrium(r);
+    j["error_estimate"] = {{"energy", number(r.error_estimate.energy)},
+                           {"contact_pressure", number(r.error_estimate.contact_pressure)},
+                           {"method", r.error_estimate.method}};
+    j["parts"] = list_of(r.parts, part);
+    j["contacts"] = list_of(r.contacts, contact);
+    j["reactions"] = list_of(r.reactions, reaction);
+    j["probes"] = list_of(r.probes, probe);
+    j["warnings"] = names(r.warnings);
+    if (failed) hide_what_was_not_reached(j, r);
+    return j;
+}
+
+/// Names may hold bytes that are no UTF-8 (an old drawing's layer): they are replaced, not refused.
+std::string primitive_text(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+constexpr std::size_t line_width = 120;
+
+/// Brackets around the members, which are printed by print_member and parted by the separator.
+template <class PrintMember>
+std::string bracketed(const Json& j, const std::string& open_with, const std::string& separator, const std::string& close_with, PrintMember print_member) {
+    std::string text = j.is_array() ? "[" : "{", between = open_with;
+    for (const auto& [key, value] : j.items()) {
+        text += between + (j.is_object() ? primitive_text(key) + ": " : "") + print_member(value);
+        between = separator;
+    }
+    return text + close_with + (j.is_array() ? "]" : "}");
+}
+
+std::string on_one_line(const Json& j) {
+    return j.is_structured() ? bracketed(j, "", ", ", "", on_one_line) : primitive_text(j);
+}
+
+/// One line for what fits on one, and for lists of numbers or names however long; else one member a line.
+std::string print(const Json& j, const std::string& indent) {
+    const auto primitive = [](const Json& x) { return x.is_primitive(); };
+    const std::string line = on_one_line(j);
+    if (primitive(j) || (j.is_array() && std::all_of(j.begin(), j.end(), primitive))) return line;
+    if (!indent.empty() && line.size() + indent.size() <= line_width) return line;
+    const std::string inner = indent + "  ";
+    return bracketed(j, "\n" + inner, ",\n" + inner, "\n" + indent, [&](const Json& member) { return print(member, inner); });
+}
+
+}  // namespace
+
+std::string result_json(const Result& result) { return print(to_json(result), "") + "\n"; }
+
+}  // namespace abut

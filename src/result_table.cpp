@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "src/result.hpp"
+#include "src/result_units.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their widest entry, two blanks between them, no blanks at the ends of lines.
+std::string aligned(const std::vector<Row>& rows) {
+    std::vector<std::size_t> width;
+    for (const Row& row : rows) {
+        width.resize(std::max(width.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], text_width(row[i]));
+    }
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(width[i] - text_width(row[i]) + 2, ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+std::string pressure_text(const ContactResult& contact) {
+    std::string text = number_text(contact.max_pressure.value, 4);
+    if (contact.error_estimate) text += " ± " + number_text(100 * *contact.error_estimate, 2) + " %";
+    return text;
+}
+
+std::string contact_rows(const Result& result, const ResultUnits& units) {
+    if (result.contacts.empty()) return "no contacts\n";
+    std::vector<Row> rows{{"contact", "parts", "edges", "status", heading("force on first", units.force),
+                           heading("max pressure", units.stress), heading("length", units.length)}};
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+        const ContactResult& c = result.contacts[k];
+        rows.push_back({std::to_string(k + 1), c.parts[0] + " - " + c.parts[1], c.between[0] + " - " + c.between[1],
+                        c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 4), pressure_text(c),
+                        number_text(c.contact_length, 4)});
+    }
+    return aligned(rows);
+}
+
+std::string reaction_rows(const Result& result, const ResultUnits& units) {
+    if (result.reactions.empty()) return "";
+    std::vector<Row> rows{{"support", "", heading("reaction", units.force), heading("moment", units.moment)}};
+    for (const Reaction& r : result.reactions)
+        rows.push_back({std::to_string(r.support), r.label, pair_text(r.force, 4), number_text(r.moment, 4)});
+    return "\n" + aligned(rows);
+}
+
+std::string summary(const Result& result) {
+    std::string text = "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) + " of forces, " +
+                       number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
+    if (!result.solver.converged) text += "NOT CONVERGED after " + counted(static_cast<std::size_t>(std::max(result.solver.contact_iterations, 0)), "contact iteration") + "\n";
+    return text;
+}
+
+std::string effort(const Result& result) {
+    std::string text = counted(static_cast<std::size_t>(std::max(result.unknowns, 0)), "unknown") + " of degree " + std::to_string(result.degree);
+    if (result.multipliers > 0) text += ", " + counted(static_cast<std::size_t>(result.multipliers), "multiplier");
+    const std::string time = seconds_text(stage_seconds(result, "total"));
+    return text + (time.empty() ? "" : ", " + time) + "\n";
+}
+
+}  // namespace
+
+std::string result_table(const Result& result) {
+    const ResultUnits units = result_units(result);
+    const bool failed = result.status != "ok";
+    std::string text = result.title.empty() ? "" : result.title + "\n";
+    if (failed) text += "FAILED: " + result.message + "\n";
+    if (!failed || !result.contacts.empty()) text += contact_rows(result, units);
+    text += reaction_rows(result, units);
+    if (!failed) text += summary(result);
+    if (result.unknowns > 0) text += effort(result);
+    for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+    return text;
+}
+
+}  // namespace abut

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/result_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr double rounding_fraction = 1e-9;  ///< of the larger component: a smaller one is rounding
+
+std::string stress_unit(const std::string& force, const std::string& length) {
+    struct Named {
+        const char *force, *length, *stress;
+    };
+    static constexpr Named named[] = {{"N", "mm", "MPa"}, {"N", "m", "Pa"},     {"kN", "m", "kPa"}, {"kN", "mm", "GPa"},
+                                      {"MN", "m", "MPa"}, {"lbf", "in", "psi"}, {"N", "um", "TPa"}};
+    for (const Named& n : named)
+        if (force == n.force && length == n.length) return n.stress;
+    if (force.empty() || length.empty()) return "";
+    return force + "/" + length + "²";
+}
+
+}  // namespace
+
+ResultUnits result_units(const Result& result) {
+    const std::string &length = result.length_unit, &force = result.force_unit;
+    ResultUnits units;
+    units.length = length;
+    units.force = force;
+    if (!length.empty()) units.area = length + "²";
+    if (!length.empty() && !force.empty()) units.moment = force + " " + length;
+    units.energy = units.moment;
+    units.stress = stress_unit(force, length);
+    return units;
+}
+
+std::string with_unit(double value, int digits, const std::string& unit) {
+    return number_text(value, digits) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string heading(const std::string& quantity, const std::string& unit) {
+    return unit.empty() ? quantity : quantity + " [" + unit + "]";
+}
+
+std::string pair_text(const Vec2& v, int digits) {
+    const double noise = rounding_fraction * v.cwiseAbs().maxCoeff();
+    const auto clean = [&](double c) { return std::abs(c) <= noise ? 0.0 : c; };
+    return "(" + number_text(clean(v.x()), digits) + ", " + number_text(clean(v.y()), digits) + ")";
+}
+
+std::string joined(const std::vector<std::string>& items, const std::string& separator) {
+    std::string text;
+    for (const std::string& item : items) text += (text.empty() ? "" : separator) + item;
+    return text;
+}
+
+std::string counted(std::size_t n, const std::string& singular) {
+    return std::to_string(n) + " " + singular + (n == 1 ? "" : "s");
+}
+
+std::string seconds_text(double seconds) {
+    if (!(seconds > 0)) return "";
+    return seconds < 0.01 ? number_text(1e3 * seconds, 2) + " ms" : number_text(seconds, 3) + " s";
+}
+
+double stage_seconds(const Result& result, const std::string& stage) {
+    for (const auto& [name, seconds] : result.timing)
+        if (name == stage) return seconds;
+    return 0;
+}
+
+std::size_t text_width(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace abut

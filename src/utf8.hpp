@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <cstddef>
+#include <string>
+
+namespace abut {
+
+/// Length of the UTF-8 character that begins at text[at], 0 if there is none (RFC 3629, section 4).
+std::size_t utf8_length(const std::string& text, std::size_t at);
+
+/// Appends the character with this code point (below 0x110000, no surrogate).
+void append_utf8(std::string& text, unsigned code);
+
+}  // namespace abut

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's commands and options from outside: exit status, files, and what it says about wrong usage.
+#include "tests/apps/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "apps/version.hpp"
+
+namespace {
+
+using namespace abut_tests;
+
+TEST_F(CommandLine, TellsItsVersionAndHelp) {
+    const Outcome version = abut({"--version"});
+    EXPECT_EQ(version.status, 0);
+    EXPECT_EQ(version.output, std::string("abut ") + abut::program_version + "\n");
+
+    const Outcome help = abut({"--help"});
+    EXPECT_EQ(help.status, 0);
+    expect_words(help.output, {"analyze", "contacts", "inspect", "--help", "--version"});
+    EXPECT_TRUE(help.errors.empty());
+}
+
+TEST_F(CommandLine, VersionIsTheProjects) {
+    const std::string project = read(fs::path(ABUT_SOURCE_DIR) / "CMakeLists.txt");
+    EXPECT_NE(project.find("project(abut VERSION " + std::string(abut::program_version) + " "), std::string::npos);
+}
+
+TEST_F(CommandLine, HelpOfACommandListsItsOptionsWhateverElseIsGiven) {
+    const Outcome analyze = abut({"analyze", "missing.json", "--wrong", "--help"});
+    EXPECT_EQ(analyze.status, 0);
+    expect_words(analyze.output, {"SCENE", "-o DIR", "--accuracy A", "--plan", "--json", "--quiet"});
+    expect_words(abut({"contacts", "-h"}).output,
+                 {"FILE", "-o DIR", "--distance", "--expect", "--units", "--tolerance", "--parts-by"});
+    expect_words(abut({"inspect", "-h"}).output, {"FILE", "-o DIR", "--json", "--units", "--tolerance", "--parts-by"});
+}
+
+TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
+    Outcome run = abut({});
+    expect_refused(run, 1);
+    expect_words(joined(run.errors), {"no command", "abut --help"});
+
+    run = abut({"analyse", "a.json"});
+    expect_refused(run, 1);
+    expect_words(joined(run.errors), {"'analyse'", "did you mean 'analyze'"});
+
+    for (const char* future : {"init", "study", "batch", "merge", "verify"}) {
+        run = abut({future, "a.json"});
+        expect_refused(run, 1);
+        expect_words(joined(run.errors), {future, "not supported yet", "analyze"});
+    }
+}
+
+TEST_F(CommandLine, SuggestsTheNearestOption) {
+    const Outcome run = abut({"analyze", "a.json", "--acuracy", "draft"});
+    expect_refused(run, 1);
+    expect_words(joined(run.errors), {"analyze", "--acuracy", "did you mean '--accuracy'"});
+}
+
+TEST_F(CommandLine, CollectsAllThatIsWrongWithTheWords) {
+    const Outcome run = abut({"analyze", "--json=1", "--quiet", "--quiet", "-o"});
+    expect_refused(run, 4);
+    EXPECT_TRUE(any_line_has(run.errors, {"--json", "no value"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"--quiet", "twice"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"-o", "needs a value", "-o DIR"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"no SCENE"}));
+}
+
+TEST_F(CommandLine, RefusesWrongValuesOfOptions) {
+    write("scene.json", SceneText{}.text());
+    expect_words(joined(abut({"analyze", "scene.json", "--accuracy", "rough"}).errors),
+                 {"--accuracy", "'rough'", "draft, standard, fine"});
+    expect_refused(abut({"analyze", "scene.json", "--accuracy", "0"}), 1);
+    expect_refused(abut({"contacts", "scene.json", "--distance", "-1"}), 1);
+    expect_refused(abut({"contacts", "scene.json", "--distance", "1mm"}), 1);
+    expect_refused(abut({"contacts", "scene.json", "--units", "mm"}), 1);
+    write("empty.dxf", "");
+    expect_refused(abut({"inspect", "empty.dxf", "--units", "parsec"}), 1);
+    expect_refused(abut({"inspect", "empty.dxf", "--parts-by", "block"}), 1);
+}
+
+TEST_F(CommandLine, RefusesFilesThatAreNotThereOrOfAnotherKind) {
+    for (const char* command : {"analyze", "contacts", "inspect"}) {
+        const Outcome run = abut({command, "missing.json"});
+        expect_refused(run, 1);
+        expect_words(joined(run.errors), {"missing.json"});
+    }
+    write("part.step", "ISO-10303-21;");
+    const Outcome run = abut({"contacts", "part.step"});
+    expect_refused(run, 1);
+    expect_words(joined(run.errors), {"part.step", ".json", ".dxf"});
+    write("empty.dxf", "");
+    expect_refused(abut({"contacts", "empty.dxf"}), 1);
+}
+
+TEST_F(CommandLine, RefusesAnOutputFolderThatIsAFile) {
+    write("scene.json", SceneText{}.text());
+    write("taken", "");
+    const Outcome run = abut({"analyze", "scene.json", "-o", "taken"});
+    expect_refused(run, 1);
+    expect_words(joined(run.errors), {"taken", "-o"});
+    EXPECT_EQ(read(folder_ / "taken"), "");
+}
+
+TEST_F(CommandLine, AnalyzesASceneAndWritesItsFiles) {
+    write("scene.json", SceneText{}.text());
+    const Outcome run = abut({"analyze", "scene.json", "-o", "results/here"});
+    EXPECT_EQ(run.status, 0) << joined(run.errors);
+    EXPECT_TRUE(run.errors.empty()) << joined(run.errors);  // no progress where there is no terminal
+    expect_words(run.output, {"results/here/report.html"});
+    expect_words(read(folder_ / "results/here/result.json"), {"\"status\": \"ok\"", "\"import\"", "\"output\"", "\"total\""});
+    EXPECT_TRUE(fs::exists(folder_ / "results/here/report.html"));
+}
+
+TEST_F(CommandLine, QuietPrintsNothingAndJsonTheResult) {
+    write("scene.json", SceneText{}.text());
+    const Outcome quiet = abut({"analyze", "scene.json", "--quiet"});
+    EXPECT_EQ(quiet.status, 0);
+    EXPECT_EQ(quiet.output + joined(quiet.errors), "");
+    EXPECT_TRUE(fs::exists(folder_ / "out/result.json"));  // the default folder
+
+    const Outcome json = abut({"analyze", "scene.json", "--json"});
+    EXPECT_EQ(json.output, read(folder_ / "out/result.json"));
+}
+
+TEST_F(CommandLine, PlanComputesAndWritesNothing) {
+    write("scene.json", SceneText{}.text());
+    const Outcome run = abut({"analyze", "scene.json", "--plan"});
+    EXPECT_EQ(run.status, 0) << joined(run.errors);
+    expect_words(run.output, {" on ", " off "});
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+}
+
+TEST_F(CommandLine, RemovesContactFilesOfAnEarlierRun) {
+    write("scene.json", SceneText{}.text());
+    fs::create_directory(folder_ / "out");
+    for (const char* name : {"out/contact_0.csv", "out/contact_1.csv", "out/contact_notes.csv"}) write(name, "old");
+    EXPECT_EQ(abut({"analyze", "scene.json"}).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out/contact_0.csv"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/contact_1.csv"));
+    EXPECT_TRUE(fs::exists(folder_ / "out/contact_notes.csv"));
+}
+
+const std::string sketch = std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_bracket_r14.dxf";
+
+TEST_F(CommandLine, ContactsListsTheContactsOfADrawingAndWritesThem) {
+    const Outcome run = abut({"contacts", sketch, "-o", "found"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(run.errors.empty()) << joined(run.errors);
+    expect_words(run.output, {"bracket", "pin", "base"});
+    expect_words(read(folder_ / "found/contacts.json"), {"\"pairs\"", "\"near_misses\"", "bracket/hA14"});
+    expect_words(read(folder_ / "found/contacts.svg"), {"<svg"});
+}
+
+TEST_F(CommandLine, ContactsComparesWithAnExpectation) {
+    write("same.json", R"({"pairs": [["bracket", "pin"], ["base", "bracket"]]})");
+    const Outcome same = abut({"contacts", sketch, "--expect", "same.json"});
+    EXPECT_EQ(same.status, 0) << joined(same.errors);
+
+    write("other.json", R"({"pairs": [["bracket", "pin"], ["base", "pin"]]})");
+    const Outcome other = abut({"contacts", sketch, "--expect", "other.json"});
+    EXPECT_EQ(other.status, 1);
+    EXPECT_EQ(other.output, same.output);
+    EXPECT_EQ(other.errors.size(), 2U) << joined(other.errors);  // one pair is missing, one was not expected
+    for (const std::string& line : other.errors) expect_words(line, {"abut: other.json: ", "base"});
+
+    const Outcome unreadable = abut({"contacts", sketch, "--expect", "missing.json"});
+    EXPECT_EQ(unreadable.status, 2);
+    expect_words(joined(unreadable.errors), {"missing.json"});
+}
+
+TEST_F(CommandLine, InspectPrintsATableOrJsonAndDrawsAPicture) {
+    const Outcome table = abut({"inspect", sketch});
+    EXPECT_EQ(table.status, 0) << joined(table.errors);
+    expect_words(table.output, {"bracket", "hA14", "LINE"});
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+
+    const Outcome json = abut({"inspect", sketch, "--json", "-o", "picture"});
+    EXPECT_EQ(json.status, 0) << joined(json.errors);
+    expect_words(json.output.substr(0, 1), {"{"});
+    expect_words(json.output, {"\"parts\"", "\"problems\""});
+    expect_words(read(folder_ / "picture/inspect.svg"), {"<svg"});
+}
+
+/// Two lines that meet in one point and enclose nothing.
+TEST_F(CommandLine, AnOpenDrawingIsShownByInspectAndRefusedByContacts) {
+    const auto line = [](const std::string& ends) { return "0\nLINE\n8\nPLATE\n" + ends; };
+    write("open.dxf", "0\nSECTION\n2\nENTITIES\n" + line("10\n0\n20\n0\n11\n10\n21\n0\n") +
+                          line("10\n10\n20\n0\n11\n10\n21\n5\n") + "0\nENDSEC\n0\nEOF\n");
+    const Outcome shown = abut({"inspect", "open.dxf"});
+    EXPECT_EQ(shown.status, 2);
+    expect_words(shown.output, {"LINE"});
+    ASSERT_FALSE(shown.errors.empty());
+    for (const std::string& error : shown.errors) expect_words(error, {"abut: open.dxf:", "; "});
+
+    const Outcome refused = abut({"contacts", "open.dxf"});
+    expect_refused(refused, shown.errors.size());
+    EXPECT_EQ(refused.errors, shown.errors);
+}
+
+}  // namespace

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The house's rules about who may include what.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> layers{"geometry", "solver", "src", "apps"};
+
+/// What the files of a folder must not include from.
+const std::map<std::string, std::vector<std::string>> forbidden_layers{
+    {"geometry", {"solver", "src", "apps"}}, {"solver", {"geometry", "src", "apps"}}, {"src", {"apps"}}, {"apps", {}}};
+
+/// These compile slowly and need flags of their own.
+const std::vector<std::string> cgal_files{"geometry/boolean.cpp", "geometry/sketch_faces.cpp", "geometry/triangulate.cpp"};
+
+/// Headers of libraries that stay hidden in .cpp files, wherever they are installed.
+const std::regex hidden_library(R"((.*/)?(assimp/.*|dl_[^/]*|json(_fwd)?\.hpp|cholmod[^/]*\.h)|CGAL/.*|nlohmann/.*)");
+
+struct Include {
+    std::string target;
+    int line;
+};
+
+std::vector<Include> includes_of(const std::string& text) {
+    static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"].*)");
+    std::vector<Include> found;
+    std::istringstream stream(text);
+    std::string line;
+    std::smatch match;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (std::regex_match(line, match, include)) found.push_back({match[1], number});
+    }
+    return found;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+bool is_header(const fs::path& path) {
+    return path.extension() == ".hpp" || path.extension() == ".h";
+}
+
+/// The first folder of a path: "geometry" of "geometry/part.hpp".
+std::string layer_of(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+/// Why this file must not include that; empty where it may.
+std::string fault(const std::string& file, const std::string& target) {
+    if (target.find("..") != std::string::npos) return "includes are written from the source folder, without '..'";
+    if (target.find('/') != std::string::npos && contains(forbidden_layers.at(layer_of(file)), layer_of(target))) {
+        return layer_of(file) + "/ must not know " + layer_of(target) + "/";
+    }
+    if (layer_of(target) == "CGAL" && !contains(cgal_files, file)) return "CGAL belongs into its own few files";
+    if (is_header(file) && std::regex_match(target, hidden_library)) return "this library stays out of headers";
+    return "";
+}
+
+/// One line per forbidden include of a file with this path (from the source folder) and text.
+std::vector<std::string> faults_of(const std::string& file, const std::string& text) {
+    std::vector<std::string> faults;
+    for (const Include& include : includes_of(text)) {
+        const std::string why = fault(file, include.target);
+        if (!why.empty()) faults.push_back(file + ":" + std::to_string(include.line) + ": " + include.target + ": " + why);
+    }
+    return faults;
+}
+
+std::vector<std::string> source_files() {
+    const fs::path root = ABUT_SOURCE_DIR;
+    std::vector<std::string> files;
+    for (const std::string& layer : layers) {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / layer)) {
+            if (is_header(entry.path()) || entry.path().extension() == ".cpp")
+                files.push_back(fs::relative(entry, root).string());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::string read(const std::string& file) {
+    std::ifstream stream(fs::path(ABUT_SOURCE_DIR) / file);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+TEST(Layers, NoFileIncludesWhatItMustNot) {
+    for (const std::string& file : source_files()) {
+        for (const std::string& line : faults_of(file, read(file))) ADD_FAILURE() << line;
+    }
+}
+
+TEST(Layers, TheCheckSeesTheFilesAndTheirIncludes) {
+    const std::vector<std::string> files = source_files();
+    for (const char* known : {"geometry/part.hpp", "geometry/part.cpp", "src/scene.hpp", "apps/main.cpp"}) {
+        EXPECT_TRUE(contains(files, known)) << known;
+        EXPECT_FALSE(includes_of(read(known)).empty()) << known;
+    }
+    EXPECT_TRUE(std::any_of(files.begin(), files.end(), [](const std::string& f) { return layer_of(f) == "solver"; }));
+}
+
+struct Case {
+    std::string file, line;
+};
+
+TEST(Layers, MadeUpBadFilesAreCaught) {
+    const std::vector<Case> bad{{"geometry/a.cpp", "#include \"solver/space.hpp\""},
+                                {"geometry/a.cpp", "#include \"src/scene.hpp\""},
+                                {"geometry/a.hpp", "  #  include   \"apps/commands.hpp\""},
+                                {"solver/a.cpp", "#include \"geometry/vec2.hpp\""},
+                                {"solver/a.cpp", "#include <src/scene.hpp>"},
+                                {"solver/a.hpp", "#include \"apps/commands.hpp\""},
+                                {"src/a.cpp", "#include \"apps/arguments.hpp\"  // why not"},
+                                {"src/a.cpp", "#include \"../apps/arguments.hpp\""},
+                                {"geometry/part.cpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/boolean.hpp", "#include <CGAL/Polygon_2.h>"},
+                                {"src/a.hpp", "#include <nlohmann/json.hpp>"},
+                                {"src/a.hpp", "#include <nlohmann/json_fwd.hpp>"},
+                                {"src/a.hpp", "#include \"json.hpp\""},
+                                {"geometry/a.hpp", "#include <dl_dxf.h>"},
+                                {"geometry/a.hpp", "#include <dxflib/dl_creationadapter.h>"},
+                                {"geometry/a.hpp", "#include <assimp/scene.h>"},
+                                {"solver/a.hpp", "#include <cholmod.h>"},
+                                {"solver/a.hpp", "#include <suitesparse/cholmod.h>"}};
+    for (const Case& c : bad) {
+        const std::vector<std::string> faults = faults_of(c.file, "// a file\n" + c.line + "\nint a();\n");
+        ASSERT_EQ(faults.size(), 1U) << c.file << " " << c.line;
+        EXPECT_EQ(faults[0].rfind(c.file + ":2: ", 0), 0U) << faults[0];
+    }
+}
+
+TEST(Layers, WhatIsAllowedPasses) {
+    const std::vector<Case> good{{"geometry/boolean.cpp", "#include <CGAL/Polygon_2.h>"},
+                                 {"geometry/dxf.cpp", "#include <dl_dxf.h>"},
+                                 {"solver/a.cpp", "#include <cholmod.h>"},
+                                 {"solver/a.hpp", "#include \"solver/space.hpp\""},
+                                 {"src/a.cpp", "#include <nlohmann/json.hpp>"},
+                                 {"src/a.hpp", "#include \"geometry/part.hpp\""},
+                                 {"src/a.hpp", "#include \"src/json_document.hpp\""},
+                                 {"apps/a.cpp", "#include \"solver/space.hpp\""},
+                                 {"geometry/a.cpp", "// #include \"src/scene.hpp\""}};
+    for (const Case& c : good) EXPECT_TRUE(faults_of(c.file, c.line).empty()) << c.file << " " << c.line;
+}
+
+}  // namespace

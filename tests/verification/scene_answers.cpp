@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/verification/scene_answers.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace abut::test {
+
+Result answer(const std::string& json) {
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("abut_test_scene_" + std::to_string(::getpid()) + ".json");
+    std::ofstream(path) << json;
+    const Scene scene = read_scene(path.string());
+    std::filesystem::remove(path);
+    return analyze(scene, {});
+}
+
+Result answer_file(const std::string& path) { return analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/" + path), {}); }
+
+std::string number(double v) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", v);
+    return text;
+}
+
+std::string pair_text(double x, double y) { return "[" + number(x) + ", " + number(y) + "]"; }
+
+}  // namespace abut::test

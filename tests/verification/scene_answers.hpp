@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs scenes given as text or as files of data/, as a user would.
+#pragma once
+#include <string>
+
+#include "src/analysis.hpp"
+
+namespace abut::test {
+
+/// Analyses a scene given as JSON text.
+Result answer(const std::string& json);
+/// Analyses a file below the source folder.
+Result answer_file(const std::string& path);
+
+/// "[x, y]" with all digits.
+std::string pair_text(double x, double y);
+std::string number(double v);
+
+}  // namespace abut::test
