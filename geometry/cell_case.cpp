@@ -71,7 +71,8 @@ std::vector<Cell> classify(const Part& part, const Window& window) {
             const Vec2 middle = 0.5 * (points[i] + points[i + 1]);
             const Vec2 off_line = (middle - middle.array().round().matrix()).cwiseAbs();
             const int column = static_cast<int>(std::floor(middle.x())), row = static_cast<int>(std::floor(middle.y()));
-            if (off_line.minCoeff() > on_the_line && window.holds(column, row)) cells[window.index(column, row)] = Cell::boundary;
+            if (off_line.minCoeff() > on_the_line && window.holds(column, row))
+                cells[window.index(column, row)] = Cell::boundary;
         }
     }
     for (int row = 0; row < window.rows; ++row)

@@ -15,9 +15,9 @@ inline constexpr double case_cell_fraction = 1.0 / 20;
 ///   'c' a boundary cell of one shares a side with, or is, an inner cell of the other,
 ///   'd' an inner cell of one shares a side with, or is, an inner cell of the other,
 ///   'e' nothing of the kind.
-/// A boundary cell is one whose interior the boundary passes through, an inner cell is any other one with its centre inside. The
-/// grid starts at the lower left corner of the box around both parts. Only the cells around the common part of both boxes are
-/// looked at: the others cannot take part.
+/// A boundary cell is one whose interior the boundary passes through, an inner cell is any other one with its centre inside.
+/// The grid starts at the lower left corner of the box around both parts. Only the cells around the common part of both boxes
+/// are looked at: the others cannot take part.
 char cell_case(const Part& part1, const Part& part2, double cell_size);
 
 }  // namespace abut::geometry

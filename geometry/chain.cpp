@@ -8,7 +8,9 @@ namespace abut::geometry {
 
 namespace {
 
-const Curve& curve_of(const Part& part, int edge) { return part.edges[static_cast<std::size_t>(edge)].curve; }
+const Curve& curve_of(const Part& part, int edge) {
+    return part.edges[static_cast<std::size_t>(edge)].curve;
+}
 
 bool is_corner(const Part& part, int before, int after) {
     const Vec2 t0 = unit_tangent(curve_of(part, before), 1), t1 = unit_tangent(curve_of(part, after), 0);

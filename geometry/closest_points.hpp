@@ -8,9 +8,9 @@
 namespace abut::geometry {
 
 struct ClosestPoints {
-    double distance = 0;             ///< 0 where the boundaries cross or touch
+    double distance = 0;  ///< 0 where the boundaries cross or touch
     int edge1 = -1, edge2 = -1;
-    double t1 = 0, t2 = 0;           ///< parameters of the edges' curves
+    double t1 = 0, t2 = 0;  ///< parameters of the edges' curves
     Vec2 x1{0, 0}, x2{0, 0};
 };
 

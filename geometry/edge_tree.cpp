@@ -8,7 +8,9 @@ namespace abut::geometry {
 
 namespace {
 constexpr int leaf_size = 4;
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
 }  // namespace
 
 EdgeTree::EdgeTree(const Part& part) {

@@ -14,7 +14,9 @@ namespace abut::geometry {
 
 namespace {
 
-double condition(const ChainPoint& p1, const ChainPoint& p2) { return cross(p2.x - p1.x, p1.normal - p2.normal); }
+double condition(const ChainPoint& p1, const ChainPoint& p2) {
+    return cross(p2.x - p1.x, p1.normal - p2.normal);
+}
 
 double condition_by_s1(const ChainPoint& p1, const ChainPoint& p2) {
     return -cross(p1.tangent, p1.normal - p2.normal) + p1.curvature * cross(p2.x - p1.x, p1.tangent);
@@ -60,7 +62,8 @@ Root increasing_root(Function value_and_slope, double start, double low, double 
         if (std::abs(F) <= noise) return {s, true};
         (F < 0 ? low : high) = s;
         (F < 0 ? below : above) = true;
-        double step = slope > flat ? std::clamp(-F / slope, -longest_step, longest_step) : (F < 0 ? longest_step : -longest_step);
+        double step =
+            slope > flat ? std::clamp(-F / slope, -longest_step, longest_step) : (F < 0 ? longest_step : -longest_step);
         if ((F < 0 && s == highest) || (F > 0 && s == lowest)) return {s, slope > flat && std::abs(F / slope) <= slack};
         double next = s + step;
         if (below && above && (next <= low || next >= high)) next = 0.5 * (low + high);
@@ -84,9 +87,13 @@ Range search_range(const Chain& chain, double guess) {
 constexpr double end_slack = 1e-9;
 
 /// Rounding of the condition at a point: what is left when coordinates are subtracted.
-double noise_at(const Vec2& x) { return 4 * std::numeric_limits<double>::epsilon() * x.lpNorm<Eigen::Infinity>(); }
+double noise_at(const Vec2& x) {
+    return 16 * std::numeric_limits<double>::epsilon() * x.lpNorm<Eigen::Infinity>();
+}
 
-bool opposed(const ChainPoint& p1, const ChainPoint& p2) { return p1.normal.dot(p2.normal) < 0; }
+bool opposed(const ChainPoint& p1, const ChainPoint& p2) {
+    return p1.normal.dot(p2.normal) < 0;
+}
 
 }  // namespace
 

@@ -16,7 +16,9 @@ struct Span {
     double begin, end;
 };
 
-const Curve& curve_of(const Part& part, int edge) { return part.edges[static_cast<std::size_t>(edge)].curve; }
+const Curve& curve_of(const Part& part, int edge) {
+    return part.edges[static_cast<std::size_t>(edge)].curve;
+}
 
 /// Position on edge 1 of the partner of the point at s2 of edge 2; clamped to the stretch.
 double image_on_first(const FacingModel& model, const FacingStretch& stretch, double s2) {
@@ -60,7 +62,8 @@ void beaten_on_first(const FacingModel& model, const FacingStretch& own, const F
 }
 
 /// The same for the points of part 2 (same edge 2).
-void beaten_on_second(const FacingModel& model, const FacingStretch& own, const FacingStretch& other, std::vector<Span>& spans) {
+void beaten_on_second(const FacingModel& model, const FacingStretch& own, const FacingStretch& other,
+                      std::vector<Span>& spans) {
     const double low = std::max(own.end.s2, other.end.s2), high = std::min(own.begin.s2, other.begin.s2);
     if (high - low <= model.same) return;
     const auto gap_at = [&](const FacingStretch& stretch, double s2) {

@@ -79,8 +79,8 @@ double difference(const Chain& chain, double a, double b) {
     return chain.closed ? std::remainder(a - b, chain.length) : a - b;
 }
 
-/// Does `next` begin where `run` ends, on both chains? A joint may turn by chain_angle, which moves the partner by that times the
-/// gap.
+/// Does `next` begin where `run` ends, on both chains? A joint may turn by chain_angle, which moves the partner by that times
+/// the gap.
 bool continues(const FacingModel& model, const Chains& chains, const Run& run, const Run& next) {
     if (run.chain1 != next.chain1 || run.chain2 != next.chain2) return false;
     const double slack = 100 * model.same + 2 * chain_angle * std::abs(run.gap_end);
@@ -169,8 +169,8 @@ FacingZone zone_of(const FacingModel& model, const Chains& chains, Group group) 
     const auto at_corner = [](const Chain& chain, double s) { return !chain.closed && (s <= 0 || s >= chain.length); };
     zone.begin_is_limit = !zone.closed && at_distance(first.gap_begin) && !at_corner(zone.chain1, zone.begin1) &&
                           !at_corner(zone.chain2, zone.begin2);
-    zone.end_is_limit = !zone.closed && at_distance(last.gap_end) && !at_corner(zone.chain1, zone.end1) &&
-                        !at_corner(zone.chain2, zone.end2);
+    zone.end_is_limit =
+        !zone.closed && at_distance(last.gap_end) && !at_corner(zone.chain1, zone.end1) && !at_corner(zone.chain2, zone.end2);
     return zone;
 }
 

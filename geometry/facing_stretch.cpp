@@ -26,7 +26,9 @@ constexpr double beside = 1e-9, beside_rounding = 100, beside_at_most = 0.05;
 /// their distance on the way to the middle curve; closer to the centre they have no partners.
 constexpr double least_spread = 0.05;
 
-const Curve& curve_of(const Part& part, int edge) { return part.edges[static_cast<std::size_t>(edge)].curve; }
+const Curve& curve_of(const Part& part, int edge) {
+    return part.edges[static_cast<std::size_t>(edge)].curve;
+}
 
 /// Bisects for the place in (a, b) where the predicate stops having the value it has at a.
 template <class Predicate>
@@ -147,8 +149,8 @@ private:
             if (above(a, level) != above(b, level)) all.push_back(change_of([&](double m) { return above(m, level); }, a, b));
     }
 
-    /// Does no edge of either part cross the open line between the points? Together with the opposed normals this means that the
-    /// line runs outside both bodies (gap positive) or inside both (negative).
+    /// Does no edge of either part cross the open line between the points? Together with the opposed normals this means that
+    /// the line runs outside both bodies (gap positive) or inside both (negative).
     bool in_sight(double s1) const {
         const auto p = pair(s1);
         if (!p) return false;

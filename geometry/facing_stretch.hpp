@@ -17,7 +17,8 @@ struct EdgePair {
     double opposition = 0;  ///< -n1.n2, 1 where the normals oppose each other exactly
 };
 
-/// Between begin and end every point of edge1 has its partner on edge2; the gap is monotone. begin.s1 < end.s1, begin.s2 > end.s2.
+/// Between begin and end every point of edge1 has its partner on edge2; the gap is monotone. begin.s1 < end.s1, begin.s2 >
+/// end.s2.
 struct FacingStretch {
     int edge1 = -1, edge2 = -1;
     EdgePair begin, end;
@@ -37,7 +38,8 @@ struct FacingModel {
     double thin;  ///< gaps below are not looked into for material in between
 };
 
-/// The partner on edge2 (or its continuation) of the point at s1 of edge1; none where the normals do not oppose each other at all.
+/// The partner on edge2 (or its continuation) of the point at s1 of edge1; none where the normals do not oppose each other at
+/// all.
 std::optional<EdgePair> pair_on_edges(const FacingModel& model, int edge1, int edge2, double s1);
 
 /// All stretches of an edge pair that meet distance, angle and line of sight. Cost: a few dozen closed-form pairs.

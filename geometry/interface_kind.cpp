@@ -13,7 +13,9 @@ namespace {
 
 enum class Shape { flat, convex, concave };
 
-const Curve& curve_of(const Part& part, int edge) { return part.edges[static_cast<std::size_t>(edge)].curve; }
+const Curve& curve_of(const Part& part, int edge) {
+    return part.edges[static_cast<std::size_t>(edge)].curve;
+}
 
 Shape shape_of(const Part& part, int edge) {
     const Curve& curve = curve_of(part, edge);

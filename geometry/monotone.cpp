@@ -48,7 +48,12 @@ void append_edge(std::vector<MonotonePiece>& pieces, int e, const Curve& curve, 
 
 std::vector<MonotonePiece> monotone_pieces(const Part& part) {
     std::vector<MonotonePiece> pieces;
-    for (const Loop& loop : part.loops) {
+    std::vector<Loop> loops = part.loops;
+    if (loops.empty()) {
+        loops.emplace_back();
+        for (std::size_t e = 0; e < part.edges.size(); ++e) loops[0].edges.push_back(static_cast<int>(e));
+    }
+    for (const Loop& loop : loops) {
         const std::size_t n = loop.edges.size();
         for (std::size_t i = 0; i < n; ++i) {
             const int e = loop.edges[i];

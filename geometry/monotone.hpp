@@ -19,7 +19,7 @@ struct MonotonePiece {
     int x_side = 0, y_side = 0;  ///< of an arc: the quadrant about its centre (+1 or -1)
 };
 
-/// Loop by loop, head to tail.
+/// Loop by loop, head to tail. A part without loops counts as one loop of all its edges in order.
 std::vector<MonotonePiece> monotone_pieces(const Part& part);
 
 /// The one-variable forms; clamped to the piece's end coordinates.

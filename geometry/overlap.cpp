@@ -24,8 +24,8 @@ std::vector<double> cuts_of(const Curve& curve, const Part& other, const std::ve
     return cuts;
 }
 
-Side side_of(const Curve& curve, double t, const Part& other, const std::vector<MonotonePiece>& material, const std::vector<int>& near,
-             double tolerance) {
+Side side_of(const Curve& curve, double t, const Part& other, const std::vector<MonotonePiece>& material,
+             const std::vector<int>& near, double tolerance) {
     const Vec2 p = point(curve, t);
     for (const int e : near) {
         const Curve& candidate = other.edges[static_cast<std::size_t>(e)].curve;

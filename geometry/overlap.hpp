@@ -7,7 +7,7 @@ namespace abut::geometry {
 
 struct Overlap {
     double area = 0;
-    double perimeter = 0;   ///< of the common region, its holes included
+    double perimeter = 0;  ///< of the common region, its holes included
     /// Mean thickness of the common region, 2 area / perimeter: a depth that does not depend on which way one looks.
     double depth() const { return perimeter > 0 ? 2 * area / perimeter : 0; }
 };

@@ -7,7 +7,7 @@
 
 #include "geometry/curve_meetings.hpp"
 #include "geometry/edge_tree.hpp"
-#include "geometry/tilted_region.hpp"
+#include "geometry/monotone.hpp"
 
 namespace abut::geometry {
 
@@ -69,7 +69,7 @@ struct Meeting {
 /// Where a chain meets another, its pieces between the meetings lie on one side each: they cross if both sides occur.
 bool do_cross(const Layout& layout, int chain, int other, const std::vector<Meeting>& meetings, double tolerance) {
     const Part region = region_of(layout, other);
-    const TiltedRegion tilted(region);
+    const std::vector<MonotonePiece> pieces = monotone_pieces(region);
     bool is_in = false, is_out = false;
     for (int e = layout.first[static_cast<std::size_t>(chain)]; e < layout.first[static_cast<std::size_t>(chain) + 1]; ++e) {
         const Curve& curve = layout.all.edges[static_cast<std::size_t>(e)].curve;
@@ -81,7 +81,7 @@ bool do_cross(const Layout& layout, int chain, int other, const std::vector<Meet
             const Vec2 p = point(curve, 0.5 * (cuts[i] + cuts[i + 1]));
             const bool is_clear = std::none_of(region.edges.begin(), region.edges.end(),
                                                [&](const Edge& edge) { return distance(edge.curve, p) <= tolerance; });
-            if (is_clear) (tilted.contains(p) ? is_in : is_out) = true;
+            if (is_clear) (contains(pieces, p) ? is_in : is_out) = true;
         }
     }
     return is_in && is_out;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/sketch_crossings.hpp"
-#include "geometry/tilted_region.hpp"
 
 namespace abut::geometry {
 
@@ -64,7 +63,7 @@ bool is_inside(const Outline& inner, const Outline& outer, double tolerance) {
     for (const Edge& edge : inner.region.edges)
         for (double t : {0.0, 0.5}) {
             const Vec2 p = point(edge.curve, t);
-            if (distance_to(outer.region, p) > tolerance) return TiltedRegion(outer.region).contains(p);
+            if (distance_to(outer.region, p) > tolerance) return contains(outer.region, p);
         }
     return false;
 }

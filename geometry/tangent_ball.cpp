@@ -56,7 +56,8 @@ std::vector<double> parallel_points(const Curve& curve, const Curve& other) {
     if (line && other_line) return {};
     if (line) return {foot_parameter(*line, std::get<Arc>(other).center)};
     const Arc& arc = std::get<Arc>(curve);
-    const Vec2 along = other_line ? right_of(other_line->to - other_line->from) : Vec2(std::get<Arc>(other).center - arc.center);
+    const Vec2 along =
+        other_line ? right_of(other_line->to - other_line->from) : Vec2(std::get<Arc>(other).center - arc.center);
     if (along.norm() <= 1e-14 * arc.radius) return {};  // concentric to rounding
     return {arc_parameter(arc, along), arc_parameter(arc, -along)};
 }

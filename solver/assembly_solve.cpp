@@ -188,6 +188,9 @@ void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, 
 void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, const VectorXd& amplitudes,
                            AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
+    solution.contact_load.clear();
+    solution.load.clear();
+    solution.displacement.clear();
     VectorXd contact_only = multipliers;
     for (Index k = 0; k < contact_only.size(); ++k)
         if (!rows.unilateral[static_cast<std::size_t>(k)]) contact_only[k] = 0;
@@ -199,6 +202,26 @@ void recover_displacements(const AssemblyProblem& problem, const Rows& rows, con
         if (part.modes.cols() > 0) u += part.modes * amplitudes.segment(offset[i], part.modes.cols());
         solution.displacement.push_back(std::move(u));
     }
+}
+
+/// One step of iterative refinement: what the displacements leave of closed gaps and of equilibrium is the right-hand side of a
+/// correction. It takes out the rounding of C and of the pinned solutions. False where nothing is left to correct.
+bool refine(const AssemblyProblem& problem, const Rows& rows, const MatrixXd& resisted, ContactQp qp, const std::vector<char>& active,
+            VectorXd& multipliers, VectorXd& amplitudes, const AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    qp.gap = rows.gap0;
+    VectorXd load = VectorXd::Zero(offset.back());
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        qp.gap += rows_times(rows.by_part[i], solution.displacement[i], rows.n);
+        load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * solution.load[i];
+    }
+    qp.gap = qp.gap.cwiseQuotient(rows.weight);
+    qp.mode_load = resisted.transpose() * load;
+    VectorXd more, further;
+    if (!solve_on_set(qp, active, more, further)) return false;
+    multipliers += more.cwiseQuotient(rows.weight);
+    amplitudes += further;
+    return true;
 }
 
 }  // namespace
@@ -229,8 +252,10 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
         solution.mechanism = part_motions(problem.parts, split.resisted * result.mechanism);
         return solution;
     }
-    const VectorXd multipliers = result.multipliers.cwiseQuotient(rows.weight);
-    recover_displacements(problem, rows, multipliers, split.resisted * result.amplitudes, solution);
+    VectorXd multipliers = result.multipliers.cwiseQuotient(rows.weight), amplitudes = result.amplitudes;
+    recover_displacements(problem, rows, multipliers, split.resisted * amplitudes, solution);
+    if (refine(problem, rows, split.resisted, qp, result.active, multipliers, amplitudes, solution))
+        recover_displacements(problem, rows, multipliers, split.resisted * amplitudes, solution);
     take_least_motion(problem, split.neutral, solution);
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(multipliers.segment(first_row[f], problem.interfaces[f].pressure.n_functions()));

@@ -233,4 +233,12 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     return result;
 }
 
+bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {
+    State state;
+    if (!solve_on(qp, active, 0, VectorXd::Zero(qp.modes.cols()), state)) return false;
+    multipliers = state.multipliers;
+    amplitudes = state.amplitudes;
+    return true;
+}
+
 }  // namespace abut::solver

@@ -38,4 +38,8 @@ struct ContactQpResult {
 /// 4. Where that cycles or loses every contact: the monotone primal active set, which always ends.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 
+/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; false where the set leaves them open.
+/// With residuals in place of gap and mode_load: the correction of a step of iterative refinement.
+bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers, Eigen::VectorXd& amplitudes);
+
 }  // namespace abut::solver

@@ -57,9 +57,8 @@ public:
     }
     bool holds(int part1, int edge1, int part2, int edge2) const {
         const std::array<int, 2> a{part1, edge1}, b{part2, edge2};
-        return std::any_of(rules_.begin(), rules_.end(), [&](const auto& r) {
-            return (r[0].count(a) && r[1].count(b)) || (r[0].count(b) && r[1].count(a));
-        });
+        return std::any_of(rules_.begin(), rules_.end(),
+                           [&](const auto& r) { return (r[0].count(a) && r[1].count(b)) || (r[0].count(b) && r[1].count(a)); });
     }
     /// Does one rule cover all edges of both parts?
     bool holds(const Scene& scene, int part1, int part2) const {
@@ -115,7 +114,8 @@ void share_out(Meeting& m, const FacingZone& zone, const IgnoredEdges& ignored) 
         sum += at_end ? 0.5 : 1;
     });
     for (const auto& [edges, weight] : shares)
-        if (!ignored.holds(m.part[0], edges[0], m.part[1], edges[1])) m.shares[edges] += weight / sum * (zone.end1 - zone.begin1);
+        if (!ignored.holds(m.part[0], edges[0], m.part[1], edges[1]))
+            m.shares[edges] += weight / sum * (zone.end1 - zone.begin1);
 }
 
 void follow_zones(Meeting& m, const IgnoredEdges& ignored) {
@@ -194,7 +194,8 @@ bool closest_face_to_face(const Meeting& m, const FacingZone& zone) {
 bool meets_at_corner(const Meeting& m) {
     if (!m.closest || m.overlap.depth() > m.touching) return false;
     const ClosestPoints& c = *m.closest;
-    if (!geometry::is_convex_corner(m.first, c.edge1, c.t1) && !geometry::is_convex_corner(m.second, c.edge2, c.t2)) return false;
+    if (!geometry::is_convex_corner(m.first, c.edge1, c.t1) && !geometry::is_convex_corner(m.second, c.edge2, c.t2))
+        return false;
     if (c.distance > m.distance) return !faces_across(m, c);
     return std::none_of(m.zones.begin(), m.zones.end(), [&](const FacingZone& zone) { return closest_face_to_face(m, zone); });
 }
@@ -241,7 +242,8 @@ std::string why_of(const Scene& scene, const Meeting& m, const DetectedPair& pai
     if (pair.status == "overlap")
         return "drawn into each other by up to " + with_unit_of(-pair.gap_min) + ", facing along " + with_unit_of(pair.length);
     if (pair.length == 0)
-        return (pair.status == "touching" ? "touching" : with_unit_of(pair.gap_min) + " apart") + at + ", where no faces oppose each other";
+        return (pair.status == "touching" ? "touching" : with_unit_of(pair.gap_min) + " apart") + at +
+               ", where no faces oppose each other";
     const std::string along = " along " + with_unit_of(pair.length);
     if (pair.status == "touching") return "touching" + at + ", facing within " + with_unit_of(m.distance) + along;
     return with_unit_of(pair.gap_min) + " apart" + at + ", within " + against + along;
@@ -293,7 +295,8 @@ void examine(const Scene& scene, int i, int k, std::optional<double> distance, c
     if (m.shares.empty() && !m.zones.empty()) return;  // all that faces each other is to be left alone
     if (m.shares.empty() && m.closest && ignored.holds(i, m.closest->edge1, k, m.closest->edge2)) return;
 
-    const bool close = overlapping || !m.shares.empty() || (m.closest && m.closest->distance <= std::max(reach.distance, reach.touching));
+    const bool close =
+        overlapping || !m.shares.empty() || (m.closest && m.closest->distance <= std::max(reach.distance, reach.touching));
     (close ? found.pairs : found.near_misses).push_back(describe(scene, m, !close));
 }
 

@@ -80,7 +80,8 @@ bool names_side(const std::string& name, const DetectedPair& pair, std::size_t s
 }
 
 bool names_pair(const Expected& e, const DetectedPair& p) {
-    return (names_side(e.names[0], p, 0) && names_side(e.names[1], p, 1)) || (names_side(e.names[1], p, 0) && names_side(e.names[0], p, 1));
+    return (names_side(e.names[0], p, 0) && names_side(e.names[1], p, 1)) ||
+           (names_side(e.names[1], p, 0) && names_side(e.names[0], p, 1));
 }
 
 std::string not_found(const Expected& e, const Detection& detection) {

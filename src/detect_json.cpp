@@ -16,7 +16,9 @@ Json number(double value) {
     return value == 0 ? 0.0 : value;  // no "-0.0"
 }
 
-Json names(const std::vector<std::string>& list) { return list.empty() ? Json::array() : Json(list); }
+Json names(const std::vector<std::string>& list) {
+    return list.empty() ? Json::array() : Json(list);
+}
 
 Json pair_json(const DetectedPair& p) {
     return {{"parts", Json::array({p.parts[0], p.parts[1]})},

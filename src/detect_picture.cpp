@@ -21,25 +21,32 @@ std::string style() {
     return "<style>text{font:12px sans-serif;fill:#222}.part{stroke:#555;stroke-width:1;fill-rule:evenodd;fill-opacity:.45}"
            ".touching{stroke:#c2185b}.gap{stroke:#e08a00}.overlap{stroke:#7b1fa2}.face{fill:none;stroke-width:4;"
            "stroke-linecap:round;stroke-linejoin:round}.miss{stroke:#333;stroke-width:1.2;stroke-dasharray:5 4;fill:none}"
-           ".badge{fill:#fff;stroke-width:2}.number{text-anchor:middle;font-weight:bold}.name{text-anchor:middle;fill:#333}</style>\n";
+           ".badge{fill:#fff;stroke-width:2}.number{text-anchor:middle;font-weight:bold}.name{text-anchor:middle;fill:#333}</"
+           "style>\n";
 }
 
-std::string point_text(const Vec2& p) { return coordinate_text(p.x()) + " " + coordinate_text(p.y()); }
+std::string point_text(const Vec2& p) {
+    return coordinate_text(p.x()) + " " + coordinate_text(p.y());
+}
 
 std::string attributes(const char* x, const char* y, const Vec2& p) {
     return std::string(" ") + x + "=\"" + coordinate_text(p.x()) + "\" " + y + "=\"" + coordinate_text(p.y()) + "\"";
 }
 
 std::string text_at(const Vec2& p, const std::string& css, const std::string& text) {
-    return "<text" + attributes("x", "y", p) + (css.empty() ? "" : " class=\"" + css + "\"") + ">" + escape_xml(text) + "</text>\n";
+    return "<text" + attributes("x", "y", p) + (css.empty() ? "" : " class=\"" + css + "\"") + ">" + escape_xml(text) +
+           "</text>\n";
 }
 
-Vec2 middle_of(const std::array<Vec2, 2>& mark) { return 0.5 * (mark[0] + mark[1]); }
+Vec2 middle_of(const std::array<Vec2, 2>& mark) {
+    return 0.5 * (mark[0] + mark[1]);
+}
 
 /// The line midway between the facing boundaries, interrupted between separate stretches.
 std::string stretch_path(const DetectedPair& pair, const View& view) {
     std::vector<double> steps;
-    for (std::size_t i = 1; i < pair.marks.size(); ++i) steps.push_back((middle_of(pair.marks[i]) - middle_of(pair.marks[i - 1])).norm());
+    for (std::size_t i = 1; i < pair.marks.size(); ++i)
+        steps.push_back((middle_of(pair.marks[i]) - middle_of(pair.marks[i - 1])).norm());
     std::vector<double> sorted = steps;
     std::sort(sorted.begin(), sorted.end());
     const double usual = sorted.empty() ? 0 : sorted[sorted.size() / 2];
@@ -50,7 +57,9 @@ std::string stretch_path(const DetectedPair& pair, const View& view) {
     return path;
 }
 
-Vec2 badge_place(const DetectedPair& pair, const View& view) { return view(middle_of(pair.marks[pair.marks.size() / 2])); }
+Vec2 badge_place(const DetectedPair& pair, const View& view) {
+    return view(middle_of(pair.marks[pair.marks.size() / 2]));
+}
 
 Box2 badge_box(const DetectedPair& pair, const View& view) {
     const Vec2 p = badge_place(pair, view), half = Vec2::Constant(badge_radius + 1);
@@ -59,15 +68,15 @@ Box2 badge_box(const DetectedPair& pair, const View& view) {
 
 std::string badge(const DetectedPair& pair, std::size_t number, const View& view) {
     const Vec2 p = badge_place(pair, view);
-    return "<circle class=\"badge " + pair.status + "\"" + attributes("cx", "cy", p) + " r=\"" + coordinate_text(badge_radius) + "\"/>\n" +
-           text_at(p + Vec2(0, 4), "number", std::to_string(number));
+    return "<circle class=\"badge " + pair.status + "\"" + attributes("cx", "cy", p) + " r=\"" + coordinate_text(badge_radius) +
+           "\"/>\n" + text_at(p + Vec2(0, 4), "number", std::to_string(number));
 }
 
 std::string parts_svg(const Scene& scene, const View& view) {
     std::string svg;
     for (std::size_t i = 0; i < scene.parts.size(); ++i)
-        svg += "<path class=\"part\" fill=\"" + part_color(static_cast<int>(i)) + "\" d=\"" + path_data(scene.parts[i].part, view) +
-               "\"><title>" + escape_xml(scene.parts[i].name) + "</title></path>\n";
+        svg += "<path class=\"part\" fill=\"" + part_color(static_cast<int>(i)) + "\" d=\"" +
+               path_data(scene.parts[i].part, view) + "\"><title>" + escape_xml(scene.parts[i].name) + "</title></path>\n";
     return svg;
 }
 
@@ -75,7 +84,8 @@ std::string marks_svg(const Detection& detection, const View& view) {
     std::string svg;
     for (const DetectedPair& p : detection.pairs)
         if (!p.marks.empty())
-            svg += "<path class=\"face " + p.status + "\" d=\"" + stretch_path(p, view) + "\"><title>" + escape_xml(p.why) + "</title></path>\n";
+            svg += "<path class=\"face " + p.status + "\" d=\"" + stretch_path(p, view) + "\"><title>" + escape_xml(p.why) +
+                   "</title></path>\n";
     for (const DetectedPair& p : detection.near_misses)
         for (const auto& mark : p.marks)
             svg += "<path class=\"miss\" d=\"M" + point_text(view(mark[0])) + "L" + point_text(view(mark[1])) + "\"><title>" +
@@ -93,9 +103,12 @@ std::vector<Vec2> inner_places(const geometry::Part& part, const View& view) {
     std::vector<Vec2> places{center};
     for (int i = 1; i < n; ++i)
         for (int k = 1; k < n; ++k) places.push_back(view(box.min + box.size().cwiseProduct(Vec2(i, k)) / n));
-    std::stable_sort(places.begin(), places.end(), [&](const Vec2& a, const Vec2& b) { return (a - center).norm() < (b - center).norm(); });
+    std::stable_sort(places.begin(), places.end(),
+                     [&](const Vec2& a, const Vec2& b) { return (a - center).norm() < (b - center).norm(); });
     const std::vector<geometry::MonotonePiece> material = geometry::monotone_pieces(part);
-    const auto in_model = [&](const Vec2& p) { return Vec2((p.x() - view.offset.x()) / view.scale, (view.offset.y() - p.y()) / view.scale); };
+    const auto in_model = [&](const Vec2& p) {
+        return Vec2((p.x() - view.offset.x()) / view.scale, (view.offset.y() - p.y()) / view.scale);
+    };
     std::erase_if(places, [&](const Vec2& p) { return !contains(material, in_model(p)); });
     return places;
 }
@@ -123,7 +136,8 @@ std::string names_svg(const Scene& scene, const Detection& detection, const View
         std::vector<Vec2> places = inner_places(p.part, view);
         for (const Vec2& place : outer_places(p.part, view, text.size())) places.push_back(place);
         const auto moved = [&](const Vec2& place) { return Box2{text.min + place, text.max + place}; };
-        const auto free = std::find_if(places.begin(), places.end(), [&](const Vec2& place) { return labels.is_free(moved(place), true); });
+        const auto free =
+            std::find_if(places.begin(), places.end(), [&](const Vec2& place) { return labels.is_free(moved(place), true); });
         if (free == places.end()) continue;
         labels.take(moved(*free));
         svg += text_at(*free + Vec2(0, 0.35 * font_size), "name", p.name);
@@ -143,8 +157,8 @@ std::string legend_svg(const Scene& scene, const Detection& detection, double to
     for (std::size_t k = 0; k < detection.pairs.size(); ++k) {
         const DetectedPair& p = detection.pairs[k];
         line(std::to_string(k + 1) + "  ", "face " + p.status,
-             p.parts[0] + " - " + p.parts[1] + ": " + p.status + ", " + p.interface + ", gap " + number_text(p.gap_min, 3) + " to " +
-                 with_unit(p.gap_max, 3, scene.length_unit));
+             p.parts[0] + " - " + p.parts[1] + ": " + p.status + ", " + p.interface + ", gap " + number_text(p.gap_min, 3) +
+                 " to " + with_unit(p.gap_max, 3, scene.length_unit));
     }
     for (const DetectedPair& p : detection.near_misses) line("", "miss", p.parts[0] + " - " + p.parts[1] + ": " + p.why);
     return svg;
@@ -159,10 +173,11 @@ std::string detection_svg(const Scene& scene, const Detection& detection) {
     const auto rows = static_cast<double>(detection.pairs.size() + detection.near_misses.size());
     const double height = view.height + row_height * (rows + 1);
     const std::string w = coordinate_text(view.width), h = coordinate_text(height);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h + "\">\n" +
-           "<title>" + escape_xml("Contacts of " + (scene.title.empty() ? scene.file : scene.title)) + "</title>\n" + style() +
-           "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + parts_svg(scene, view) + names_svg(scene, detection, view) +
-           marks_svg(detection, view) + legend_svg(scene, detection, view.height + row_height / 2) + "</svg>\n";
+    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
+           "\">\n" + "<title>" + escape_xml("Contacts of " + (scene.title.empty() ? scene.file : scene.title)) + "</title>\n" +
+           style() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + parts_svg(scene, view) +
+           names_svg(scene, detection, view) + marks_svg(detection, view) +
+           legend_svg(scene, detection, view.height + row_height / 2) + "</svg>\n";
 }
 
 }  // namespace abut

@@ -28,15 +28,15 @@ std::string aligned(const std::vector<Row>& rows) {
 }
 
 std::string pair_rows(const Scene& scene, const std::vector<DetectedPair>& pairs) {
-    std::vector<Row> rows{{"", "parts", "status", "interface", heading("gap", scene.length_unit), heading("facing", scene.length_unit),
-                           "cells", "between", "overlap area"}};
+    std::vector<Row> rows{{"", "parts", "status", "interface", heading("gap", scene.length_unit),
+                           heading("facing", scene.length_unit), "cells", "between", "overlap area"}};
     const bool overlaps = std::any_of(pairs.begin(), pairs.end(), [](const DetectedPair& p) { return p.overlap_area > 0; });
     if (!overlaps) rows[0].pop_back();
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const DetectedPair& p = pairs[k];
         const std::string gap = number_text(p.gap_min, 3) + " to " + number_text(p.gap_max, 3);
-        rows.push_back({std::to_string(k + 1), p.parts[0] + " - " + p.parts[1], p.status, p.interface, gap, number_text(p.length, 4),
-                        p.cells_case, p.between[0] + " - " + p.between[1]});
+        rows.push_back({std::to_string(k + 1), p.parts[0] + " - " + p.parts[1], p.status, p.interface, gap,
+                        number_text(p.length, 4), p.cells_case, p.between[0] + " - " + p.between[1]});
         if (overlaps) rows.back().push_back(p.overlap_area > 0 ? number_text(p.overlap_area, 4) : "");
     }
     return aligned(rows);
@@ -51,8 +51,8 @@ std::string near_miss_lines(const std::vector<DetectedPair>& pairs) {
 }  // namespace
 
 std::string detection_table(const Scene& scene, const Detection& detection) {
-    std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " + with_unit(detection.distance, 4, scene.length_unit) +
-                                                     " of each other\n"
+    std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " +
+                                                     with_unit(detection.distance, 4, scene.length_unit) + " of each other\n"
                                                : pair_rows(scene, detection.pairs);
     return text + near_miss_lines(detection.near_misses);
 }

@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "src/nearest_name.hpp"
 #include "src/read_loops.hpp"
 
 namespace abut {

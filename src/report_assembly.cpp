@@ -18,8 +18,8 @@ constexpr double name_font = 12;
 std::string part_shapes(const Result& result, const View& view) {
     std::string svg;
     for (std::size_t i = 0; i < result.geometry.size(); ++i)
-        svg += path(path_data(result.geometry[i], view),
-                    "fill=\"" + part_color(static_cast<int>(i)) + "\" fill-rule=\"evenodd\" stroke=\"#444\" stroke-width=\"0.9\"");
+        svg += path(path_data(result.geometry[i], view), "fill=\"" + part_color(static_cast<int>(i)) +
+                                                             "\" fill-rule=\"evenodd\" stroke=\"#444\" stroke-width=\"0.9\"");
     return svg;
 }
 
@@ -33,9 +33,9 @@ std::string part_names(const Result& result, const View& view, LabelPlaces& plac
         const Vec2 half = 0.5 / view.scale * size;
         bool fits = middle.allFinite();
         for (double sx : {-1.0, 0.0, 1.0})
-            for (double sy : {-1.0, 1.0})
-                fits = fits && geometry::contains(part, middle + Vec2(sx * half.x(), sy * half.y()));
-        if (fits && places.take(view(middle), size)) svg += text(view(middle) + Vec2(0, 4), "middle", part.name, "class=\"part-name\"");
+            for (double sy : {-1.0, 1.0}) fits = fits && geometry::contains(part, middle + Vec2(sx * half.x(), sy * half.y()));
+        if (fits && places.take(view(middle), size))
+            svg += text(view(middle) + Vec2(0, 4), "middle", part.name, "class=\"part-name\"");
     }
     return svg;
 }
@@ -50,14 +50,17 @@ std::string contact_marks(const Result& result, const View& view, LabelPlaces& p
         for (const ContactStretch& stretch : stretches)
             for (const Vec2& p : stretch.points) places.block(view(p), 3);
     }
-    for (std::size_t k = 0; k < anchors.size(); ++k) numbers += number_disc(static_cast<int>(k) + 1, anchors[k], places);
+    for (std::size_t k = 0; k < anchors.size(); ++k) numbers += number_disc(contact_number(k), anchors[k], places);
     return lines + numbers;
 }
 
-std::string sign(const std::string& shapes) { return "<svg class=\"sign\" viewBox=\"0 0 26 14\">" + shapes + "</svg>"; }
+std::string sign(const std::string& shapes) {
+    return "<svg class=\"sign\" viewBox=\"0 0 26 14\">" + shapes + "</svg>";
+}
 
 std::string line_sign(const std::string& color, double width) {
-    return sign(line({3, 7}, {23, 7}, "stroke-linecap=\"round\" stroke=\"" + color + "\" stroke-width=\"" + coordinate_text(width) + "\""));
+    return sign(line({3, 7}, {23, 7},
+                     "stroke-linecap=\"round\" stroke=\"" + color + "\" stroke-width=\"" + coordinate_text(width) + "\""));
 }
 
 std::string sign_legend(const Result& result) {
@@ -79,8 +82,9 @@ std::string part_legend(const Result& result) {
     std::string html = "<ul class=\"legend parts\">\n";
     for (std::size_t i = 0; i < result.parts.size(); ++i) {
         const PartResult& part = result.parts[i];
-        html += "<li><span class=\"swatch\" style=\"background:" + part_color(static_cast<int>(i)) + "\"></span><span><b>" + escape_xml(part.name) +
-                "</b>" + (part.material.empty() ? "" : ", " + escape_xml(part.material)) + (part.solved ? "" : " (not analysed)") + "</span></li>\n";
+        html += "<li><span class=\"swatch\" style=\"background:" + part_color(static_cast<int>(i)) + "\"></span><span><b>" +
+                escape_xml(part.name) + "</b>" + (part.material.empty() ? "" : ", " + escape_xml(part.material)) +
+                (part.solved ? "" : " (not analysed)") + "</span></li>\n";
     }
     return html + "</ul>\n";
 }
@@ -92,11 +96,12 @@ std::string contact_list(const Result& result) {
     std::vector<std::vector<std::string>> rows;
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        rows.push_back({std::to_string(k + 1), c.parts[0] + " – " + c.parts[1], c.kind == "contact" ? c.status : c.kind,
+        rows.push_back({contact_number(k), c.parts[0] + " – " + c.parts[1], c.kind == "contact" ? c.status : c.kind,
                         number_text(c.force.norm(), 4), number_text(c.max_pressure.value, 4)});
     }
     return html_table(
-        {{"", true}, {"contact"}, {""}, {heading("force", units.force), true}, {heading("max pressure", units.stress), true}}, rows);
+        {{"", true}, {"contact"}, {""}, {heading("force", units.force), true}, {heading("max pressure", units.stress), true}},
+        rows);
 }
 
 }  // namespace
@@ -128,8 +133,8 @@ std::string assembly_section(const Result& result) {
     svg += support_signs(result.support_marks, view, places) + load_arrows(result, view, places);
     svg += contact_marks(result, view, places);
     svg += part_names(result, view, places) + "</svg>\n";
-    return "<section><h2>Assembly</h2>\n<div class=\"row\">" + figure(svg, "", size.width) + "<div class=\"legends\">\n" + part_legend(result) +
-           sign_legend(result) + contact_list(result) + "</div></div></section>\n";
+    return "<section><h2>Assembly</h2>\n<div class=\"row\">" + figure(svg, "", size.width) + "<div class=\"legends\">\n" +
+           part_legend(result) + sign_legend(result) + contact_list(result) + "</div></div></section>\n";
 }
 
 }  // namespace abut::report

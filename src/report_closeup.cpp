@@ -14,9 +14,9 @@ namespace abut::report {
 
 namespace {
 
-constexpr double window_factor = 1.9;      ///< window size over the size of the closed contact
-constexpr double smallest_window = 1e-3;   ///< of the model: where the contact is a point
-constexpr double hair_height = 0.2;        ///< of the window: the largest pressure
+constexpr double window_factor = 1.9;     ///< window size over the size of the closed contact
+constexpr double smallest_window = 1e-3;  ///< of the model: where the contact is a point
+constexpr double hair_height = 0.2;       ///< of the window: the largest pressure
 constexpr int most_hairs = 45;
 
 /// What is in focus: the closed stretch, or all of an open candidate.
@@ -49,8 +49,10 @@ std::vector<Vec2> normals(const ContactProfile& p, const geometry::Part& first) 
     int outward = 0;
     for (std::size_t i = 0; i < n; ++i) {
         const Vec2 along = at(std::min(i + 1, n - 1)) - at(i == 0 ? 0 : i - 1);
-        if (along.norm() > 0) found[i] = geometry::right_of(along).normalized();
-        else if (i > 0) found[i] = found[i - 1];
+        if (along.norm() > 0)
+            found[i] = geometry::right_of(along).normalized();
+        else if (i > 0)
+            found[i] = found[i - 1];
         outward += geometry::contains(boundary, at(i) + 1e-3 * length * found[i]) ? -1 : 1;
     }
     if (outward < 0)
@@ -71,11 +73,15 @@ std::string pressure_hairs(const ContactProfile& p, const std::vector<Vec2>& nor
     }
     std::vector<Vec2> area = tips;
     area.insert(area.end(), feet.rbegin(), feet.rend());
-    return polygon(area, "fill=\"#fff\" fill-opacity=\"0.72\"") + "<g stroke=\"" + contact_color + "\" stroke-width=\"0.8\">\n" + hairs +
-           "</g>\n" + polyline(tips, "fill=\"none\" stroke=\"" + std::string(contact_color) + "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
+    return polygon(area, "fill=\"#fff\" fill-opacity=\"0.72\"") + "<g stroke=\"" + contact_color +
+           "\" stroke-width=\"0.8\">\n" + hairs + "</g>\n" +
+           polyline(tips, "fill=\"none\" stroke=\"" + std::string(contact_color) +
+                              "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
 }
 
-double stress_of(const FieldSample& sample) { return von_mises(sample.stress); }
+double stress_of(const FieldSample& sample) {
+    return von_mises(sample.stress);
+}
 
 }  // namespace
 
@@ -90,20 +96,24 @@ std::string contact_closeup(const Result& result, std::size_t contact) {
     const double largest = field_range(result, stress_of, 1, window).largest;
     const std::string id = "close" + std::to_string(contact);
 
-    std::vector<std::vector<Vec2>> frame{{window.min, {window.max.x(), window.min.y()}, window.max, {window.min.x(), window.max.y()}}};
+    std::vector<std::vector<Vec2>> frame{
+        {window.min, {window.max.x(), window.min.y()}, window.max, {window.min.x(), window.max.y()}}};
     const std::string frame_data = path_data(frame, view);
-    std::string svg = open_svg(view.width, view.height, "close-up of contact " + std::to_string(contact + 1)) + model_axes(view, units.length);
+    std::string svg =
+        open_svg(view.width, view.height, "close-up of contact " + contact_number(contact)) + model_axes(view, units.length);
     svg += clip_path(id, frame_data) + "<g clip-path=\"url(#" + id + ")\">\n" + path(frame_data, "fill=\"#f4f4f4\"");
     svg += field_layer(result, view, {stress_of, largest, 0, window, id + "f"});
     svg += contact_lines(stretches, view, 3);
     const double peak = *std::max_element(c.profile.pressure.begin(), c.profile.pressure.end());
     if (peak > 0)
-        svg += pressure_hairs(c.profile, normals(c.profile, result.geometry[first]), hair_height * window.size().y() / peak, view);
+        svg +=
+            pressure_hairs(c.profile, normals(c.profile, result.geometry[first]), hair_height * window.size().y() / peak, view);
     svg += "</g>\n" + path(frame_data, "fill=\"none\" stroke=\"#999\" stroke-width=\"0.8\"") + "</svg>\n";
 
     std::string caption = "Close-up";
     if (peak > 0) caption += "; the pressure is drawn over the edge of " + escape_xml(c.parts[0]);
-    const std::string bar = has_fields(result) ? color_bar({largest, heading("von Mises stress here", units.stress), ""}, half_width) : "";
+    const std::string bar =
+        has_fields(result) ? color_bar({largest, heading("von Mises stress here", units.stress), ""}, half_width) : "";
     return figure(svg + bar, caption, half_width);
 }
 

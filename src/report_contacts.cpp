@@ -11,15 +11,15 @@ constexpr std::size_t most_closeups = 24;  ///< beyond it the page would grow to
 std::string title(const ContactResult& c, std::size_t k) {
     std::string words = c.between[0] + " – " + c.between[1];
     if (!c.interface.empty()) words += ", " + c.interface;
-    return "<h3><span class=\"disc\">" + std::to_string(k + 1) + "</span> " + escape_xml(words) + "</h3>\n";
+    return "<h3><span class=\"disc\">" + contact_number(k) + "</span> " + escape_xml(words) + "</h3>\n";
 }
 
-std::string sentence(const ContactResult& c, const ResultUnits& units) {
+std::string sentence(const ContactResult& c, const ResultUnits& units, double size) {
     std::string words = (c.kind == "contact" ? "" : c.kind + ", ") + c.status;
     if (c.status != "open")
-        words += "; force on " + c.parts[0] + " " + pair_text(c.force, 4) + (units.force.empty() ? "" : " " + units.force) + "; length " +
-                 with_unit(c.contact_length, 4, units.length) + "; largest pressure " + with_unit(c.max_pressure.value, 4, units.stress) +
-                 " at " + pair_text(c.max_pressure.at, 4);
+        words += "; force on " + c.parts[0] + " " + pair_text(c.force, 4) + (units.force.empty() ? "" : " " + units.force) +
+                 "; length " + with_unit(c.contact_length, 4, units.length) + "; largest pressure " +
+                 with_unit(c.max_pressure.value, 4, units.stress) + " at " + place_text(c.max_pressure.at, size);
     return "<p>" + escape_xml(words) + "</p>\n";
 }
 
@@ -31,7 +31,7 @@ std::string contacts_section(const Result& result) {
     std::string html = "<section><h2>Contacts</h2>\n";
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        html += "<article>" + title(c, k) + sentence(c, units);
+        html += "<article>" + title(c, k) + sentence(c, units, model_size(result));
         const std::string pictures = contact_curves(result, k) + (k < most_closeups ? contact_closeup(result, k) : "");
         html += (pictures.empty() ? "" : "<div class=\"row\">" + pictures + "</div>\n") + "</article>\n";
     }

@@ -37,10 +37,13 @@ struct Corner {
 using BandEdges = std::array<std::vector<DirectedEdge>, n_bands>;
 
 GridPoint rounded(const Vec2& p) {
-    return {static_cast<std::int32_t>(std::lround(p.x() * steps_per_pixel)), static_cast<std::int32_t>(std::lround(p.y() * steps_per_pixel))};
+    return {static_cast<std::int32_t>(std::lround(p.x() * steps_per_pixel)),
+            static_cast<std::int32_t>(std::lround(p.y() * steps_per_pixel))};
 }
 
-int band_of(double value) { return std::clamp(static_cast<int>(std::floor(value * n_bands)), 0, n_bands - 1); }
+int band_of(double value) {
+    return std::clamp(static_cast<int>(std::floor(value * n_bands)), 0, n_bands - 1);
+}
 
 bool drawable(const Patch& patch) {
     for (std::size_t i = 0; i < 4; ++i) {
@@ -125,8 +128,10 @@ std::vector<DirectedEdge> without_pairs(std::vector<DirectedEdge> edges) {
 std::vector<std::vector<GridPoint>> closed_loops(const std::vector<DirectedEdge>& edges) {
     std::vector<bool> used(edges.size(), false);
     const auto leaving = [&](const GridPoint& p) {
-        auto i = static_cast<std::size_t>(
-            std::lower_bound(edges.begin(), edges.end(), p, [](const DirectedEdge& e, const GridPoint& q) { return e.from < q; }) - edges.begin());
+        auto i =
+            static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), p,
+                                                      [](const DirectedEdge& e, const GridPoint& q) { return e.from < q; }) -
+                                     edges.begin());
         while (i < edges.size() && edges[i].from == p && used[i]) ++i;
         return i < edges.size() && edges[i].from == p ? i : edges.size();
     };
@@ -180,7 +185,9 @@ std::string path_of(const std::vector<std::vector<GridPoint>>& loops) {
 
 }  // namespace
 
-std::string band_color(int band) { return map_color((band + 0.5) / n_bands); }
+std::string band_color(int band) {
+    return map_color((band + 0.5) / n_bands);
+}
 
 std::string filled_bands(const std::vector<Patch>& patches) {
     BandEdges bands;
@@ -194,7 +201,8 @@ std::string filled_bands(const std::vector<Patch>& patches) {
         paths += "<path fill=\"" + color + "\" stroke=\"" + color + "\" d=\"" + path + "\"/>\n";
     }
     if (paths.empty()) return "";
-    return "<g transform=\"scale(" + number_text(1 / steps_per_pixel, 3) + ")\" stroke-width=\"12\" stroke-linejoin=\"round\">\n" + paths + "</g>\n";
+    return "<g transform=\"scale(" + number_text(1 / steps_per_pixel, 3) +
+           ")\" stroke-width=\"12\" stroke-linejoin=\"round\">\n" + paths + "</g>\n";
 }
 
 }  // namespace abut::report

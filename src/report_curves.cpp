@@ -23,13 +23,16 @@ struct Abscissa {
     std::string name;
 };
 
-double chord(const ContactProfile& p, std::size_t i) { return std::hypot(p.x[i + 1] - p.x[i], p.y[i + 1] - p.y[i]); }
+double chord(const ContactProfile& p, std::size_t i) {
+    return std::hypot(p.x[i + 1] - p.x[i], p.y[i + 1] - p.y[i]);
+}
 
 /// Arc length of the edge if the profile stays on one edge and does not pass its beginning.
 bool one_edge(const ContactProfile& p) {
     for (std::size_t i = 0; i + 1 < p.s.size(); ++i) {
         const double step = std::abs(p.s[i + 1] - p.s[i]);
-        if (p.edge[i + 1] != p.edge[i] || std::abs(step - chord(p, i)) > jump_tolerance * std::max(step, chord(p, i))) return false;
+        if (p.edge[i + 1] != p.edge[i] || std::abs(step - chord(p, i)) > jump_tolerance * std::max(step, chord(p, i)))
+            return false;
     }
     return true;
 }
@@ -170,7 +173,8 @@ std::string contact_curves(const Result& result, std::size_t contact) {
     const double peak = *std::max_element(c.profile.pressure.begin(), c.profile.pressure.end());
     const auto [gap_low, gap_high] = std::minmax_element(c.profile.gap.begin(), c.profile.gap.end());
     const auto [s0, s1] = limits(a.s[a.order.front()], a.s[a.order.back()], 0);
-    const auto [p0, p1] = limits(std::min(0.0, *std::min_element(c.profile.pressure.begin(), c.profile.pressure.end())), peak + error, 0.12);
+    const auto [p0, p1] =
+        limits(std::min(0.0, *std::min_element(c.profile.pressure.begin(), c.profile.pressure.end())), peak + error, 0.12);
     const auto [g0, g1] = limits(std::min(*gap_low, 0.0), *gap_high, 0.08);
     const Panel pressure{70, half_width - 16, 38, 240, s0, s1, p0, p1};
     const Panel gap{70, half_width - 16, 286, 380, s0, s1, g0, g1};
@@ -178,14 +182,15 @@ std::string contact_curves(const Result& result, std::size_t contact) {
     for (const Vec2& end : c.ends) ends.push_back(project(c.profile, a, end));
     std::sort(ends.begin(), ends.end());
 
-    const std::string number = std::to_string(contact + 1);
+    const std::string number = contact_number(contact);
     std::string svg = open_svg(half_width, 422, "pressure and gap of contact " + number);
     svg += value_axis(pressure, 5, heading("pressure", units.stress)) + value_axis(gap, 4, heading("gap", units.length));
     svg += end_lines(pressure, ends) + end_lines(gap, ends) + end_texts(gap, ends);
     if (error > 0) svg += error_band(pressure, a, c.profile.pressure, error);
-    svg += polyline(curve(pressure, a, c.profile.pressure),
-                    "fill=\"none\" stroke=\"" + std::string(contact_color) + "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
-    svg += polyline(curve(gap, a, c.profile.gap), "fill=\"none\" stroke=\"#1348b0\" stroke-width=\"1.6\" stroke-linejoin=\"round\"");
+    svg += polyline(curve(pressure, a, c.profile.pressure), "fill=\"none\" stroke=\"" + std::string(contact_color) +
+                                                                "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
+    svg += polyline(curve(gap, a, c.profile.gap),
+                    "fill=\"none\" stroke=\"#1348b0\" stroke-width=\"1.6\" stroke-linejoin=\"round\"");
     svg += line({pressure.left, pressure.bottom}, {pressure.right, pressure.bottom}, "stroke=\"#555\" stroke-width=\"0.8\"");
     svg += maximum_mark(pressure, c, a, units.stress) + arc_axis(gap, heading(a.name, units.length)) + "</svg>\n";
 

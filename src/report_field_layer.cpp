@@ -25,7 +25,9 @@ Box2 box_of(const PartField& field, const FieldPatch& patch) {
     return box;
 }
 
-bool in_window(const Box2& box, const Box2& window) { return window.empty() || box.overlaps(window, 0); }
+bool in_window(const Box2& box, const Box2& window) {
+    return window.empty() || box.overlaps(window, 0);
+}
 
 std::vector<Patch> patches_of(const PartField& field, const View& view, const LayerOptions& options) {
     std::vector<Patch> patches;
@@ -54,7 +56,9 @@ std::string outline_data(const Result& result, std::size_t part, const View& vie
     return path_data(loops, view);
 }
 
-bool has_field(const Result& result, std::size_t part) { return part < result.fields.size() && !result.fields[part].patches.empty(); }
+bool has_field(const Result& result, std::size_t part) {
+    return part < result.fields.size() && !result.fields[part].patches.empty();
+}
 
 }  // namespace
 
@@ -74,8 +78,8 @@ std::string field_layer(const Result& result, const View& view, const LayerOptio
         }
         const std::string data = outline_data(result, i, view, options.exaggeration);
         const std::string id = options.id + "-" + std::to_string(i);
-        svg += clip_path(id, data) + "<g clip-path=\"url(#" + id + ")\">\n" + filled_bands(patches_of(result.fields[i], view, options)) + "</g>\n" +
-               path(data, outline);
+        svg += clip_path(id, data) + "<g clip-path=\"url(#" + id + ")\">\n" +
+               filled_bands(patches_of(result.fields[i], view, options)) + "</g>\n" + path(data, outline);
     }
     return svg;
 }

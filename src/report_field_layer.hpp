@@ -14,16 +14,17 @@ using FieldValue = std::function<double(const FieldSample&)>;
 
 struct LayerOptions {
     FieldValue value;
-    double top = 1;              ///< the value at the end of the colour scale
-    double exaggeration = 0;     ///< samples are drawn at at + exaggeration * displacement
-    Box2 window;                 ///< patches outside are left out; empty: all are drawn
-    std::string id;              ///< prefix of the clip paths' ids, unique in the page
+    double top = 1;           ///< the value at the end of the colour scale
+    double exaggeration = 0;  ///< samples are drawn at at + exaggeration * displacement
+    Box2 window;              ///< patches outside are left out; empty: all are drawn
+    std::string id;           ///< prefix of the clip paths' ids, unique in the page
 };
 
 /// All parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
 std::string field_layer(const Result& result, const View& view, const LayerOptions& options);
 
-/// The largest value among the patches whose middle lies inside its part, and the value below which the fraction of their area lies.
+/// The largest value among the patches whose middle lies inside its part, and the value below which the fraction of their area
+/// lies.
 struct FieldRange {
     double largest = 0, quantile = 0;
 };

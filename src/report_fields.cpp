@@ -13,12 +13,16 @@ namespace abut::report {
 
 namespace {
 
-constexpr double shown_fraction = 0.995;      ///< of the area keeps its colours where the scale is capped
-constexpr double peak_ratio = 2.5;            ///< a maximum that many times above the rest hides everything: the scale is capped
-constexpr double drawn_displacement = 0.05;   ///< of the model's diagonal: the largest displacement as it is drawn
+constexpr double shown_fraction = 0.995;     ///< of the area keeps its colours where the scale is capped
+constexpr double peak_ratio = 2.5;           ///< a maximum that many times above the rest hides everything: the scale is capped
+constexpr double drawn_displacement = 0.05;  ///< of the model's diagonal: the largest displacement as it is drawn
 
-double stress_of(const FieldSample& sample) { return von_mises(sample.stress); }
-double displacement_of(const FieldSample& sample) { return sample.displacement.norm(); }
+double stress_of(const FieldSample& sample) {
+    return von_mises(sample.stress);
+}
+double displacement_of(const FieldSample& sample) {
+    return sample.displacement.norm();
+}
 
 /// The largest of the parts' maxima.
 struct Peak {
@@ -45,9 +49,11 @@ std::string peak_mark(const Vec2& at, const std::string& words, LabelPlaces& pla
     places.block(at, 6);
     const Vec2 size(text_pixels(words, 12) + 6, 16);
     const Vec2 middle = places.place(at, size, Vec2(1, -1));
-    return line(at + 5 * (middle - at).normalized(), middle, "stroke=\"#000\" stroke-width=\"0.8\"") + circle(at, 5, "fill=\"none\" stroke=\"#fff\" stroke-width=\"3\"") +
+    return line(at + 5 * (middle - at).normalized(), middle, "stroke=\"#000\" stroke-width=\"0.8\"") +
+           circle(at, 5, "fill=\"none\" stroke=\"#fff\" stroke-width=\"3\"") +
            circle(at, 5, "fill=\"none\" stroke=\"#000\" stroke-width=\"1.3\"") +
-           rectangle(middle - 0.5 * size, size, "rx=\"3\" fill=\"#fff\" fill-opacity=\"0.9\" stroke=\"#000\" stroke-width=\"0.6\"") +
+           rectangle(middle - 0.5 * size, size,
+                     "rx=\"3\" fill=\"#fff\" fill-opacity=\"0.9\" stroke=\"#000\" stroke-width=\"0.6\"") +
            text(middle + Vec2(0, 4), "middle", words, "class=\"mark\"");
 }
 
@@ -61,7 +67,8 @@ LabelPlaces places_in(const View& view) {
 /// The colour scale, capped where a peak would leave one colour for everything else.
 ColorBar stress_bar(const Result& result, const ResultUnits& units) {
     const FieldRange range = field_range(result, stress_of, shown_fraction, Box2{});
-    const double largest = std::max(range.largest, peak(result, &PartResult::max_von_mises).at.value);
+    const double reported = peak(result, &PartResult::max_von_mises).at.value;
+    const double largest = reported > 0 ? reported : range.largest;
     ColorBar bar{largest, heading("von Mises stress", units.stress), ""};
     if (!(range.quantile > 0) || largest < peak_ratio * range.quantile) return bar;
     bar.top = range.quantile;
@@ -99,7 +106,8 @@ std::string stress_figure(const Result& result, const PictureSize& size) {
     LabelPlaces places = places_in(view);
     std::string svg = open_svg(view.width, view.height, "von Mises stress") + model_axes(view, units.length);
     svg += field_layer(result, view, {stress_of, bar.top, 0, Box2{}, "vm"});
-    if (largest.at.value > 0) svg += peak_mark(view(largest.at.at), "max " + with_unit(largest.at.value, 4, units.stress), places);
+    if (largest.at.value > 0)
+        svg += peak_mark(view(largest.at.at), "max " + with_unit(largest.at.value, 4, units.stress), places);
     return figure(svg + "</svg>\n" + color_bar(bar, half_width), "Von Mises stress", size.width);
 }
 
@@ -123,7 +131,9 @@ std::string deformed_figure(const Result& result, const PictureSize& size) {
         const Vec2 moved = nearest ? Vec2(largest.at.at + exaggeration * nearest->displacement) : largest.at.at;
         svg += peak_mark(view(moved), "max " + with_unit(largest.at.value, 4, units.length), places);
     }
-    const std::string caption = "Deformed shape, displacements drawn " + number_text(exaggeration, 3) + " times as large; dashed: undeformed";
+    const std::string caption = largest.at.value > 0 ? "Deformed shape, displacements drawn " + number_text(exaggeration, 3) +
+                                                           " times as large; dashed: undeformed"
+                                                     : "Deformed shape: nothing moves";
     return figure(svg + "</svg>\n" + color_bar(bar, half_width), caption, size.width);
 }
 
@@ -131,8 +141,8 @@ std::string fields_section(const Result& result) {
     if (model_box(result).empty()) return "";
     if (!has_fields(result)) return "<section><h2>Fields</h2>\n<p>No stresses or displacements were computed.</p></section>\n";
     const PictureSize size = picture_size(model_box(result));
-    return "<section><h2>Stress and displacement</h2>\n<div class=\"row\">" + stress_figure(result, size) + deformed_figure(result, size) +
-           "</div></section>\n";
+    return "<section><h2>Stress and displacement</h2>\n<div class=\"row\">" + stress_figure(result, size) +
+           deformed_figure(result, size) + "</div></section>\n";
 }
 
 }  // namespace abut::report

@@ -27,7 +27,9 @@ double common_area(const Box2& a, const Box2& b) {
 
 }  // namespace
 
-void LabelPlaces::block(const Vec2& point, double radius) { block(around(point, Vec2::Constant(2 * radius))); }
+void LabelPlaces::block(const Vec2& point, double radius) {
+    block(around(point, Vec2::Constant(2 * radius)));
+}
 
 double LabelPlaces::overlap(const Box2& box) const {
     double sum = outside_cost * (box.size().prod() - common_area(box, frame_));

@@ -10,8 +10,8 @@ namespace abut::report {
 
 namespace {
 
-constexpr double no_pressure = 1e-6;     ///< of the contact's largest: below it a point counts as open
-constexpr double support_spacing = 8;    ///< pixels between signs
+constexpr double no_pressure = 1e-6;   ///< of the contact's largest: below it a point counts as open
+constexpr double support_spacing = 8;  ///< pixels between signs
 constexpr double load_spacing = 15;
 constexpr double arrow_length = 30;
 constexpr int edge_samples = 32;
@@ -70,7 +70,8 @@ std::string roller_sign(const Vec2& at, const Vec2& out) {
 
 /// Held as a whole: nothing of the boundary is held.
 std::string pin_sign(const Vec2& at) {
-    return circle(at, 6, "fill=\"#fff\"") + line(at - Vec2(6, 0), at + Vec2(6, 0), "") + line(at - Vec2(0, 6), at + Vec2(0, 6), "");
+    return circle(at, 6, "fill=\"#fff\"") + line(at - Vec2(6, 0), at + Vec2(6, 0), "") +
+           line(at - Vec2(0, 6), at + Vec2(0, 6), "");
 }
 
 std::string support_sign(const SupportMark& mark, const Vec2& at) {
@@ -84,7 +85,8 @@ std::string support_sign(const SupportMark& mark, const Vec2& at) {
 /// A load that leaves the part pulls at it. Points beside the line of action count too: a mark may lie on a corner.
 bool pulls(const Result& result, const LoadMark& mark, double probe) {
     const auto inside = [&](const Vec2& p) {
-        return std::any_of(result.geometry.begin(), result.geometry.end(), [&](const auto& part) { return geometry::contains(part, p); });
+        return std::any_of(result.geometry.begin(), result.geometry.end(),
+                           [&](const auto& part) { return geometry::contains(part, p); });
     };
     const Vec2 step = probe * mark.direction, beside = 0.5 * geometry::left_of(step);
     const auto near = [&](const Vec2& p) { return inside(p) || inside(p + beside) || inside(p - beside); };
@@ -112,18 +114,19 @@ std::string contact_lines(const std::vector<ContactStretch>& stretches, const Vi
             std::vector<Vec2> points;
             for (const Vec2& p : stretch.points) points.push_back(view(p));
             const std::string color = closed ? contact_color : candidate_color;
-            svg += polyline(points, "stroke=\"" + color + "\" stroke-width=\"" + coordinate_text(closed ? width : 0.6 * width) + "\"");
+            svg += polyline(points,
+                            "stroke=\"" + color + "\" stroke-width=\"" + coordinate_text(closed ? width : 0.6 * width) + "\"");
         }
     return svg + "</g>\n";
 }
 
-std::string number_disc(int number, const Vec2& anchor, LabelPlaces& places) {
-    const double radius = number < 100 ? 9.5 : 12;
+std::string number_disc(const std::string& number, const Vec2& anchor, LabelPlaces& places) {
+    const double radius = number.size() < 3 ? 9.5 : 12;
     const Vec2 at = places.place(anchor, Vec2::Constant(2 * radius), Vec2(1, -1));
     const std::string color = contact_color;
     return line(anchor, at, "stroke=\"" + color + "\" stroke-width=\"1\"") +
            circle(at, radius, "fill=\"" + color + "\" stroke=\"#fff\" stroke-width=\"1\"") +
-           text(at + Vec2(0, 4), "middle", std::to_string(number), "class=\"number\"");
+           text(at + Vec2(0, 4), "middle", number, "class=\"number\"");
 }
 
 std::string support_signs(const std::vector<SupportMark>& marks, const View& view, LabelPlaces& places) {

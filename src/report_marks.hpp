@@ -28,7 +28,7 @@ Vec2 contact_anchor(const ContactResult& contact, const std::vector<ContactStret
 /// Thick lines along the stretches.
 std::string contact_lines(const std::vector<ContactStretch>& stretches, const View& view, double width);
 /// The number in a disc, with a leader to its contact.
-std::string number_disc(int number, const Vec2& anchor, LabelPlaces& places);
+std::string number_disc(const std::string& number, const Vec2& anchor, LabelPlaces& places);
 
 /// Ground hatching where both components are held, triangles on rollers where one is; thinned out. Blocks its places.
 std::string support_signs(const std::vector<SupportMark>& marks, const View& view, LabelPlaces& places);

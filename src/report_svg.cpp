@@ -15,7 +15,9 @@ constexpr double tick_font = 11;
 constexpr double axis_left = 64, axis_bottom = 30;  ///< distance of the axes from the picture's edge: room for tick labels
 constexpr double mark_room = 50;                    ///< around the model, for load arrows, supports and labels
 
-std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + coordinate_text(value) + "\""; }
+std::string attribute(const char* name, double value) {
+    return std::string(" ") + name + "=\"" + coordinate_text(value) + "\"";
+}
 
 std::string point_list(const std::vector<Vec2>& points) {
     std::string list;
@@ -36,7 +38,9 @@ std::vector<double> inner_ticks(double low, double high, int n) {
 }
 
 /// So many ticks that their labels stay apart.
-int tick_count(double pixels, double label_pixels) { return std::clamp(static_cast<int>(pixels / label_pixels), 3, 11); }
+int tick_count(double pixels, double label_pixels) {
+    return std::clamp(static_cast<int>(pixels / label_pixels), 3, 11);
+}
 
 }  // namespace
 
@@ -47,7 +51,8 @@ std::string open_svg(double width, double height, const std::string& label) {
 }
 
 std::string line(const Vec2& a, const Vec2& b, const std::string& attributes) {
-    return element("line", attribute("x1", a.x()) + attribute("y1", a.y()) + attribute("x2", b.x()) + attribute("y2", b.y()), attributes);
+    return element("line", attribute("x1", a.x()) + attribute("y1", a.y()) + attribute("x2", b.x()) + attribute("y2", b.y()),
+                   attributes);
 }
 
 std::string polyline(const std::vector<Vec2>& points, const std::string& attributes) {
@@ -78,7 +83,9 @@ std::string text(const Vec2& at, const std::string& anchor, const std::string& w
            (attributes.empty() ? "" : " " + attributes) + ">" + escape_xml(words) + "</text>\n";
 }
 
-double text_pixels(const std::string& words, double font_size) { return 0.66 * font_size * static_cast<double>(text_width(words)); }
+double text_pixels(const std::string& words, double font_size) {
+    return 0.66 * font_size * static_cast<double>(text_width(words));
+}
 
 std::string arrow(const Vec2& tail, const Vec2& tip, const std::string& color) {
     const Vec2 along = (tip - tail).normalized(), across = geometry::left_of(along);
@@ -118,6 +125,9 @@ std::string model_axes(const View& view, const std::string& length_unit) {
 }
 
 std::string color_bar(const ColorBar& bar, double width) {
+    if (!(bar.top > 0))
+        return open_svg(width, 20, bar.title) +
+               text({12, 14}, "start", bar.title + ": zero everywhere", "class=\"bar-title\"") + "</svg>\n";
     const double left = 12, right = width - 46, top = 20, height = 13;
     const double total = bar.note.empty() ? 52 : 70;
     std::string svg = open_svg(width, total, "colour scale: " + bar.title);
@@ -129,8 +139,8 @@ std::string color_bar(const ColorBar& bar, double width) {
     }
     svg += rectangle({left, top}, {right - left, height}, "fill=\"none\" stroke=\"#555\" stroke-width=\"0.7\"");
     svg += "<g class=\"axes\">\n";
-    for (double t : bar.top > 0 ? inner_ticks(0, bar.top, 6) : std::vector<double>{0}) {
-        const double x = bar.top > 0 ? left + (right - left) * t / bar.top : left;
+    for (double t : inner_ticks(0, bar.top, 6)) {
+        const double x = left + (right - left) * t / bar.top;
         svg += line({x, top + height}, {x, top + height + 4}, "") + text({x, top + height + 16}, "middle", number_text(t, 4));
     }
     svg += "</g>\n";
@@ -139,8 +149,8 @@ std::string color_bar(const ColorBar& bar, double width) {
 }
 
 std::string figure(const std::string& svg, const std::string& caption, double width) {
-    return "<figure style=\"width:" + coordinate_text(width) + "px\">\n" + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") +
-           svg + "</figure>\n";
+    return "<figure style=\"width:" + coordinate_text(width) + "px\">\n" +
+           (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") + svg + "</figure>\n";
 }
 
 std::string clip_path(const std::string& id, const std::string& data) {

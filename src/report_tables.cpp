@@ -13,27 +13,36 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string count_text(int n) { return std::to_string(n); }
-std::string percent(const std::optional<double>& fraction) { return fraction ? number_text(100 * *fraction, 2) + " %" : "–"; }
-std::string subsection(const std::string& title, const std::string& html) { return "<h3>" + title + "</h3>\n" + html; }
+std::string count_text(int n) {
+    return std::to_string(n);
+}
+std::string percent(const std::optional<double>& fraction) {
+    return fraction ? number_text(100 * *fraction, 2) + " %" : "–";
+}
+std::string subsection(const std::string& title, const std::string& html) {
+    return "<h3>" + title + "</h3>\n" + html;
+}
 
-std::string ends_text(const std::vector<Vec2>& ends) {
+std::string ends_text(const std::vector<Vec2>& ends, double size) {
     std::vector<std::string> words;
-    for (const Vec2& end : ends) words.push_back(pair_text(end, 5));
+    for (const Vec2& end : ends) words.push_back(place_text(end, size));
     return words.empty() ? "–" : joined(words, "  ");
 }
 
 std::string contact_table(const Result& result, const ResultUnits& u) {
     if (result.contacts.empty()) return subsection("Contacts", "<p>No parts touch.</p>\n");
+    const double size = model_size(result);
     Rows forces, shapes;
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        const std::string number = std::to_string(k + 1);
-        forces.push_back({number, c.between[0], c.between[1], c.interface, c.kind == "contact" ? c.status : c.kind + ", " + c.status,
-                          pair_text(c.force, 5), number_text(c.moment, 5), number_text(c.max_pressure.value, 5), pair_text(c.max_pressure.at, 5),
+        const std::string number = contact_number(k);
+        forces.push_back({number, c.between[0], c.between[1], c.interface,
+                          c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 5),
+                          number_text(c.moment, 5), number_text(c.max_pressure.value, 5), place_text(c.max_pressure.at, size),
                           percent(c.error_estimate)});
-        shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5), ends_text(c.ends),
-                          number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4), number_text(c.max_penetration, 3)});
+        shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5),
+                          ends_text(c.ends, size), number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4),
+                          number_text(c.max_penetration, 3)});
     }
     return subsection("Contacts", html_table({{"", true},
                                               {"first"},
@@ -58,9 +67,16 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
 
 std::string reaction_table(const Result& result, const ResultUnits& u) {
     if (result.reactions.empty()) return "";
+    double force = 0, moment = 0;
+    for (const Reaction& r : result.reactions) {
+        force = std::max(force, r.force.norm());
+        moment = std::max(moment, std::abs(r.moment));
+    }
     Rows rows;
     for (const Reaction& r : result.reactions)
-        rows.push_back({count_text(r.support), r.label, r.method, pair_text(r.force, 5), number_text(r.moment, 5)});
+        rows.push_back({count_text(r.support), r.label, r.method,
+                        pair_text({rounded_off(r.force.x(), force), rounded_off(r.force.y(), force)}, 5),
+                        number_text(rounded_off(r.moment, moment), 5)});
     return subsection("Reactions", html_table({{"support", true},
                                                {""},
                                                {"method"},
@@ -83,12 +99,15 @@ std::string equilibrium_table(const Result& result, const ResultUnits& u) {
 
 std::string part_table(const Result& result, const ResultUnits& u) {
     if (result.parts.empty()) return "";
+    const double size = model_size(result);
     Rows rows;
     for (const PartResult& p : result.parts) {
-        const auto value = [&](double v) { return p.solved ? number_text(v, 5) : "–"; };
-        const auto at = [&](const ValueAt& v) { return p.solved ? pair_text(v.at, 4) : "–"; };
-        rows.push_back({p.name, p.material, number_text(p.area, 6), p.solved ? count_text(p.unknowns) : "not analysed", value(p.max_displacement.value),
-                        at(p.max_displacement), value(p.max_von_mises.value), at(p.max_von_mises)});
+        // A failed analysis has not found a zero: it has found nothing.
+        const auto known = [&](const ValueAt& v) { return p.solved && (result.status == "ok" || v.value != 0); };
+        const auto value = [&](const ValueAt& v) { return known(v) ? number_text(v.value, 5) : "–"; };
+        const auto at = [&](const ValueAt& v) { return known(v) ? place_text(v.at, size) : "–"; };
+        rows.push_back({p.name, p.material, number_text(p.area, 6), p.solved ? count_text(p.unknowns) : "not analysed",
+                        value(p.max_displacement), at(p.max_displacement), value(p.max_von_mises), at(p.max_von_mises)});
     }
     return subsection("Parts", html_table({{"part"},
                                            {"material"},
@@ -105,8 +124,10 @@ std::string probe_table(const Result& result, const ResultUnits& u) {
     if (result.probes.empty()) return "";
     Rows rows;
     for (const ProbeResult& p : result.probes) {
-        std::vector<std::string> row{p.part, pair_text(p.at, 5), number_text(p.displacement.x(), 5), number_text(p.displacement.y(), 5)};
-        for (double s : {p.stress.xx, p.stress.yy, p.stress.xy, p.stress.zz, von_mises(p.stress)}) row.push_back(number_text(s, 5));
+        std::vector<std::string> row{p.part, place_text(p.at, model_size(result)), number_text(p.displacement.x(), 5),
+                                     number_text(p.displacement.y(), 5)};
+        for (double s : {p.stress.xx, p.stress.yy, p.stress.xy, p.stress.zz, von_mises(p.stress)})
+            row.push_back(number_text(s, 5));
         rows.push_back(std::move(row));
     }
     return subsection("Probes", html_table({{"part"},
@@ -133,20 +154,24 @@ std::string grid_table(const Result& result, const ResultUnits& u) {
     for (const PartResult& p : result.parts) {
         if (!p.solved || p.grid_x.size() < 2 || p.grid_y.size() < 2) continue;
         rows.push_back({p.name, std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1),
-                        smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y), number_text(p.grid_angle * 180 / std::numbers::pi, 4),
-                        count_text(p.cells_inner), count_text(p.cells_boundary), count_text(p.cells_outer), count_text(p.unknowns)});
+                        smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y),
+                        number_text(p.grid_angle * 180 / std::numbers::pi, 4), count_text(p.cells_inner),
+                        count_text(p.cells_boundary), count_text(p.cells_outer), count_text(p.unknowns)});
     }
     const auto& s = result.solver;
     std::string words = "Degree " + std::to_string(result.degree) + ", " + std::to_string(result.unknowns) + " unknowns, " +
-                        std::to_string(result.multipliers) + " contact multipliers; " + counted(static_cast<std::size_t>(std::max(s.grids, 0)), "grid") +
-                        ", " + counted(static_cast<std::size_t>(std::max(s.factorizations, 0)), "factorization") + ", " +
+                        std::to_string(result.multipliers) + " contact multipliers; " +
+                        counted(static_cast<std::size_t>(std::max(s.grids, 0)), "grid") + ", " +
+                        counted(static_cast<std::size_t>(std::max(s.factorizations, 0)), "factorization") + ", " +
                         counted(static_cast<std::size_t>(std::max(s.contact_iterations, 0)), "contact iteration");
     if (s.condition_estimate > 0) words += "; condition number about " + number_text(s.condition_estimate, 2);
     words += s.converged ? "." : "; not converged.";
-    if (result.error_estimate.energy || result.error_estimate.contact_pressure)
-        words += " Estimated relative error: energy " + percent(result.error_estimate.energy) + ", contact pressure " +
-                 percent(result.error_estimate.contact_pressure) +
-                 (result.error_estimate.method.empty() ? "." : " (" + result.error_estimate.method + ").");
+    std::vector<std::string> errors;
+    if (result.error_estimate.energy) errors.push_back("energy " + percent(result.error_estimate.energy));
+    if (result.error_estimate.contact_pressure)
+        errors.push_back("contact pressure " + percent(result.error_estimate.contact_pressure));
+    if (!errors.empty()) words += " Estimated relative error: " + joined(errors, ", ");
+    if (!errors.empty()) words += result.error_estimate.method.empty() ? "." : " (" + result.error_estimate.method + ").";
     std::string html = "<p>" + escape_xml(words) + "</p>\n";
     if (!rows.empty())
         html += html_table({{"part"},
@@ -175,9 +200,12 @@ std::string timing_bars(const Result& result) {
     if (!(longest > 0)) return "";
     std::string html = "<table class=\"times\"><tbody>\n";
     for (const auto& [stage, seconds] : result.timing) {
-        const std::string bar = stage == "total" ? "" : "<span class=\"bar\" style=\"width:" + coordinate_text(100 * seconds / longest) + "%\"></span>";
+        const std::string bar =
+            stage == "total" ? ""
+                             : "<span class=\"bar\" style=\"width:" + coordinate_text(100 * seconds / longest) + "%\"></span>";
         const std::string time = seconds > 0 ? seconds_text(seconds) : "0 s";
-        html += "<tr><td>" + escape_xml(stage) + "</td><td class=\"n\">" + time + "</td><td class=\"bars\">" + bar + "</td></tr>\n";
+        html +=
+            "<tr><td>" + escape_xml(stage) + "</td><td class=\"n\">" + time + "</td><td class=\"bars\">" + bar + "</td></tr>\n";
     }
     return subsection("Time", html + "</tbody></table>\n");
 }

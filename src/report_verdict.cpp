@@ -10,14 +10,16 @@ namespace {
 
 std::string contact_words(const Result& result, const ResultUnits& units) {
     const auto& contacts = result.contacts;
-    const auto open = static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.status == "open"; }));
+    const auto open = static_cast<std::size_t>(
+        std::count_if(contacts.begin(), contacts.end(), [](const auto& c) { return c.status == "open"; }));
     std::string words = counted(contacts.size(), "contact");
     if (open > 0) words += open == contacts.size() ? " (open)" : " (" + std::to_string(open) + " open)";
-    const auto largest = std::max_element(contacts.begin(), contacts.end(),
-                                          [](const auto& a, const auto& b) { return a.max_pressure.value < b.max_pressure.value; });
+    const auto largest = std::max_element(contacts.begin(), contacts.end(), [](const auto& a, const auto& b) {
+        return a.max_pressure.value < b.max_pressure.value;
+    });
     if (largest->max_pressure.value > 0)
-        words += ", largest pressure " + with_unit(largest->max_pressure.value, 4, units.stress) + " on " + largest->between[0] + " at " +
-                 pair_text(largest->max_pressure.at, 4);
+        words += ", largest pressure " + with_unit(largest->max_pressure.value, 4, units.stress) + " on " +
+                 largest->between[0] + " at " + place_text(largest->max_pressure.at, model_size(result));
     return words;
 }
 
@@ -26,8 +28,8 @@ std::string stress_words(const Result& result, const ResultUnits& units) {
     for (const PartResult& part : result.parts)
         if (part.solved && (!most || part.max_von_mises.value > most->max_von_mises.value)) most = &part;
     if (!most) return "no contact";
-    return "no contact; largest von Mises stress " + with_unit(most->max_von_mises.value, 4, units.stress) + " in " + most->name + " at " +
-           pair_text(most->max_von_mises.at, 4);
+    return "no contact; largest von Mises stress " + with_unit(most->max_von_mises.value, 4, units.stress) + " in " +
+           most->name + " at " + place_text(most->max_von_mises.at, model_size(result));
 }
 
 }  // namespace

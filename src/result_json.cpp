@@ -16,15 +16,23 @@ Json number(double value) {
     if (!std::isfinite(value)) return nullptr;  // JSON has no other word for it
     return value == 0 ? 0.0 : value;            // no "-0.0"
 }
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+Json number(const std::optional<double>& value) {
+    return value ? number(*value) : Json(nullptr);
+}
 Json numbers(const std::vector<double>& values) {
     Json list = Json::array();
     for (double value : values) list.push_back(number(value));
     return list;
 }
-Json vector(const Vec2& v) { return Json::array({number(v.x()), number(v.y())}); }
-Json value_at(const ValueAt& v) { return {{"value", number(v.value)}, {"at", vector(v.at)}}; }
-Json names(const std::vector<std::string>& list) { return list.empty() ? Json::array() : Json(list); }
+Json vector(const Vec2& v) {
+    return Json::array({number(v.x()), number(v.y())});
+}
+Json value_at(const ValueAt& v) {
+    return {{"value", number(v.value)}, {"at", vector(v.at)}};
+}
+Json names(const std::vector<std::string>& list) {
+    return list.empty() ? Json::array() : Json(list);
+}
 template <class T, class ToJson>
 Json list_of(const std::vector<T>& items, ToJson to_json) {
     Json list = Json::array();
@@ -32,7 +40,9 @@ Json list_of(const std::vector<T>& items, ToJson to_json) {
     return list;
 }
 
-Json effect(const Effect& e) { return {{"name", e.name}, {"on", e.on}, {"why", e.why}, {"seconds", number(e.seconds)}}; }
+Json effect(const Effect& e) {
+    return {{"name", e.name}, {"on", e.on}, {"why", e.why}, {"seconds", number(e.seconds)}};
+}
 
 Json part(const PartResult& p) {
     return {{"name", p.name},
@@ -43,8 +53,8 @@ Json part(const PartResult& p) {
 }
 
 Json profile(const ContactProfile& p) {
-    return {{"edge", names(p.edge)}, {"s", numbers(p.s)},        {"x", numbers(p.x)}, {"y", numbers(p.y)}, {"pressure", numbers(p.pressure)},
-            {"gap", numbers(p.gap)}};
+    return {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
+            {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
 }
 
 Json contact(const ContactResult& c) {
@@ -65,7 +75,9 @@ Json contact(const ContactResult& c) {
             {"profile", profile(c.profile)}};
 }
 
-Json reaction(const Reaction& r) { return {{"support", r.support}, {"force", vector(r.force)}, {"moment", number(r.moment)}}; }
+Json reaction(const Reaction& r) {
+    return {{"support", r.support}, {"force", vector(r.force)}, {"moment", number(r.moment)}};
+}
 
 Json stress(const Stress& s) {
     return {{"xx", number(s.xx)}, {"yy", number(s.yy)}, {"xy", number(s.xy)}, {"zz", number(s.zz)}};
@@ -135,13 +147,16 @@ Json to_json(const Result& r) {
 }
 
 /// Names may hold bytes that are no UTF-8 (an old drawing's layer): they are replaced, not refused.
-std::string primitive_text(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string primitive_text(const Json& j) {
+    return j.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 constexpr std::size_t line_width = 120;
 
 /// Brackets around the members, which are printed by print_member and parted by the separator.
 template <class PrintMember>
-std::string bracketed(const Json& j, const std::string& open_with, const std::string& separator, const std::string& close_with, PrintMember print_member) {
+std::string bracketed(const Json& j, const std::string& open_with, const std::string& separator, const std::string& close_with,
+                      PrintMember print_member) {
     std::string text = j.is_array() ? "[" : "{", between = open_with;
     for (const auto& [key, value] : j.items()) {
         text += between + (j.is_object() ? primitive_text(key) + ": " : "") + print_member(value);
@@ -166,6 +181,8 @@ std::string print(const Json& j, const std::string& indent) {
 
 }  // namespace
 
-std::string result_json(const Result& result) { return print(to_json(result), "") + "\n"; }
+std::string result_json(const Result& result) {
+    return print(to_json(result), "") + "\n";
+}
 
 }  // namespace abut

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 
 #include "src/result.hpp"
 #include "src/result_units.hpp"
@@ -40,7 +41,7 @@ std::string contact_rows(const Result& result, const ResultUnits& units) {
                            heading("max pressure", units.stress), heading("length", units.length)}};
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        rows.push_back({std::to_string(k + 1), c.parts[0] + " - " + c.parts[1], c.between[0] + " - " + c.between[1],
+        rows.push_back({contact_number(k), c.parts[0] + " - " + c.parts[1], c.between[0] + " - " + c.between[1],
                         c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 4), pressure_text(c),
                         number_text(c.contact_length, 4)});
     }
@@ -50,20 +51,30 @@ std::string contact_rows(const Result& result, const ResultUnits& units) {
 std::string reaction_rows(const Result& result, const ResultUnits& units) {
     if (result.reactions.empty()) return "";
     std::vector<Row> rows{{"support", "", heading("reaction", units.force), heading("moment", units.moment)}};
+    double force = 0, moment = 0;
+    for (const Reaction& r : result.reactions) {
+        force = std::max(force, r.force.norm());
+        moment = std::max(moment, std::abs(r.moment));
+    }
     for (const Reaction& r : result.reactions)
-        rows.push_back({std::to_string(r.support), r.label, pair_text(r.force, 4), number_text(r.moment, 4)});
+        rows.push_back({std::to_string(r.support), r.label,
+                        pair_text({rounded_off(r.force.x(), force), rounded_off(r.force.y(), force)}, 4),
+                        number_text(rounded_off(r.moment, moment), 4)});
     return "\n" + aligned(rows);
 }
 
 std::string summary(const Result& result) {
-    std::string text = "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) + " of forces, " +
-                       number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
-    if (!result.solver.converged) text += "NOT CONVERGED after " + counted(static_cast<std::size_t>(std::max(result.solver.contact_iterations, 0)), "contact iteration") + "\n";
+    std::string text = "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) +
+                       " of forces, " + number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
+    if (!result.solver.converged)
+        text += "NOT CONVERGED after " +
+                counted(static_cast<std::size_t>(std::max(result.solver.contact_iterations, 0)), "contact iteration") + "\n";
     return text;
 }
 
 std::string effort(const Result& result) {
-    std::string text = counted(static_cast<std::size_t>(std::max(result.unknowns, 0)), "unknown") + " of degree " + std::to_string(result.degree);
+    std::string text = counted(static_cast<std::size_t>(std::max(result.unknowns, 0)), "unknown") + " of degree " +
+                       std::to_string(result.degree);
     if (result.multipliers > 0) text += ", " + counted(static_cast<std::size_t>(result.multipliers), "multiplier");
     const std::string time = seconds_text(stage_seconds(result, "total"));
     return text + (time.empty() ? "" : ", " + time) + "\n";

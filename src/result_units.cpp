@@ -10,7 +10,8 @@ namespace abut {
 
 namespace {
 
-constexpr double rounding_fraction = 1e-9;  ///< of the larger component: a smaller one is rounding
+constexpr double rounding_fraction = 1e-9;  ///< of the largest value: what is smaller is rounding
+constexpr double place_fraction = 1e-5;     ///< of the model's size: finer places tell a reader nothing
 
 std::string stress_unit(const std::string& force, const std::string& length) {
     struct Named {
@@ -46,10 +47,31 @@ std::string heading(const std::string& quantity, const std::string& unit) {
     return unit.empty() ? quantity : quantity + " [" + unit + "]";
 }
 
+double rounded_off(double value, double largest) {
+    return std::abs(value) <= rounding_fraction * std::abs(largest) ? 0 : value;
+}
+
 std::string pair_text(const Vec2& v, int digits) {
-    const double noise = rounding_fraction * v.cwiseAbs().maxCoeff();
-    const auto clean = [&](double c) { return std::abs(c) <= noise ? 0.0 : c; };
-    return "(" + number_text(clean(v.x()), digits) + ", " + number_text(clean(v.y()), digits) + ")";
+    const double largest = v.cwiseAbs().maxCoeff();
+    return "(" + number_text(rounded_off(v.x(), largest), digits) + ", " + number_text(rounded_off(v.y(), largest), digits) +
+           ")";
+}
+
+std::string place_text(const Vec2& p, double model_size) {
+    if (!(model_size > 0)) return pair_text(p, 6);
+    const double step = std::pow(10.0, std::floor(std::log10(place_fraction * model_size)));
+    const auto text = [&](double c) { return number_text(std::round(c / step) * step, 7); };
+    return "(" + text(p.x()) + ", " + text(p.y()) + ")";
+}
+
+double model_size(const Result& result) {
+    Box2 box;
+    for (const geometry::Part& part : result.geometry) box.extend(geometry::bounding_box(part));
+    return box.diagonal();
+}
+
+std::string contact_number(std::size_t k) {
+    return std::to_string(k);
 }
 
 std::string joined(const std::vector<std::string>& items, const std::string& separator) {

@@ -20,8 +20,16 @@ ResultUnits result_units(const Result& result);
 std::string with_unit(double value, int digits, const std::string& unit);
 /// "pressure [MPa]", or "pressure" without a unit.
 std::string heading(const std::string& quantity, const std::string& unit);
-/// "(0, 39.95)". Coordinates below 1e-9 of the other one are rounding, and print as 0.
+/// 0 for what is rounding beside the largest value of its kind (below 1e-9 of it), else the value.
+double rounded_off(double value, double largest);
+/// "(0, 39.95)"; a component that is rounding beside the other is 0.
 std::string pair_text(const Vec2& v, int digits);
+/// A point of the model, to about 1e-5 of its size (0: six digits): "(0, 39.95)".
+std::string place_text(const Vec2& p, double model_size);
+/// The diagonal of all parts' common box, 0 without geometry.
+double model_size(const Result& result);
+/// The number of the k-th contact: its place in result.json and in the name of contact_<k>.csv, from 0.
+std::string contact_number(std::size_t k);
 std::string joined(const std::vector<std::string>& items, const std::string& separator);
 /// "2 contacts", "1 contact".
 std::string counted(std::size_t n, const std::string& singular);

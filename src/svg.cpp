@@ -13,7 +13,9 @@ namespace {
 
 constexpr int coordinate_decimals = 2;  ///< a hundredth of a pixel: finer than any screen or printer shows
 
-std::string text_of(const Vec2& p) { return coordinate_text(p.x()) + " " + coordinate_text(p.y()); }
+std::string text_of(const Vec2& p) {
+    return coordinate_text(p.x()) + " " + coordinate_text(p.y());
+}
 
 /// Continues a path along the curve. Arcs run in pieces below a half turn: the large-arc flag is then always 0, and a full
 /// circle, whose ends coincide, is drawn at all.
@@ -105,7 +107,8 @@ std::string path_data(const std::vector<std::vector<Vec2>>& loops, const View& v
 }
 
 std::string part_color(int i) {
-    // Light tones between which black text, red contact lines and blue marks stay readable; neighbours differ in hue and lightness.
+    // Light tones between which black text, red contact lines and blue marks stay readable; neighbours differ in hue and
+    // lightness.
     static constexpr std::array<const char*, 12> colors{"#a9c4e4", "#f3cf9c", "#a8d8b0", "#d3b8df", "#efe7a2", "#9fd6d6",
                                                         "#e6b5ab", "#c4ccd6", "#cfe39c", "#b9b3e6", "#d8c3a5", "#f0bcd6"};
     const int n = static_cast<int>(colors.size());
@@ -143,12 +146,18 @@ std::string map_color(double t) {
 std::string escape_xml(const std::string& text) {
     std::string safe;
     for (char c : text) {
-        if (c == '&') safe += "&amp;";
-        else if (c == '<') safe += "&lt;";
-        else if (c == '>') safe += "&gt;";
-        else if (c == '"') safe += "&quot;";
-        else if (c == '\'') safe += "&#39;";
-        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t') safe += c;  // other control characters are not XML
+        if (c == '&')
+            safe += "&amp;";
+        else if (c == '<')
+            safe += "&lt;";
+        else if (c == '>')
+            safe += "&gt;";
+        else if (c == '"')
+            safe += "&quot;";
+        else if (c == '\'')
+            safe += "&#39;";
+        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t')
+            safe += c;  // other control characters are not XML
     }
     return safe;
 }
@@ -191,7 +200,10 @@ std::vector<double> nice_ticks(double low, double high, int n) {
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     const double mantissa = raw / decade;
     // The thresholds are the geometric means of neighbours: the number of ticks stays as near to n as it can.
-    const double step = decade * (mantissa < std::sqrt(2.0) ? 1 : mantissa < std::sqrt(10.0) ? 2 : mantissa < std::sqrt(50.0) ? 5 : 10);
+    const double step = decade * (mantissa < std::sqrt(2.0)    ? 1
+                                  : mantissa < std::sqrt(10.0) ? 2
+                                  : mantissa < std::sqrt(50.0) ? 5
+                                                               : 10);
     const double slack = 1e-9;  // of a step: rounding of the limits adds no tick
     const auto first = std::llround(std::floor(low / step + slack)), last = std::llround(std::ceil(high / step - slack));
     std::vector<double> ticks;

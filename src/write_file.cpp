@@ -19,7 +19,9 @@ namespace fs = std::filesystem;
     throw InputError(file.string(), "cannot be written: " + reason, "choose another output folder, or free the place");
 }
 
-std::string last_error() { return errno != 0 ? std::strerror(errno) : "input/output error"; }
+std::string last_error() {
+    return errno != 0 ? std::strerror(errno) : "input/output error";
+}
 
 /// The process number keeps programs apart that write into one folder at the same time.
 fs::path temporary_beside(const fs::path& file) {

@@ -42,7 +42,9 @@ Part polygon(const std::vector<Vec2>& p) {
 }
 
 /// Edges 0 bottom, 1 right, 2 top, 3 left.
-Part block(double x0, double y0, double x1, double y1) { return polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}); }
+Part block(double x0, double y0, double x1, double y1) {
+    return polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
 
 Part disc(const Vec2& center, double radius, double seam = 0) {
     Part part;
@@ -64,13 +66,16 @@ Part plate_with_hole(double half, const Vec2& center, double radius, double seam
 /// [x0, x1] x [y0, y1] with corners rounded by r; edges run from the bottom: line, arc, line, arc, ...
 Part rounded(double x0, double y0, double x1, double y1, double r) {
     Part part;
-    add_loop(part, {Segment{{x0 + r, y0}, {x1 - r, y0}}, Arc{{x1 - r, y0 + r}, r, -pi / 2, pi / 2}, Segment{{x1, y0 + r}, {x1, y1 - r}},
-                    Arc{{x1 - r, y1 - r}, r, 0, pi / 2}, Segment{{x1 - r, y1}, {x0 + r, y1}}, Arc{{x0 + r, y1 - r}, r, pi / 2, pi / 2},
+    add_loop(part, {Segment{{x0 + r, y0}, {x1 - r, y0}}, Arc{{x1 - r, y0 + r}, r, -pi / 2, pi / 2},
+                    Segment{{x1, y0 + r}, {x1, y1 - r}}, Arc{{x1 - r, y1 - r}, r, 0, pi / 2},
+                    Segment{{x1 - r, y1}, {x0 + r, y1}}, Arc{{x0 + r, y1 - r}, r, pi / 2, pi / 2},
                     Segment{{x0, y1 - r}, {x0, y0 + r}}, Arc{{x0 + r, y0 + r}, r, pi, pi / 2}});
     return part;
 }
 
-Part turned(const Part& part, double angle, const Vec2& d) { return transformed(part, std::cos(angle), std::sin(angle), d); }
+Part turned(const Part& part, double angle, const Vec2& d) {
+    return transformed(part, std::cos(angle), std::sin(angle), d);
+}
 
 /// A pair of points found by following a zone from its beginning.
 std::vector<FacingPair> walk(const Part& part1, const Part& part2, const FacingZone& zone, int n) {
@@ -96,11 +101,13 @@ void expect_consistent(const Part& part1, const Part& part2, double distance) {
             EXPECT_LE(std::abs(p.gap), distance * (1 + 1e-9));
             EXPECT_GE(p.gap, zone.gap_min - exact);
             EXPECT_LE(p.gap, zone.gap_max + exact);
-            if (&p != &pairs.front() && &p != &pairs.back()) {  // at a joint the curvature may be that of the edge beyond the end
+            if (&p != &pairs.front() &&
+                &p != &pairs.back()) {  // at a joint the curvature may be that of the edge beyond the end
                 EXPECT_LT(p.slope, 0);
                 EXPECT_GT(p.stretch, 0);
             }
-            const FacingPair back = pair_from_second(part1, part2, zone, p.s2, p.s1 + 0.01 * (zone.end1 - zone.begin1));
+            const double inward = p.s1 + 0.01 * (0.5 * (zone.begin1 + zone.end1) - p.s1);
+            const FacingPair back = pair_from_second(part1, part2, zone, p.s2, inward);
             ASSERT_TRUE(back.found);
             EXPECT_NEAR((back.on1.x - p.on1.x).norm(), 0, exact);
         }
@@ -114,7 +121,8 @@ void expect_consistent(const Part& part1, const Part& part2, double distance) {
 void expect_derivatives(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess) {
     const double h = 1e-5;
     const FacingPair p = pair_from_first(part1, part2, zone, s1, guess);
-    const FacingPair a = pair_from_first(part1, part2, zone, s1 - h, p.s2), b = pair_from_first(part1, part2, zone, s1 + h, p.s2);
+    const FacingPair a = pair_from_first(part1, part2, zone, s1 - h, p.s2),
+                     b = pair_from_first(part1, part2, zone, s1 + h, p.s2);
     ASSERT_TRUE(a.found && p.found && b.found);
     EXPECT_NEAR((b.s2 - a.s2) / (2 * h), p.slope, 1e-8);
     const Vec2 dm = (b.on1.x + b.on2.x - a.on1.x - a.on2.x) / (4 * h);
@@ -216,7 +224,8 @@ TEST(Facing, PinTouchingTheBottomOfItsHole) {
     EXPECT_NEAR(zone.end1 - zone.begin1, zone.chain1.length, exact);
     EXPECT_NEAR(zone.begin2 - zone.end2, zone.chain2.length, exact);
     expect_consistent(pin, plate, 1);
-    for (const double s1 : {20.0, 40.0, 70.0}) expect_derivatives(pin, plate, zone, s1, walk(pin, plate, zone, 1)[0].s2 - (s1 - zone.begin1));
+    for (const double s1 : {20.0, 40.0, 70.0})
+        expect_derivatives(pin, plate, zone, s1, walk(pin, plate, zone, 1)[0].s2 - (s1 - zone.begin1));
 }
 
 TEST(Facing, PinOfTheHolesSize) {

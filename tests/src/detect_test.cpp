@@ -62,7 +62,9 @@ Part turned(const Part& part, double degrees, const Vec2& d = {0, 0}) {
 }
 
 /// A diamond standing on its lowest corner.
-Part diamond(const Vec2& lowest, double side) { return turned(block(0, 0, side, side), 45, lowest); }
+Part diamond(const Vec2& lowest, double side) {
+    return turned(block(0, 0, side, side), 45, lowest);
+}
 
 Scene scene_of(const std::vector<std::pair<std::string, Part>>& parts) {
     Scene scene;
@@ -128,9 +130,9 @@ TEST(Overlap, AgreesWithCountedPoints) {
 // ---- closest points ----
 
 TEST(ClosestPoints, OfCurvesAgainstDenseSampling) {
-    const std::vector<geometry::Curve> curves{Segment{{0, 0}, {3, 1}},           Segment{{4, -1}, {4.5, 2}},        Segment{{1, 0}, {2, 0.9}},
-                                              Arc{{6, 0}, 1, 0.5, 4},            Arc{{0, 4}, 2, pi, 1.2 * pi},      Arc{{6, 0.2}, 0.5, 0, -2 * pi},
-                                              Arc{{2, -3}, 1.5, 0.3, 0.5 * pi}};
+    const std::vector<geometry::Curve> curves{
+        Segment{{0, 0}, {3, 1}},      Segment{{4, -1}, {4.5, 2}},     Segment{{1, 0}, {2, 0.9}},       Arc{{6, 0}, 1, 0.5, 4},
+        Arc{{0, 4}, 2, pi, 1.2 * pi}, Arc{{6, 0.2}, 0.5, 0, -2 * pi}, Arc{{2, -3}, 1.5, 0.3, 0.5 * pi}};
     constexpr int n = 1500;
     for (std::size_t i = 0; i < curves.size(); ++i)
         for (std::size_t k = i + 1; k < curves.size(); ++k) {
@@ -198,8 +200,9 @@ TEST(InterfaceKind, AHoleIsMoreThanHalfATurn) {
         const Vec2 left(-std::cos(beyond), std::sin(beyond)), right(std::cos(beyond), std::sin(beyond));
         Part part;
         add_loop(part,
-                 {Arc{{0, 0}, 1, pi - beyond, pi / 2 + beyond}, Arc{{0, 0}, 1, -pi / 2, pi / 2 + beyond}, Segment{right, {3, right.y()}},
-                  Segment{{3, right.y()}, {3, -3}}, Segment{{3, -3}, {-3, -3}}, Segment{{-3, -3}, {-3, left.y()}}, Segment{{-3, left.y()}, left}},
+                 {Arc{{0, 0}, 1, pi - beyond, pi / 2 + beyond}, Arc{{0, 0}, 1, -pi / 2, pi / 2 + beyond},
+                  Segment{right, {3, right.y()}}, Segment{{3, right.y()}, {3, -3}}, Segment{{3, -3}, {-3, -3}},
+                  Segment{{-3, -3}, {-3, left.y()}}, Segment{{-3, left.y()}, left}},
                  {"g0", "g1", "t1", "r", "b", "l", "t0"});
         for (Edge& edge : part.edges) edge.curve = reversed(edge.curve);  // material on the left
         std::reverse(part.loops[0].edges.begin(), part.loops[0].edges.end());
@@ -350,8 +353,8 @@ TEST(DetectJson, HasTheKeysOfTheFormat) {
     ASSERT_EQ(json["near_misses"].size(), 2u);
     std::vector<std::string> keys;
     for (const auto& item : json["pairs"][0].items()) keys.push_back(item.key());
-    EXPECT_EQ(keys, (std::vector<std::string>{"parts", "between", "edges", "status", "interface", "gap", "overlap_area", "length",
-                                              "cells_case", "why"}));
+    EXPECT_EQ(keys, (std::vector<std::string>{"parts", "between", "edges", "status", "interface", "gap", "overlap_area",
+                                              "length", "cells_case", "why"}));
     EXPECT_EQ(json["pairs"][0]["edges"][1], nlohmann::json::array({"b/left"}));
     EXPECT_NEAR(json["pairs"][0]["length"].get<double>(), 1, exact);
 }
@@ -391,14 +394,16 @@ protected:
 
     const std::string path_ =
         (std::filesystem::temp_directory_path() / ("abut_expectation_" + std::to_string(::getpid()) + ".json")).string();
-    const Detection found_ = detect_contacts(
-        scene_of({{"a", block(0, 0, 1, 1)}, {"b", block(1, 0, 2, 1)}, {"c", block(0, 1.1, 1, 2)}}), {});
+    const Detection found_ =
+        detect_contacts(scene_of({{"a", block(0, 0, 1, 1)}, {"b", block(1, 0, 2, 1)}, {"c", block(0, 1.1, 1, 2)}}), {});
 };
 
 TEST_F(Expectation, MetInEitherOrderAndByEdges) {
     EXPECT_TRUE(compare_detection(found_, file(R"({"pairs": [["b", "a"]]})")).empty());
     EXPECT_TRUE(compare_detection(found_, file(R"({"pairs": [["a/right", "b/left"]]})")).empty());
-    EXPECT_TRUE(compare_detection(found_, file(R"({"pairs": [{"parts": ["a", "b"], "status": "touching", "interface": "flat-on-flat"}]})")).empty());
+    EXPECT_TRUE(compare_detection(
+                    found_, file(R"({"pairs": [{"parts": ["a", "b"], "status": "touching", "interface": "flat-on-flat"}]})"))
+                    .empty());
 }
 
 TEST_F(Expectation, DifferencesAreNamed) {
@@ -410,7 +415,9 @@ TEST_F(Expectation, DifferencesAreNamed) {
     ASSERT_EQ(extra.size(), 1u);
     EXPECT_NE(extra[0].find("not expected"), std::string::npos);
     EXPECT_EQ(compare_detection(found_, file(R"({"pairs": [["a/left", "b/left"]]})")).size(), 2u);
-    EXPECT_EQ(compare_detection(found_, file(R"({"pairs": [{"parts": ["a", "b"], "status": "gap", "interface": "general"}]})")).size(), 2u);
+    EXPECT_EQ(compare_detection(found_, file(R"({"pairs": [{"parts": ["a", "b"], "status": "gap", "interface": "general"}]})"))
+                  .size(),
+              2u);
 }
 
 TEST_F(Expectation, FaultsOfTheFileAreAllReported) {

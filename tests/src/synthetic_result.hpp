@@ -54,7 +54,8 @@ inline PartField field(const geometry::Part& part, int n, const Formula& formula
     for (const geometry::Loop& loop : part.loops) {
         std::vector<FieldSample> points;
         for (int e : loop.edges)
-            for (int i = 0; i < 48; ++i) points.push_back(formula(geometry::point(part.edges[static_cast<std::size_t>(e)].curve, i / 48.0)));
+            for (int i = 0; i < 48; ++i)
+                points.push_back(formula(geometry::point(part.edges[static_cast<std::size_t>(e)].curve, i / 48.0)));
         made.boundary.push_back(points);
     }
     return made;
@@ -87,8 +88,8 @@ inline void add_part(Result& result, const geometry::Part& part, const std::stri
 }
 
 /// A half-ellipse of pressure over the arc of a circle from angle a0 to a1, on part 0's edge; candidates reach 30 % farther.
-inline ContactResult arc_contact(const Result& result, int first, int second, const Vec2& center, double radius, double a0, double a1,
-                                 double peak) {
+inline ContactResult arc_contact(const Result& result, int first, int second, const Vec2& center, double radius, double a0,
+                                 double a1, double peak) {
     ContactResult c;
     c.part = {first, second};
     const auto name = [&](int i) { return result.parts[static_cast<std::size_t>(i)].name; };
@@ -130,7 +131,8 @@ inline Formula decaying(const Vec2& from, double size, double stress, double dis
         FieldSample s;
         s.at = p;
         s.displacement = displacement * Vec2(0.2 * std::sin(3 * p.y() / size), -std::exp(-r));
-        s.stress = {-stress / (1 + 20 * r * r), -1.8 * stress / (1 + 8 * r * r), 0.3 * stress * (p - from).x() / size / (1 + r), 0};
+        s.stress = {-stress / (1 + 20 * r * r), -1.8 * stress / (1 + 8 * r * r), 0.3 * stress * (p - from).x() / size / (1 + r),
+                    0};
         return s;
     };
 }
@@ -148,7 +150,8 @@ inline Result bracket(double unit = 1) {
     const Vec2 bottom = center - Vec2(0, 20 * unit);
     add_part(r, plate, "aluminium", 40, decaying(bottom, 60 * unit, stress, 0.02 * unit));
     add_part(r, disc("pin", center, 19.9 * unit), "steel", 30, decaying(bottom, 40 * unit, stress, 0.03 * unit));
-    r.contacts.push_back(arc_contact(r, 0, 1, center, 20 * unit, 1.2 * std::numbers::pi, 1.8 * std::numbers::pi, 132.4 / unit / unit));
+    r.contacts.push_back(
+        arc_contact(r, 0, 1, center, 20 * unit, 1.2 * std::numbers::pi, 1.8 * std::numbers::pi, 132.4 / unit / unit));
     for (int i = 0; i <= 40; ++i) r.support_marks.push_back({Vec2((-40 + 2 * i) * unit, 0), Vec2(0, -1), true, true});
     for (int i = 0; i <= 10; ++i) r.support_marks.push_back({Vec2(-40 * unit, (10 + 2 * i) * unit), Vec2(-1, 0), true, false});
     r.load_marks = {{center, Vec2(0, -1)}};
@@ -160,7 +163,8 @@ inline Result bracket(double unit = 1) {
     r.solver.factorizations = 4;
     r.solver.contact_iterations = 7;
     r.solver.condition_estimate = 1.3e3;
-    r.timing = {{"import", 0.002}, {"geometry", 0.011}, {"assembly", 0.021}, {"solve", 0.032}, {"recovery", 0.012}, {"output", 0.004}, {"total", 0.082}};
+    r.timing = {{"import", 0.002},   {"geometry", 0.011}, {"assembly", 0.021}, {"solve", 0.032},
+                {"recovery", 0.012}, {"output", 0.004},   {"total", 0.082}};
     r.effects = {{"contact", true, "2 parts touch at 1 place", 0.03}, {"temperature", false, "no temperature load", 0}};
     r.strain_energy = 12.75;
     r.equilibrium.applied = {0, -1000};
@@ -169,8 +173,12 @@ inline Result bracket(double unit = 1) {
     r.equilibrium.relative_moment_residual = 2e-13;
     r.error_estimate.contact_pressure = 0.03;
     r.error_estimate.method = "change between the last two grids";
-    r.reactions = {{0, "fix x, y on bracket/bottom", "aligned", {0, 1000}, 0}, {1, "fix x on bracket/left", "nitsche", {1e-12, 0}, 4.5}};
-    r.probes = {{"bracket", {0, 20 * unit}, {1e-4 * unit, -0.012 * unit}, {1.5 / unit / unit, -20.25 / unit / unit, 0.5 / unit / unit, 0}}};
+    r.reactions = {{0, "fix x, y on bracket/bottom", "aligned", {0, 1000}, 0},
+                   {1, "fix x on bracket/left", "nitsche", {1e-12, 0}, 4.5}};
+    r.probes = {{"bracket",
+                 {0, 20 * unit},
+                 {1e-4 * unit, -0.012 * unit},
+                 {1.5 / unit / unit, -20.25 / unit / unit, 0.5 / unit / unit, 0}}};
     return r;
 }
 
