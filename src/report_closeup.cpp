@@ -60,23 +60,36 @@ std::vector<Vec2> normals(const ContactProfile& p, const geometry::Part& first) 
     return found;
 }
 
-std::string pressure_hairs(const ContactProfile& p, const std::vector<Vec2>& normal, double scale, const View& view) {
-    std::vector<Vec2> feet, tips;
-    std::string hairs;
-    const auto every = std::max<std::size_t>(1, p.x.size() / most_hairs);
-    for (std::size_t i = 0; i < p.x.size(); ++i) {
-        const Vec2 foot(p.x[i], p.y[i]);
-        const double height = std::isfinite(p.pressure[i]) ? std::max(p.pressure[i], 0.0) * scale : 0;
-        feet.push_back(view(foot));
-        tips.push_back(view(foot + height * normal[i]));
-        if (i % every == 0 && height > 0) hairs += line(feet.back(), tips.back(), "");
-    }
+std::string pressure_area(const std::vector<Vec2>& feet, const std::vector<Vec2>& tips) {
     std::vector<Vec2> area = tips;
     area.insert(area.end(), feet.rbegin(), feet.rend());
-    return polygon(area, "fill=\"#fff\" fill-opacity=\"0.72\"") + "<g stroke=\"" + contact_color +
-           "\" stroke-width=\"0.8\">\n" + hairs + "</g>\n" +
+    return polygon(area, "fill=\"#fff\" fill-opacity=\"0.72\"") +
            polyline(tips, "fill=\"none\" stroke=\"" + std::string(contact_color) +
                               "\" stroke-width=\"1.8\" stroke-linejoin=\"round\"");
+}
+
+/// The pressure over the edge, one area for each run of points that carry any (with the neighbours that end it), and hairs in
+/// it.
+std::string pressure_hairs(const ContactProfile& p, const std::vector<Vec2>& normal, double scale, const View& view) {
+    const std::size_t n = p.x.size(), every = std::max<std::size_t>(1, n / most_hairs);
+    const auto carries = [&](std::size_t i) { return i < n && p.pressure[i] > 0; };
+    std::vector<Vec2> feet, tips;
+    std::string areas, hairs;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (carries(i) || carries(i + 1) || (i > 0 && carries(i - 1))) {
+            const Vec2 foot(p.x[i], p.y[i]);
+            feet.push_back(view(foot));
+            tips.push_back(view(foot + (carries(i) ? p.pressure[i] * scale : 0) * normal[i]));
+            if (i % every == 0 && carries(i)) hairs += line(feet.back(), tips.back(), "");
+        }
+        if (feet.size() > 1 && !carries(i) && !carries(i + 1)) {
+            areas += pressure_area(feet, tips);
+            feet.clear();
+            tips.clear();
+        }
+    }
+    if (feet.size() > 1) areas += pressure_area(feet, tips);
+    return areas + "<g stroke=\"" + contact_color + "\" stroke-width=\"0.8\">\n" + hairs + "</g>\n";
 }
 
 double stress_of(const FieldSample& sample) {

@@ -10,8 +10,8 @@ namespace abut::report {
 
 namespace {
 
-constexpr double no_pressure = 1e-6;   ///< of the contact's largest: below it a point counts as open
-constexpr double support_spacing = 8;  ///< pixels between signs
+constexpr double no_pressure = 1e-6;    ///< of the contact's largest: below it a point counts as open
+constexpr double support_spacing = 12;  ///< pixels between signs
 constexpr double load_spacing = 15;
 constexpr double arrow_length = 30;
 constexpr int edge_samples = 32;
@@ -55,10 +55,12 @@ std::vector<ContactStretch> from_names(const Result& result, const ContactResult
     return stretches;
 }
 
-/// Hatching of fixed ground: strokes that lean away from the edge.
+/// A piece of hatched ground; neighbours join to a line of it.
 std::string ground_sign(const Vec2& at, const Vec2& out) {
     const Vec2 along = geometry::left_of(out);
-    return line(at, at + 8 * out + 6 * along, "") + line(at - 4 * along, at + 4 * along, "stroke-width=\"2\"");
+    std::string svg = line(at - 6 * along, at + 6 * along, "stroke-width=\"2\"");
+    for (double shift : {-4.0, 0.0, 4.0}) svg += line(at + shift * along, at + 7 * out + (shift + 4) * along, "");
+    return svg;
 }
 
 /// A triangle that points at the edge along the held direction, on two rollers.
