@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <stdexcept>
 
@@ -46,13 +47,12 @@ GaussRule make_rule(int n) {
 }  // namespace
 
 const GaussRule& gauss_rule(int n) {
-    static const auto rules = [] {
-        std::array<GaussRule, max_points + 1> all;
-        for (int k = 1; k <= max_points; ++k) all[static_cast<std::size_t>(k)] = make_rule(k);
-        return all;
-    }();
+    static std::array<GaussRule, max_points + 1> rules;
+    static std::array<std::once_flag, max_points + 1> made;
     if (n < 1 || n > max_points) throw std::logic_error("gauss_rule: n outside 1..128");
-    return rules[static_cast<std::size_t>(n)];
+    const auto k = static_cast<std::size_t>(n);
+    std::call_once(made[k], [&] { rules[k] = make_rule(n); });
+    return rules[k];
 }
 
 }  // namespace abut::geometry

@@ -9,7 +9,7 @@ struct GaussRule {
     std::vector<double> points, weights;
 };
 
-/// n from 1 to 128; computed once, then shared. Safe to call from several threads.
+/// n from 1 to 128; computed at its first use, then shared. Safe to call from several threads.
 const GaussRule& gauss_rule(int n);
 
 }  // namespace abut::geometry

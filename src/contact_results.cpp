@@ -34,15 +34,16 @@ Side side_of(const Scene& scene, const SolvedAssembly& solved, int part) {
     return {scene.parts[at(part)], solved.grids[at(k)], solved.solution.displacement[at(k)]};
 }
 
-/// Where the profile is sampled: every pressure interval between the contact's ends and a margin beyond; all of it where open.
+/// Where the profile is sampled: every pressure interval, up to the faces' own ends; where only the search ended the zone, up to a
+/// margin beyond the contact.
 std::vector<double> profile_places(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
     const solver::KnotVector& k = contact.face.pressure;
     double low = k.breakpoints.front(), high = k.breakpoints.back();
     if (!runs.empty()) {
         double longest = 0;
         for (const ContactRun& r : runs) longest = std::max(longest, r.end - r.begin);
-        low = std::max(low, runs.front().begin - margin_fraction * longest);
-        high = std::min(high, runs.back().end + margin_fraction * longest);
+        if (contact.zone.begin_is_limit || contact.zone.closed) low = std::max(low, runs.front().begin - margin_fraction * longest);
+        if (contact.zone.end_is_limit || contact.zone.closed) high = std::min(high, runs.back().end + margin_fraction * longest);
     }
     std::vector<double> places;
     for (int i = 0; i < k.n_intervals(); ++i) {

@@ -12,13 +12,19 @@ constexpr int samples = 33;
 constexpr double near_gap_fraction = 0.25;     // of a zone's range of gaps: what is closer counts as where contact will be
 constexpr double cells_in_first_contact = 16;
 constexpr double cells_in_contact = 12;
-constexpr double end_fraction = 1.0 / 60;      // of the contact's length: cells at its ends
-constexpr double corner_fraction = 1.0 / 40;   // the same where it ends at a corner
+constexpr double end_fraction = 1.0 / 160;    // of the contact's length: cells at its ends
+constexpr double corner_fraction = 1.0 / 40;   // the same where it ends at a corner that concentrates the pressure:
+constexpr double corner_rise = 1.05;           //   there it is so much larger than
+constexpr double corner_reach = 0.1;           //   this fraction of the length away (a symmetry plane is no such corner)
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size) {
     if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size});
+}
+
+bool rises_towards(const Eigen::VectorXd& pressure, const ContactInterface& contact, double end, double inside) {
+    return solver::pressure_at(contact.face.pressure, pressure, end) > corner_rise * solver::pressure_at(contact.face.pressure, pressure, inside);
 }
 
 }  // namespace
@@ -51,6 +57,7 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double 
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         for (const ContactRun& run : solved.runs[k]) {
             const ContactInterface& contact = solved.contacts[k];
+            const Eigen::VectorXd& pressure = pressure_of(solved, k);
             const double length = run.end - run.begin;
             std::array<std::vector<Vec2>, 2> points;
             for (int i = 0; i < samples; ++i) {
@@ -62,11 +69,12 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double 
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 want(wanted, contact.part[side], points[side], coarseness * length / cells_in_contact);
-                if (contact.zone.closed && run.from_start && run.to_end) continue;
-                want(wanted, contact.part[side], {points[side].front()},
-                     coarseness * length * (run.from_start ? corner_fraction : end_fraction));
-                want(wanted, contact.part[side], {points[side].back()},
-                     coarseness * length * (run.to_end ? corner_fraction : end_fraction));
+                if (!run.from_start) want(wanted, contact.part[side], {points[side].front()}, coarseness * length * end_fraction);
+                else if (rises_towards(pressure, contact, run.begin, run.begin + corner_reach * length))
+                    want(wanted, contact.part[side], {points[side].front()}, coarseness * length * corner_fraction);
+                if (!run.to_end) want(wanted, contact.part[side], {points[side].back()}, coarseness * length * end_fraction);
+                else if (rises_towards(pressure, contact, run.end, run.end - corner_reach * length))
+                    want(wanted, contact.part[side], {points[side].back()}, coarseness * length * corner_fraction);
             }
         }
     return wanted;
