@@ -88,6 +88,38 @@ bool same_contacts(const SolvedAssembly& now, const SolvedAssembly& before) {
     return true;
 }
 
+/// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the middle
+/// of its hole), the seam moves to the middle of the longest open stretch.
+void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const std::vector<ContactRun>& runs = s.runs[k];
+        geometry::FacingZone& zone = candidates[k].zone;
+        if (!zone.closed || runs.empty() || (!runs.front().from_start && !runs.back().to_end)) continue;
+        double middle = 0, longest = 0;
+        for (std::size_t r = 0; r + 1 < runs.size(); ++r)
+            if (const double open = runs[r + 1].begin - runs[r].end; open > longest) {
+                longest = open;
+                middle = 0.5 * (runs[r].end + runs[r + 1].begin);
+            }
+        const double total = s.contacts[k].s.back();
+        if (const double open = total - runs.back().end; !runs.back().to_end && open > longest) {
+            longest = open;
+            middle = 0.5 * (total + runs.back().end);
+        }
+        if (runs.front().begin > longest) {
+            longest = runs.front().begin;
+            middle = 0.5 * runs.front().begin;
+        }
+        if (longest == 0) continue;   // pressed all round
+        const geometry::FacingPair pair = pair_at(scene, s.contacts[k], middle);
+        if (!pair.found) continue;
+        zone.begin1 = pair.s1;
+        zone.end1 = pair.s1 + zone.chain1.length;
+        zone.begin2 = pair.s2;
+        zone.end2 = pair.s2 - zone.chain2.length;
+    }
+}
+
 bool any_run(const SolvedAssembly& s) {
     return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
 }
@@ -139,6 +171,7 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
             return out;
         }
         wanted = sizes_from(scene, now, coarseness);
+        move_seams(scene, now, out.candidates);
         out.have_previous = true;
         out.previous_energy = energy_of(now);
         out.previous_peak.clear();

@@ -16,6 +16,8 @@ using geometry::Part;
 constexpr double cells_over_diagonal = 14;   // of a plain part
 constexpr double cells_over_extent = 4;      // at least, in each direction
 constexpr double cells_across_wall = 4;
+constexpr double cells_across_slot = 3;      // of a part's own slots: as many as a quadratic spline's support
+constexpr double slot_floor = 0.05;          // of the largest cell: narrower slots are not resolved
 constexpr double cells_per_radius = 2.5;
 constexpr double corner_fraction = 0.25;     // of the largest cell, at re-entrant corners
 constexpr int chords = 48;                   // scan lines in each direction that look for walls
@@ -50,17 +52,20 @@ std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int ax
     return found;
 }
 
-/// Material between two steep sides along scan lines: walls, which need cells across.
+/// Material between two steep sides along scan lines: walls, which need cells across. Between them the part's own slots: a spline
+/// that reaches across one would tie its arms together.
 void append_walls(std::vector<SizeFeature>& features, const Part& local, int axis, double coarseness) {
     const Box2 box = bounding_box(local);
     const auto pieces = geometry::monotone_pieces(local);
+    const double least = slot_floor * largest_cells(local, coarseness)[static_cast<std::size_t>(axis)];
     for (int k = 0; k < chords; ++k) {
         const double at = box.min[1 - axis] + (k + 0.5) / chords * box.size()[1 - axis];
         const std::vector<Hit> found = hits(pieces, axis, at);
-        for (std::size_t i = 0; i + 1 < found.size(); i += 2) {
+        for (std::size_t i = 0; i + 1 < found.size(); ++i) {
             if (!found[i].steep || !found[i + 1].steep) continue;
+            const double width = found[i + 1].v - found[i].v;
             SizeFeature f;
-            f.size = coarseness * (found[i + 1].v - found[i].v) / cells_across_wall;
+            f.size = i % 2 == 0 ? coarseness * width / cells_across_wall : std::max(width / cells_across_slot, least);
             // only this axis is asked for: the other extent covers everything
             f.box = box;
             f.box.min[axis] = found[i].v;

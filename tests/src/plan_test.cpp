@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The plan of effects: on where the scene calls for it, and off without a trace in the answer.
+#include "src/plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/src/temporary_folder.hpp"
+#include "tests/verification/scene_answers.hpp"
+
+namespace abut {
+namespace {
+
+/// A plate held at its bottom and pressed on its top, and what a test adds to it.
+struct Variation {
+    std::string more_parts = {}, more_loads = {}, more_supports = {}, contacts = {};
+    std::string hold = R"({"on": "plate/bottom", "fix": ["x", "y"]})";
+    bool plate_last = false;
+};
+
+std::string scene_text(const Variation& v) {
+    const std::string plate =
+        R"({"name": "plate", "material": "m", "geometry": {"difference": [{"rectangle": {"min": [0, 0], "max": [4, 2]}},
+                                                                          {"circle": {"center": [2.1, 0.9], "radius": 0.4}}]}})";
+    const std::string parts =
+        v.more_parts.empty() ? plate : (v.plate_last ? v.more_parts + ", " + plate : plate + ", " + v.more_parts);
+    return R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3, "density": 1e-3}}, "parts": [)" + parts +
+           R"(], "supports": [)" + v.hold + v.more_supports + R"(], "loads": [{"on": "plate/top", "pressure": "10 + x"})" +
+           v.more_loads + "]" + (v.contacts.empty() ? "" : R"(, "contacts": )" + v.contacts) +
+           R"(, "output": {"probes": [{"part": "plate", "at": [1, 1.5]}, {"part": "plate", "at": [2.1, 1.4]}]}})";
+}
+
+/// Too far from the plate to be found, or lying on it.
+const std::string far_block =
+    R"({"name": "block", "material": "m", "geometry": {"rectangle": {"min": [100, 0], "max": [101, 1]}}})";
+const std::string next_block =
+    R"({"name": "block", "material": "m", "geometry": {"rectangle": {"min": [4, 0], "max": [5, 1]}}})";
+const std::string hold_block = R"(, {"on": "block/right", "fix": ["x", "y"]})";
+
+Scene scene_of(const Variation& v) {
+    const TemporaryFolder folder;
+    return read_scene(folder.write("scene.json", scene_text(v)));
+}
+
+std::set<std::string> effects_on(const Variation& v) {
+    std::set<std::string> names;
+    for (const Effect& e : plan_effects(scene_of(v)))
+        if (e.on) names.insert(e.name);
+    return names;
+}
+
+using Names = std::set<std::string>;
+
+TEST(Plan, APlateUnderPressureNeedsEdgeLoadsOnly) {
+    EXPECT_EQ(effects_on({}), Names{"edge loads"});
+    EXPECT_EQ(effects_on({.more_loads = R"(, {"on": "plate/left", "traction": [1, 0]})"}), Names{"edge loads"});
+    EXPECT_EQ(effects_on({.more_loads = R"(, {"on": "plate/left", "force": [1, 0]})"}), Names{"edge loads"});
+}
+
+TEST(Plan, EachLoadTurnsOnItsOwnEffect) {
+    EXPECT_EQ(effects_on({.more_loads = R"(, {"part": "plate", "body_force": [1, 0]})"}), (Names{"edge loads", "body force"}));
+    EXPECT_EQ(effects_on({.more_loads = R"(, {"part": "plate", "force": [1, 0]})"}), (Names{"edge loads", "body force"}));
+    EXPECT_EQ(effects_on({.more_loads = R"(, {"gravity": [0, -9.81]})"}), (Names{"edge loads", "gravity"}));
+}
+
+TEST(Plan, ARigidSupportIsAnEffect) {
+    EXPECT_EQ(effects_on({.hold = R"({"part": "plate", "rigid": {"translation": [0, 0], "rotation": 0}})"}),
+              (Names{"edge loads", "rigid supports"}));
+}
+
+TEST(Plan, ContactNeedsTwoPartsAndAPairToSearch) {
+    EXPECT_EQ(effects_on({.more_parts = far_block}), (Names{"edge loads", "contact"}));
+    EXPECT_EQ(effects_on({.more_parts = far_block, .contacts = R"({"detect": false})"}), Names{"edge loads"});
+    EXPECT_EQ(effects_on({.more_parts = far_block,
+                          .contacts = R"({"detect": false, "pairs": [{"between": ["plate/*", "block/*"]}]})"}),
+              (Names{"edge loads", "contact"}));
+    EXPECT_EQ(effects_on({.contacts = R"({"detect": true})"}), Names{"edge loads"});
+}
+
+TEST(Plan, InterferenceIsOnWhereGapsAreClosed) {
+    EXPECT_EQ(effects_on({.more_parts = next_block,
+                          .contacts = R"({"pairs": [{"between": ["plate/right", "block/left"], "interference": 0.01}]})"}),
+              (Names{"edge loads", "contact", "interference"}));
+    EXPECT_EQ(effects_on({.more_parts = next_block,
+                          .contacts = R"({"pairs": [{"between": ["plate/right", "block/left"], "interference": 0}]})"}),
+              (Names{"edge loads", "contact"}));
+    EXPECT_EQ(effects_on({.more_parts = next_block, .contacts = R"({"overlap": "press_fit"})"}),
+              (Names{"edge loads", "contact", "interference"}));
+}
+
+TEST(Plan, SaysWhyOfEveryEffect) {
+    Names names;
+    for (const Effect& e : plan_effects(scene_of({}))) {
+        EXPECT_FALSE(e.why.empty()) << e.name;
+        EXPECT_TRUE(names.insert(e.name).second) << e.name << " twice";
+    }
+    EXPECT_EQ(names, (Names{"contact", "edge loads", "body force", "gravity", "rigid supports", "interference", "bonding",
+                            "friction", "springs", "temperature", "spin", "large displacement"}));
+}
+
+// Which parts are solved
+
+TEST(Plan, ALoadReachesWhatItsPartTouches) {
+    const Variation v{.more_parts =
+                          far_block +
+                          R"(, {"name": "c", "material": "m", "geometry": {"rectangle": {"min": [200, 0], "max": [201, 1]}}},
+                                                   {"name": "d", "material": "m", "geometry": {"rectangle": {"min": [300, 0], "max": [301, 1]}}})"};
+    const Scene scene = scene_of(v);
+    EXPECT_EQ(parts_to_solve(scene, {}), (std::vector<bool>{true, false, false, false}));
+    EXPECT_EQ(parts_to_solve(scene, {{0, 1}}), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(parts_to_solve(scene, {{1, 2}, {0, 1}}), (std::vector<bool>{true, true, true, false}));
+    EXPECT_EQ(parts_to_solve(scene, {{1, 2}, {2, 3}}), (std::vector<bool>{true, false, false, false}));
+}
+
+TEST(Plan, WhatActsOnAPartMakesItSolved) {
+    const auto solved = [](const Variation& v) { return parts_to_solve(scene_of(v), {}); };
+    const std::vector<bool> both{true, true};
+    EXPECT_EQ(solved({.more_parts = far_block, .more_loads = R"(, {"part": "block", "body_force": [1, 0]})"}), both);
+    EXPECT_EQ(solved({.more_parts = far_block, .more_loads = R"(, {"part": "*", "body_force": [1, 0]})"}), both);
+    EXPECT_EQ(solved({.more_parts = far_block, .more_loads = R"(, {"gravity": [0, -1]})"}), both);
+    EXPECT_EQ(solved({.more_parts = far_block, .more_supports = R"(, {"on": "block/left", "displacement": {"x": 0.1}})"}),
+              both);
+    EXPECT_EQ(solved({.more_parts = far_block,
+                      .more_supports = R"(, {"part": "block", "rigid": {"translation": [0.1, 0], "rotation": 0}})"}),
+              both);
+    EXPECT_EQ(solved({.more_parts = far_block,
+                      .more_supports = R"(, {"part": "block", "rigid": {"translation": [0, 0], "rotation": 0}})"}),
+              (std::vector<bool>{true, false}));
+}
+
+const PartResult& part_named(const Result& r, const std::string& name) {
+    return *std::find_if(r.parts.begin(), r.parts.end(), [&](const PartResult& p) { return p.name == name; });
+}
+
+std::size_t index_of(const Result& r, const std::string& name) {
+    return static_cast<std::size_t>(&part_named(r, name) - r.parts.data());
+}
+
+/// Every number that an answer gives about one part: displacements, stresses, reactions, energy.
+std::vector<double> numbers_of(const Result& r, const std::string& part) {
+    std::vector<double> v{r.strain_energy, r.equilibrium.applied.x(), r.equilibrium.applied.y()};
+    const auto append = [&](const FieldSample& s) {
+        v.insert(v.end(), {s.at.x(), s.at.y(), s.displacement.x(), s.displacement.y(), s.stress.xx, s.stress.yy, s.stress.xy,
+                           s.stress.zz});
+    };
+    const PartResult& p = part_named(r, part);
+    v.insert(v.end(), {p.max_displacement.value, p.max_von_mises.value});
+    const PartField& field = r.fields[index_of(r, part)];
+    for (const FieldSample& s : field.samples) append(s);
+    for (const auto& loop : field.boundary)
+        for (const FieldSample& s : loop) append(s);
+    for (const ProbeResult& s : r.probes)
+        if (s.part == part) append({s.at, s.displacement, s.stress});
+    for (const Reaction& s : r.reactions)
+        if (s.label.find(part) != std::string::npos) v.insert(v.end(), {s.force.x(), s.force.y()});
+    return v;
+}
+
+/// How many numbers differ in any bit; all of them where there are not equally many.
+std::size_t differing(const std::vector<double>& a, const std::vector<double>& b) {
+    if (a.size() != b.size()) return std::max(a.size(), b.size());
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (!(a[i] == b[i]) || std::signbit(a[i]) != std::signbit(b[i])) ++n;
+    return n;
+}
+
+TEST(IdleParts, TheComparisonSeesTheLastBit) {
+    const Result r = test::answer(scene_text({}));
+    ASSERT_EQ(r.status, "ok") << r.message;
+    const std::vector<double> v = numbers_of(r, "plate");
+    ASSERT_GT(v.size(), 1000u);
+    EXPECT_GT(std::count_if(v.begin(), v.end(), [](double x) { return x != 0; }), 1000);
+    for (std::size_t i : {std::size_t{0}, v.size() / 2, v.size() - 1}) {
+        std::vector<double> w = v;
+        w[i] = std::nextafter(w[i], std::numeric_limits<double>::infinity());
+        EXPECT_EQ(differing(v, w), 1u);
+    }
+    EXPECT_EQ(differing(v, {v.begin(), v.end() - 1}), v.size());
+}
+
+TEST(IdleParts, AreNotSolvedAndLeaveNoTrace) {
+    const Result alone = test::answer(scene_text({}));
+    ASSERT_EQ(alone.status, "ok") << alone.message;
+    const Variation variations[] = {
+        {.more_parts = far_block},
+        {.more_parts = far_block, .plate_last = true},
+        {.more_parts = far_block, .more_supports = hold_block},
+        {.more_parts = next_block, .contacts = R"({"detect": false})"},
+        {.more_parts = next_block, .contacts = R"({"pairs": [{"between": ["plate/*", "block/*"], "kind": "ignore"}]})"},
+    };
+    for (std::size_t k = 0; k < std::size(variations); ++k) {
+        const Result r = test::answer(scene_text(variations[k]));
+        ASSERT_EQ(r.status, "ok") << k << ": " << r.message;
+        ASSERT_EQ(r.parts.size(), 2u);
+        const PartResult &idle = part_named(r, "block"), &plate = part_named(r, "plate");
+        EXPECT_FALSE(idle.solved) << k;
+        EXPECT_EQ(idle.unknowns, 0) << k;
+        EXPECT_EQ(idle.cells_inner + idle.cells_boundary + idle.cells_outer, 0) << k;
+        EXPECT_TRUE(r.fields[index_of(r, "block")].samples.empty()) << k;
+        EXPECT_TRUE(plate.solved) << k;
+        EXPECT_EQ(plate.unknowns, alone.unknowns) << k;
+        EXPECT_EQ(r.unknowns, alone.unknowns) << k;
+        EXPECT_EQ(r.cells, alone.cells) << k;
+        EXPECT_EQ(r.multipliers, 0) << k;
+        EXPECT_EQ(r.solver.factorizations, alone.solver.factorizations) << k;
+        EXPECT_TRUE(r.contacts.empty()) << k;
+        EXPECT_EQ(differing(numbers_of(r, "plate"), numbers_of(alone, "plate")), 0u) << k;
+    }
+}
+
+/// The other way round: a part that touches the loaded one is solved, and the plate's answer is another one.
+TEST(IdleParts, ANeighbourIsNotIdle) {
+    const Result alone = test::answer(scene_text({})),
+                 r = test::answer(scene_text({.more_parts = next_block, .more_supports = hold_block}));
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_TRUE(part_named(r, "block").solved);
+    EXPECT_GT(part_named(r, "block").unknowns, 0);
+    EXPECT_GT(r.multipliers, 0);
+    EXPECT_GT(differing(numbers_of(r, "plate"), numbers_of(alone, "plate")), 0u);
+}
+
+TEST(IdleParts, EffectsThatAreOffHaveZeroCounters) {
+    const Result r = test::answer(scene_text({}));
+    EXPECT_EQ(r.multipliers, 0);
+    EXPECT_TRUE(r.contacts.empty());
+    EXPECT_EQ(r.solver.factorizations, 1);
+    EXPECT_EQ(r.solver.contact_iterations, 0);
+    for (const Effect& e : r.effects)
+        if (!e.on) EXPECT_EQ(e.seconds, 0) << e.name;
+}
+
+}  // namespace
+}  // namespace abut
