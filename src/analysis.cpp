@@ -22,7 +22,7 @@ namespace {
 constexpr int max_search_widenings = 4;
 constexpr double search_widening = 3;
 /// Contacts whose ends move by less than this fraction of their length from one grid to the next are found.
-constexpr double settled_fraction = 0.04;
+constexpr double settled_fraction = 0.015;
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
 constexpr double large_rotation = 0.05, large_strain = 0.05;
 

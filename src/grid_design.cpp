@@ -19,7 +19,7 @@ constexpr double cells_across_wall = 4;
 constexpr double cells_across_slot = 3;      // of a part's own slots: as many as a quadratic spline's support
 constexpr double slot_floor = 0.05;          // of the largest cell: narrower slots are not resolved
 constexpr double cells_per_radius = 2.5;
-constexpr double corner_fraction = 0.25;     // of the largest cell, at re-entrant corners
+constexpr double corner_fraction = 0.1;      // of the largest cell, at re-entrant corners
 constexpr int chords = 48;                   // scan lines in each direction that look for walls
 
 double wanted_size(double v, int axis, double largest, const std::vector<SizeFeature>& features) {
