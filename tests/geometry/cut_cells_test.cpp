@@ -64,7 +64,7 @@ double disc_area(const Polygon& polygon, const Vec2& center, double r) {
         if (t0 >= t1) {
             sum += sector(a, b);
         } else {
-            const Vec2 p = a + t0 * d, q = a + t1 * d;
+            const Vec2 p = a + t0 * d, q = t1 < 1 ? Vec2(a + t1 * d) : b;  // near the centre rounding would turn q by any angle
             sum += sector(a, p) + cross(p, q) / 2 + sector(q, b);
         }
     }
