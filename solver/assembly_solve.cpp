@@ -62,7 +62,11 @@ ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
         const PartSystem& part = problem.parts[i];
         const Index n_modes = part.modes.cols();
-        if (n_modes > 0) qp.mode_load.segment(offset[i], n_modes) = part.modes.transpose() * part.load;
+        if (n_modes > 0) {
+            qp.mode_load.segment(offset[i], n_modes) = part.modes.transpose() * part.load;
+            // prescribed displacements load a part, too: what their entries add up from is the scale of their rounding
+            qp.load_scale = std::max(qp.load_scale, (part.modes.cwiseAbs().transpose() * part.load.cwiseAbs()).maxCoeff());
+        }
         if (rows.by_part[i].empty()) continue;
         qp.gap += rows_times(rows.by_part[i], solve(part, part.load), rows.n);
         for (Index k = 0; k < n_modes; ++k) qp.modes.col(offset[i] + k) = rows_times(rows.by_part[i], part.modes.col(k), rows.n);
@@ -88,7 +92,7 @@ void scale_rows(ContactQp& qp, const VectorXd& weight) {
 void add_foundation(ContactQp& qp, const AssemblyProblem& problem, const std::vector<int>& first_row, const VectorXd& weight) {
     double stiffest = 0;
     for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
-        for (int k = 0; k < problem.interfaces[i].pressure.n_functions(); ++k) {
+        for (int k = 0; k < n_rows(problem.interfaces[i]); ++k) {
             const Index row = first_row[i] + k;
             qp.foundation[row] = problem.foundation[i] * weight[row];
             stiffest = std::max(stiffest, qp.foundation[row]);
@@ -258,7 +262,7 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
         recover_displacements(problem, rows, multipliers, split.resisted * amplitudes, solution);
     take_least_motion(problem, split.neutral, solution);
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
-        solution.pressure.push_back(multipliers.segment(first_row[f], problem.interfaces[f].pressure.n_functions()));
+        solution.pressure.push_back(all_coefficients(problem.interfaces[f], multipliers.segment(first_row[f], n_rows(problem.interfaces[f]))));
     for (std::size_t c = 0; c < problem.constraints.size(); ++c)
         solution.constraint_force.push_back(multipliers[rows.n - static_cast<Index>(problem.constraints.size() - c)]);
     return solution;

@@ -37,6 +37,17 @@ KnotVector clamped_knots(std::vector<double> breakpoints, int degree) {
     return result;
 }
 
+KnotVector periodic_knots(std::vector<double> breakpoints, int degree) {
+    KnotVector result{degree, std::move(breakpoints), {}};
+    const std::vector<double>& b = result.breakpoints;
+    const double period = b.back() - b.front();
+    const auto n = b.size() - 1, p = static_cast<std::size_t>(degree);
+    for (std::size_t k = p; k > 0; --k) result.knots.push_back(b[n - k % n] - period * static_cast<double>((k + n - 1) / n));
+    result.knots.insert(result.knots.end(), b.begin(), b.end());
+    for (std::size_t k = 1; k <= p; ++k) result.knots.push_back(b[k % n] + period * static_cast<double>((k + n - 1) / n));
+    return result;
+}
+
 int interval_of(const KnotVector& knots, double x) {
     const auto& b = knots.breakpoints;
     const int i = static_cast<int>(std::upper_bound(b.begin(), b.end(), x) - b.begin()) - 1;

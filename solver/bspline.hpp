@@ -10,8 +10,8 @@ inline constexpr int max_degree = 6;
 /// Values of the at most max_degree + 1 functions that live on one interval.
 using LocalValues = std::array<double, max_degree + 1>;
 
-/// Knot vector of degree p over breakpoints x_0 < ... < x_n: the ends repeated p + 1 times, the inner ones simple. Functions i to
-/// i + p live on the interval [x_i, x_i+1]; only function 0 (n + p - 1) is not zero at x_0 (x_n).
+/// Knot vector of degree p over breakpoints x_0 < ... < x_n, the inner knots simple. Functions i to i + p live on the interval
+/// [x_i, x_i+1]. Clamped: the ends are repeated p + 1 times, and only function 0 (n + p - 1) is not zero at x_0 (x_n).
 struct KnotVector {
     int degree;
     std::vector<double> breakpoints;
@@ -22,6 +22,10 @@ struct KnotVector {
 };
 
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree);
+
+/// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then one
+/// periodic function; nothing is special about the seam.
+KnotVector periodic_knots(std::vector<double> breakpoints, int degree);
 
 /// Interval that holds x; the last for the right end, the nearest for points outside.
 int interval_of(const KnotVector& knots, double x);

@@ -78,6 +78,12 @@ double equilibrium_error(const ContactQp& qp, const State& s) {
     return (qp.modes.transpose() * s.multipliers + qp.mode_load).cwiseAbs().maxCoeff();
 }
 
+/// Forces that equilibrium is measured against: the loads, or the contact forces where there are none (a press fit).
+double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
+    if (qp.modes.size() == 0) return qp.load_scale;
+    return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
+}
+
 Set bilateral_rows(const ContactQp& qp) {
     Set set(qp.unilateral.size());
     std::transform(qp.unilateral.begin(), qp.unilateral.end(), set.begin(), [](char u) { return static_cast<char>(!u); });
@@ -109,7 +115,7 @@ Settled settle(const ContactQp& qp) {
     for (int step = 0; step < 100 && n > 0; ++step) {
         const VectorXd l = pressures(a);
         const VectorXd residual = qp.modes.transpose() * l + qp.mode_load;
-        if (residual.norm() <= 1e-12 * qp.load_scale) break;
+        if (residual.norm() <= 1e-12 * force_scale(qp, l)) break;
         MatrixXd hessian = 1e-9 * mean * MatrixXd::Identity(n, n);
         for (Index k = 0; k < l.size(); ++k)
             if (l[k] != 0) hessian += qp.foundation[k] * qp.modes.row(k).transpose() * qp.modes.row(k);
@@ -152,7 +158,7 @@ bool proximal_passes(const ContactQp& qp, double stiffness, Set& active, State& 
     double proximal = first_proximal_fraction * stiffness;
     for (int pass = 0; pass < max_proximal_passes; ++pass, proximal *= 0.1) {
         if (!primal_dual(qp, proximal, anchor, active, state, iterations)) return false;
-        if (equilibrium_error(qp, state) <= equilibrium_tolerance * qp.load_scale) break;
+        if (equilibrium_error(qp, state) <= equilibrium_tolerance * force_scale(qp, state.multipliers)) break;
         anchor = state.amplitudes;
     }
     // the exact problem on the set found, where that set holds every motion
@@ -161,7 +167,7 @@ bool proximal_passes(const ContactQp& qp, double stiffness, Set& active, State& 
         const VectorXd gap = gap_of(qp, exact);
         if (next_set(qp, active, exact, gap, gap_rounding(qp, exact)) == active) state = exact;
     }
-    return equilibrium_error(qp, state) <= equilibrium_tolerance * qp.load_scale;
+    return equilibrium_error(qp, state) <= equilibrium_tolerance * force_scale(qp, state.multipliers);
 }
 
 /// The monotone primal active set (Nocedal and Wright, alg. 16.3) from feasible multipliers: the energy falls with every step, so
@@ -196,7 +202,7 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
         Index worst = -1;
         for (Index k = 0; k < gap.size(); ++k)
             if (!active[static_cast<std::size_t>(k)] && gap[k] < -gap_rounding(qp, state) && (worst < 0 || gap[k] < gap[worst])) worst = k;
-        if (worst < 0) return equilibrium_error(qp, state) <= feasibility_tolerance * qp.load_scale;
+        if (worst < 0) return equilibrium_error(qp, state) <= feasibility_tolerance * force_scale(qp, state.multipliers);
         active[static_cast<std::size_t>(worst)] = 1;
     }
     return false;
@@ -211,7 +217,7 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     if (qp.modes.cols() > 0) {
         const NonnegativeResult balance = nonnegative_least_squares(qp.modes.transpose(), -qp.mode_load, qp.unilateral);
         feasible = balance.x;
-        if (balance.residual.norm() > feasibility_tolerance * qp.load_scale) {
+        if (balance.residual.norm() > feasibility_tolerance * force_scale(qp, balance.x)) {
             result.feasible = false;
             result.mechanism = -balance.residual;
             return result;

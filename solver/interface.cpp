@@ -28,10 +28,11 @@ void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface
     LocalValues n;
     evaluate(face.pressure, interval, p.s, n);
     const double w = p.weight * face.thickness;
+    const auto row = [&](int k) { return first_row + (interval + k) % n_rows(face); };
     for (int k = 0; k <= face.pressure.degree; ++k) {
         const double share = w * n[static_cast<std::size_t>(k)];
-        rows.gap0[first_row + interval + k] += share * p.gap;
-        rows.weight[first_row + interval + k] += share;
+        rows.gap0[row(k)] += share * p.gap;
+        rows.weight[row(k)] += share;
     }
     for (std::size_t side = 0; side < 2; ++side) {
         const auto part = static_cast<std::size_t>(face.part[side]);
@@ -40,7 +41,7 @@ void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface
         for (int k = 0; k <= face.pressure.degree; ++k)
             for (std::size_t i = 0; i < b.functions.size(); ++i)
                 for (int c = 0; c < 2; ++c)
-                    rows.by_part[part].push_back({first_row + interval + k, 2 * b.functions[i] + c,
+                    rows.by_part[part].push_back({row(k), 2 * b.functions[i] + c,
                                                   w * n[static_cast<std::size_t>(k)] * b.value[static_cast<Index>(i)] * along[c]});
     }
 }
@@ -52,7 +53,7 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
     first_row.clear();
     for (const Interface& face : interfaces) {
         first_row.push_back(rows.n);
-        rows.n += face.pressure.n_functions();
+        rows.n += n_rows(face);
     }
     rows.by_part.resize(parts.size());
     rows.gap0 = Eigen::VectorXd::Zero(rows.n);
@@ -62,6 +63,12 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
         for (const InterfacePoint& p : interfaces[k].points) add_point(rows, parts, interfaces[k], p, first_row[k]);
     for (auto& entries : rows.by_part) compress(entries);
     return rows;
+}
+
+Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown) {
+    Eigen::VectorXd all(face.pressure.n_functions());
+    for (Index k = 0; k < all.size(); ++k) all[k] = unknown[k % unknown.size()];
+    return all;
 }
 
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,

@@ -29,8 +29,14 @@ struct Interface {
     std::array<int, 2> part;
     double thickness = 1;
     KnotVector pressure;           ///< over s
+    bool periodic = false;         ///< all the way round: pressure has periodic knots
     std::vector<InterfacePoint> points;
 };
+
+/// Unknown coefficients of an interface's pressure.
+inline int n_rows(const Interface& face) { return face.periodic ? face.pressure.n_intervals() : face.pressure.n_functions(); }
+/// All coefficients of the pressure spline from the unknown ones (the periodic ones come again at its end).
+Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown);
 
 /// Entry of D: of one row, at one coefficient (2f + component) of a part.
 struct RowEntry {

@@ -43,7 +43,7 @@ struct Outcome {
     std::vector<Candidate> candidates;
     SolvedAssembly solved;
     int passes = 0, factorizations = 0, iterations = 0;
-    bool have_previous = false, settled = true;
+    bool have_previous = false, settled = true, search_too_short = false;
     std::vector<double> previous_peak;   // by candidate
     double previous_energy = 0;
 };
@@ -72,6 +72,23 @@ bool zone_too_short(const SolvedAssembly& s) {
         for (const ContactRun& run : s.runs[k])
             if ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)) return true;
     return false;
+}
+
+/// How far the search must reach, as a factor on the first search distance, for every pair that the displacements could close.
+double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
+    std::vector<double> reach(scene.parts.size(), 0.0);
+    for (std::size_t k = 0; k < s.grids.size(); ++k) {
+        const Eigen::VectorXd& u = s.solution.displacement[k];
+        for (Eigen::Index f = 0; f + 1 < u.size(); f += 2) reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], u.segment<2>(f).norm());
+    }
+    double factor = 0;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        for (std::size_t j = i + 1; j < scene.parts.size(); ++j) {
+            const auto a = bounding_box(scene.parts[i].part), b = bounding_box(scene.parts[j].part);
+            const double closing = reach[i] + reach[j];
+            if (a.overlaps(b, closing)) factor = std::max(factor, closing / (first_search_fraction * std::min(a.diagonal(), b.diagonal())));
+        }
+    return factor;
 }
 
 /// Same contacts as on the grid before, with ends that moved little?
@@ -152,14 +169,17 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
         out.iterations += now.solution.iterations;
         const bool stuck = !now.failure.empty() || !now.solution.mechanism.empty();
         const bool may_widen = !scene.contacts.search_distance && widenings < max_search_widenings && scene.contacts.detect && scene.parts.size() > 1;
-        if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now))) {
+        const double needed = stuck ? 0.0 : needed_search_factor(scene, now);
+        if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor)) {
             ++widenings;
-            factor *= search_widening;
+            factor = std::max(search_widening * factor, needed);
             search();
             if (stuck || !any_run(now)) wanted = first_sizes(scene, out.candidates, coarseness);
             else wanted = sizes_from(scene, now, coarseness);
             continue;
         }
+        out.search_too_short = !stuck && scene.parts.size() > 1 && scene.contacts.detect &&
+                               (zone_too_short(now) || (scene.contacts.search_distance ? false : needed > factor));
         if (stuck || grids_are_fixed(scene) || !any_run(now)) {
             out.solved = std::move(now);
             return out;
@@ -277,6 +297,8 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
             result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * strain, 3) +
                                       " %; the answer is that of linear elasticity");
     }
+    if (out.search_too_short)
+        result.warnings.push_back("contact reaches the end of what was searched; give contacts.search_distance a larger value");
     if (!out.settled)
         result.warnings.push_back("the contacts still moved between the last two grids by more than " +
                                   number_text(100 * settled_fraction, 2) + " % of their length");

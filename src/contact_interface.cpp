@@ -168,7 +168,9 @@ ContactInterface make_interface(const Scene& scene, const FacingZone& zone, cons
     const std::vector<double> knots = place_knots(pieces, c);
     c.face.part = solver_part;
     c.face.thickness = std::min(first.input.thickness, second.input.thickness);
-    c.face.pressure = solver::clamped_knots(knots, solver::multiplier_degree);
+    c.face.periodic = zone.closed;
+    c.face.pressure = zone.closed ? solver::periodic_knots(knots, solver::multiplier_degree)
+                                  : solver::clamped_knots(knots, solver::multiplier_degree);
     // between crossings and knots everything is smooth: these are the pieces that are integrated
     std::vector<double> cuts = c.s1;
     for (double k : knots) cuts.push_back(interpolate(c.s, c.s1, k));

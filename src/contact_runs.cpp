@@ -42,8 +42,8 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
         int last = k;
         while (last + 1 < n && coefficients[last + 1] > limit) ++last;
         // supports of neighbouring coefficients overlap, so a run is only separate where the supports are
-        const double begin = pressure.knots[static_cast<std::size_t>(k)];
-        const double end = pressure.knots[static_cast<std::size_t>(last + p) + 1];
+        const double begin = std::max(pressure.knots[static_cast<std::size_t>(k)], pressure.breakpoints.front());
+        const double end = std::min(pressure.knots[static_cast<std::size_t>(last + p) + 1], pressure.breakpoints.back());
         if (!runs.empty() && begin < runs.back().end) {
             runs.back().end = end;
             runs.back().to_end = last == n - 1;

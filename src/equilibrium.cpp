@@ -47,6 +47,16 @@ Resultant constraint_reaction(const SolvedAssembly& solved, std::size_t k, const
     return to_assembly(solver::resultant_of(grid.input.space, load), grid.frame, about);
 }
 
+/// Integral of a contact's pressure: a press fit presses all round without a resultant.
+double pressing_force(const SolvedAssembly& solved, std::size_t contact) {
+    double sum = 0;
+    if (solved.interface_of[contact] < 0) return sum;
+    const solver::Interface& face = solved.contacts[contact].face;
+    for (const solver::InterfacePoint& p : face.points)
+        sum += p.weight * face.thickness * solver::pressure_at(face.pressure, pressure_of(solved, contact), p.s);
+    return sum;
+}
+
 struct Totals {
     Resultant applied;
     std::map<int, Resultant> reactions;       // by support
@@ -103,7 +113,7 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
         out.moment = r.moment + geometry::cross(about, r.force);
         result.reactions.push_back(out);
     }
-    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.force.norm());
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;
     if (largest > 0) {
