@@ -123,7 +123,7 @@ std::vector<std::vector<Piece>> merge_pieces(const std::vector<std::vector<RawPi
         split_at_repeated_vertices(loop, simple);
     }
     if (box.empty()) return {};
-    const double merge = sliver_fraction * (box.diagonal() + box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff());
+    const double merge = sliver_width_fraction * (box.diagonal() + box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff());
 
     std::vector<std::vector<Piece>> merged;
     for (const RawLoop& raw : simple) {

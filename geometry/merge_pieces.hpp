@@ -22,7 +22,7 @@ struct RawPiece {
 
 /// Ends nearer than this fraction of the size (plus distance from the origin) are one point; loops thinner than it in the mean
 /// are what rounding leaves between two edges meant to coincide, and are dropped.
-inline constexpr double sliver_fraction = 1e-12;
+inline constexpr double sliver_width_fraction = 1e-12;
 
 /// Splits loops where they touch themselves, drops bridges and slivers, merges adjacent pieces of one source edge, and restores
 /// the curves from their sources. A circle that survives as a whole is one piece from its own angle 0.

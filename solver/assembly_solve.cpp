@@ -15,6 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Pressures may change by this fraction in making up for the neutral motions' balance.
+constexpr double largest_rebalancing = 0.02;
+
 /// Where each part's free motions stand among the amplitudes.
 std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
     std::vector<Index> offset{0};
@@ -173,6 +176,32 @@ void find_driven_neutral_motion(const AssemblyProblem& problem, const MatrixXd& 
             for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
 }
 
+/// Pairs act along the normal of the middle curve, not along a round part's own: with the neutral motions left out, their balance
+/// is off by what that difference does (1e-8 to 1e-5 of the load). Where the pressures can make up for it, they do so with the
+/// neutral motions as unknowns; their amplitudes, which mean nothing, are taken out again by take_least_motion.
+bool balance_neutral_motions(const ContactQp& whole, const MotionSplit& split, ContactQp& qp, ContactQpResult& result, MatrixXd& held) {
+    const MatrixXd lever = whole.modes * split.neutral;
+    constexpr double least_lever = 1e-6;   // of unit motion at the part's size: below, contact cannot turn the part at all
+    std::vector<Index> some;
+    for (Index k = 0; k < lever.cols(); ++k)
+        if (lever.rows() > 0 && lever.col(k).cwiseAbs().maxCoeff() > least_lever) some.push_back(k);
+    if (some.empty()) return false;
+    MatrixXd all(held.rows(), held.cols() + static_cast<Index>(some.size()));
+    all << held, split.neutral(Eigen::all, some);
+    ContactQp full = whole;
+    full.modes = whole.modes * all;
+    full.mode_load = all.transpose() * whole.mode_load;
+    ContactQpResult balanced = solve_contact_qp(full);
+    balanced.iterations += result.iterations;
+    if (!balanced.feasible || !balanced.converged) return false;
+    const double change = (balanced.multipliers - result.multipliers).cwiseAbs().sum();
+    if (change > largest_rebalancing * result.multipliers.cwiseAbs().sum()) return false;
+    result = std::move(balanced);
+    qp = std::move(full);
+    held = std::move(all);
+    return true;
+}
+
 /// The neutral motions' amplitudes that make the displacement least (in the coefficients).
 void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
@@ -245,10 +274,20 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
     const MotionSplit split = split_motions(resistance(problem, qp, qp.modes.cols()));
     find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
     if (!solution.mechanism.empty()) return solution;
+    const ContactQp whole = qp;
     qp.modes = qp.modes * split.resisted;
     qp.mode_load = split.resisted.transpose() * qp.mode_load;
 
-    const ContactQpResult result = solve_contact_qp(qp);
+    ContactQpResult result = solve_contact_qp(qp);
+    MatrixXd held = split.resisted;
+    if (result.feasible && result.converged && split.neutral.cols() > 0 && !balance_neutral_motions(whole, split, qp, result, held)) {
+        const VectorXd work = split.neutral.transpose() * (whole.mode_load + whole.modes.transpose() * result.multipliers);
+        const double scale = std::max(problem.load_scale, result.multipliers.cwiseAbs().sum());
+        if (work.cwiseAbs().maxCoeff() > driven_work_fraction * scale) {
+            solution.neutral.clear();
+            solution.driven = part_motions(problem.parts, split.neutral * work);
+        }
+    }
     solution.iterations = result.iterations;
     solution.converged = result.converged;
     solution.used_fallback = result.used_fallback;
@@ -257,9 +296,9 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
         return solution;
     }
     VectorXd multipliers = result.multipliers.cwiseQuotient(rows.weight), amplitudes = result.amplitudes;
-    recover_displacements(problem, rows, multipliers, split.resisted * amplitudes, solution);
-    if (refine(problem, rows, split.resisted, qp, result.active, multipliers, amplitudes, solution))
-        recover_displacements(problem, rows, multipliers, split.resisted * amplitudes, solution);
+    recover_displacements(problem, rows, multipliers, held * amplitudes, solution);
+    if (refine(problem, rows, held, qp, result.active, multipliers, amplitudes, solution))
+        recover_displacements(problem, rows, multipliers, held * amplitudes, solution);
     take_least_motion(problem, split.neutral, solution);
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(all_coefficients(problem.interfaces[f], multipliers.segment(first_row[f], n_rows(problem.interfaces[f]))));

@@ -29,6 +29,8 @@ struct PartMotion {
 inline constexpr double neutral_motion_fraction = 1e-3;
 /// The loads may do this much work in a neutral motion, relative to load times size.
 inline constexpr double neutral_work_fraction = 1e-9;
+/// Contact forces that do more work than this in a neutral motion show that it is driven after all: no contact can balance it.
+inline constexpr double driven_work_fraction = 1e-4;
 
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
@@ -47,6 +49,7 @@ struct AssemblySolution {
     std::vector<Eigen::VectorXd> pressure;       ///< by interface
     std::vector<double> constraint_force;        ///< by constraint
     std::vector<PartMotion> neutral;             ///< motions left out: nothing resists and nothing drives them
+    std::vector<PartMotion> driven;              ///< not empty: the contact forces drive these neutral motions; the balance is off by that
     std::vector<PartMotion> mechanism;           ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
     bool converged = false, used_fallback = false;

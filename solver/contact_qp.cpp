@@ -213,6 +213,11 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
 ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ContactQpResult result;
     result.active = bilateral_rows(qp);
+    if (qp.gap.size() == 0 && qp.modes.cols() == 0) {
+        result.multipliers = result.amplitudes = result.gap = VectorXd(0);
+        result.converged = true;
+        return result;
+    }
     VectorXd feasible = VectorXd::Zero(qp.gap.size());
     if (qp.modes.cols() > 0) {
         const NonnegativeResult balance = nonnegative_least_squares(qp.modes.transpose(), -qp.mode_load, qp.unilateral);

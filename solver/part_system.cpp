@@ -15,7 +15,7 @@ using Eigen::Index;
 /// Drops the functions of an aligned set; false where the basis or an earlier set with another value does not allow it.
 bool drop_aligned(PartSystem& s, SupportRecord& record) {
     if (!record.set.side) return false;
-    const auto functions = functions_on_side(s.input.space, *record.set.side, record.set.from, record.set.to);
+    const auto functions = functions_on_side(s.input.space, *record.set.side, record.set.stretches);
     if (!functions) return false;
     const auto dof = [&](int f) { return static_cast<std::size_t>(2 * f + record.set.component); };
     for (int f : *functions)

@@ -89,23 +89,69 @@ double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen
     return sum;
 }
 
-std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, double from, double to) {
-    const int nx = space.x.n_functions(), ny = space.y.n_functions();
-    const bool vertical = side == GridSide::left || side == GridSide::right;
-    const KnotVector& along = vertical ? space.y : space.x;
-    const int fixed = side == GridSide::left || side == GridSide::bottom ? 0 : (vertical ? nx : ny) - 1;
-    const auto lives_there = [&](int tensor) {
-        const auto k = static_cast<std::size_t>(vertical ? tensor / nx : tensor % nx);
-        const bool outermost = (vertical ? tensor % nx : tensor / nx) == fixed;
-        return outermost && along.knots[k] < to && from < along.knots[k + static_cast<std::size_t>(along.degree) + 1];
+namespace {
+
+/// One outermost row of cells and functions, seen along its side.
+struct SideRow {
+    const SplineSpace& space;
+    const KnotVector& along;
+    bool vertical;
+    int row;       // of functions, across the side
+    int cells;     // of cells, across the side
+
+    int tensor(int k) const { return vertical ? k * space.x.n_functions() + row : row * space.x.n_functions() + k; }
+    int place(int tensor_function) const { return vertical ? tensor_function / space.x.n_functions() : tensor_function % space.x.n_functions(); }
+    bool is_outermost(int tensor_function) const { return tensor(place(tensor_function)) == tensor_function; }
+    double fraction(int i) const {
+        return space.fraction[static_cast<std::size_t>(vertical ? i * space.columns() + cells : cells * space.columns() + i)];
+    }
+};
+
+SideRow row_of(const SplineSpace& s, GridSide side) {
+    const bool vertical = side == GridSide::left || side == GridSide::right, first = side == GridSide::left || side == GridSide::bottom;
+    const KnotVector& across = vertical ? s.x : s.y;
+    return {s, vertical ? s.y : s.x, vertical, first ? 0 : across.n_functions() - 1, first ? 0 : across.n_intervals() - 1};
+}
+
+/// Held intervals of the row: along their whole length, or at all.
+struct HeldIntervals {
+    std::vector<char> wholly, partly;
+};
+
+HeldIntervals held_intervals(const KnotVector& along, const std::vector<Stretch>& stretches) {
+    HeldIntervals held;
+    for (int i = 0; i < along.n_intervals(); ++i) {
+        const double a = along.breakpoints[static_cast<std::size_t>(i)], b = along.breakpoints[static_cast<std::size_t>(i) + 1];
+        double covered = 0;
+        for (const Stretch& s : stretches) covered += std::max(0.0, std::min(b, s.to) - std::max(a, s.from));
+        // stretches end at the part's corners: rounding of the coordinates, not of the cell, decides
+        const double rounding = 1e-9 * (along.breakpoints.back() - along.breakpoints.front());
+        held.wholly.push_back(covered >= b - a - rounding);
+        held.partly.push_back(covered > rounding);
+    }
+    return held;
+}
+
+}  // namespace
+
+std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, const std::vector<Stretch>& stretches) {
+    const SideRow row = row_of(space, side);
+    const HeldIntervals held = held_intervals(row.along, stretches);
+    const auto lives_on_held = [&](int k) {
+        for (int i = std::max(0, k - row.along.degree); i <= std::min(k, row.along.n_intervals() - 1); ++i)
+            if (held.partly[static_cast<std::size_t>(i)]) return true;
+        return false;
     };
     std::vector<int> dropped;
-    for (int k = 0; k < along.n_functions(); ++k) {
-        const int tensor = vertical ? k * nx + fixed : fixed * nx + k;
-        if (!lives_there(tensor)) continue;
-        for (int i = space.first[static_cast<std::size_t>(tensor)]; i < space.first[static_cast<std::size_t>(tensor) + 1]; ++i) {
+    for (int k = 0; k < row.along.n_functions(); ++k) {
+        if (!lives_on_held(k)) continue;
+        for (int i = std::max(0, k - row.along.degree); i <= std::min(k, row.along.n_intervals() - 1); ++i)
+            if (row.fraction(i) > 0 && !held.wholly[static_cast<std::size_t>(i)]) return std::nullopt;
+        const auto t = static_cast<std::size_t>(row.tensor(k));
+        for (int i = space.first[t]; i < space.first[t + 1]; ++i) {
             const int f = space.function[static_cast<std::size_t>(i)];
-            if (!lives_there(space.tensor_of[static_cast<std::size_t>(f)])) return std::nullopt;
+            const int tensor = space.tensor_of[static_cast<std::size_t>(f)];
+            if (!row.is_outermost(tensor) || !lives_on_held(row.place(tensor))) return std::nullopt;
             dropped.push_back(f);
         }
     }

@@ -18,6 +18,11 @@ struct SupportPoint {
 /// The outermost grid lines, on which only one row of B-splines is not zero.
 enum class GridSide { left, right, bottom, top };
 
+/// Interval along a grid side.
+struct Stretch {
+    double from, to;
+};
+
 /// One component held along one stretch of boundary. `side` is set where the stretch covers all of the part's boundary on that
 /// grid line, with the direction along a grid axis and a constant value: the functions can then be dropped.
 struct SupportSet {
@@ -26,7 +31,7 @@ struct SupportSet {
     std::optional<GridSide> side;
     int component = 0;       ///< of the grid's axes, with `side`
     double value = 0;        ///< with `side`
-    double from = 0, to = 0; ///< extent of the stretch along the side, with `side`
+    std::vector<Stretch> stretches;  ///< along the side, with `side`
 };
 
 /// Nitsche's method for one set, added to stiffness and load:
@@ -50,8 +55,9 @@ Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const 
 /// The set's share in u'Ku that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2.
 double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
-/// The functions to drop so that a component vanishes on [from, to] of a grid side: those of the outermost row that live there.
-/// None where the basis does not allow it: a B-spline that lives there is extended from functions that do not.
-std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, double from, double to);
+/// The functions to drop so that a component vanishes on stretches of a grid side: those of the outermost row that live there.
+/// None where that would not be exact: a B-spline that lives there is extended from functions that do not, or reaches into a cell
+/// that holds material without being held along its whole side (beside a recess or a fillet), where it must not vanish.
+std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, const std::vector<Stretch>& stretches);
 
 }  // namespace abut::solver

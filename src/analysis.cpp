@@ -23,8 +23,11 @@ constexpr int max_search_widenings = 4;
 constexpr double search_widening = 3;
 /// Contacts whose ends move by less than this fraction of their length from one grid to the next are found.
 constexpr double settled_fraction = 0.015;
+/// The same of the root mean square of its pressure.
+constexpr double settled_pressure = 0.05;
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
 constexpr double large_rotation = 0.05, large_strain = 0.05;
+constexpr double large_motion = 0.05;   // of the part's size
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -66,6 +69,17 @@ double peak_of(const SolvedAssembly& s, std::size_t contact) {
     return peak;
 }
 
+/// Root of the mean square of a contact's pressure: steady where the peak at a corner has no limit.
+double mean_of(const SolvedAssembly& s, std::size_t contact) {
+    if (s.interface_of[contact] < 0) return 0;
+    double sum = 0, length = 0;
+    for (const solver::InterfacePoint& p : s.contacts[contact].face.points) {
+        sum += p.weight * std::pow(solver::pressure_at(s.contacts[contact].face.pressure, pressure_of(s, contact), p.s), 2);
+        length += p.weight;
+    }
+    return std::sqrt(sum / length);
+}
+
 /// Has contact reached an end of a candidate zone that could be longer?
 bool zone_too_short(const SolvedAssembly& s) {
     for (std::size_t k = 0; k < s.contacts.size(); ++k)
@@ -96,6 +110,8 @@ bool same_contacts(const SolvedAssembly& now, const SolvedAssembly& before) {
     if (now.runs.size() != before.runs.size()) return false;
     for (std::size_t k = 0; k < now.runs.size(); ++k) {
         if (now.runs[k].size() != before.runs[k].size()) return false;
+        const double a_mean = mean_of(now, k), b_mean = mean_of(before, k);
+        if (std::abs(a_mean - b_mean) > settled_pressure * std::max(a_mean, b_mean)) return false;
         for (std::size_t r = 0; r < now.runs[k].size(); ++r) {
             const ContactRun &a = now.runs[k][r], &b = before.runs[k][r];
             const double limit = settled_fraction * std::max(a.end - a.begin, b.end - b.begin);
@@ -173,13 +189,15 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
         if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor)) {
             ++widenings;
             factor = std::max(search_widening * factor, needed);
+            const std::size_t before = out.candidates.size();
             search();
+            if (stuck && out.candidates.size() == before) widenings = max_search_widenings;   // nothing more to rest on
             if (stuck || !any_run(now)) wanted = first_sizes(scene, out.candidates, coarseness);
             else wanted = sizes_from(scene, now, coarseness);
             continue;
         }
         out.search_too_short = !stuck && scene.parts.size() > 1 && scene.contacts.detect &&
-                               (zone_too_short(now) || (scene.contacts.search_distance ? false : needed > factor));
+                               (zone_too_short(now) || (!scene.contacts.search_distance && needed > factor));
         if (stuck || grids_are_fixed(scene) || !any_run(now)) {
             out.solved = std::move(now);
             return out;
@@ -232,7 +250,12 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
 void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, Result& result) {
     for (const Probe& probe : scene.output.probes)
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-            if (scene.parts[i].name != probe.part || solved.solver_part[i] < 0) continue;
+            if (scene.parts[i].name != probe.part) continue;
+            if (solved.solver_part[i] < 0) {   // carries nothing: it stays where it is, without stress
+                result.probes.push_back({probe.part, probe.at, {0, 0}, {}});
+                result.warnings.push_back("the probe in part " + probe.part + " is zero: nothing acts on that part");
+                continue;
+            }
             const auto k = at(solved.solver_part[i]);
             const PartOnGrid& g = solved.grids[k];
             const Vec2 local = g.frame.to_local(probe.at);
@@ -267,6 +290,7 @@ void fill_errors(const Outcome& out, Result& result) {
     result.error_estimate.method = "change between the last two grids";
     if (result.strain_energy > 0)
         result.error_estimate.energy = std::abs(result.strain_energy - out.previous_energy) / result.strain_energy;
+    constexpr double doubtful = 0.1;
     double worst = 0, largest = 0;
     for (const ContactResult& c : result.contacts) largest = std::max(largest, c.max_pressure.value);
     for (std::size_t k = 0; k < result.contacts.size() && k < out.previous_peak.size(); ++k) {
@@ -274,6 +298,10 @@ void fill_errors(const Outcome& out, Result& result) {
         const double change = std::abs(result.contacts[k].max_pressure.value - out.previous_peak[k]);
         result.contacts[k].error_estimate = change / result.contacts[k].max_pressure.value;
         worst = std::max(worst, change / largest);
+        if (*result.contacts[k].error_estimate > doubtful)
+            result.warnings.push_back("the largest pressure of contact " + std::to_string(k) + " changed by " +
+                                      number_text(100 * *result.contacts[k].error_estimate, 2) +
+                                      " % from the grid before: it has no limit at a sharp corner, or the grid is too coarse");
     }
     if (largest > 0) result.error_estimate.contact_pressure = worst;
 }
@@ -290,6 +318,10 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
         };
         for (const auto& [cell, x] : cut_cell_samples(g)) look(cell, x);
         const std::string& name = scene.parts[at(g.part)].name;
+        if (result.parts[at(g.part)].max_displacement.value > large_motion * g.size)
+            result.warnings.push_back("large displacement: part " + name + " moves by " +
+                                      number_text(result.parts[at(g.part)].max_displacement.value, 3) +
+                                      "; contacts are paired where they are drawn");
         if (rotation > large_rotation)
             result.warnings.push_back("large displacement: part " + name + " turns by up to " + number_text(rotation * 180 / M_PI, 3) +
                                       " degrees; the answer is that of small displacements");
@@ -297,14 +329,27 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
             result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * strain, 3) +
                                       " %; the answer is that of linear elasticity");
     }
+    if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
         result.warnings.push_back("contact reaches the end of what was searched; give contacts.search_distance a larger value");
     if (!out.settled)
         result.warnings.push_back("the contacts still moved between the last two grids by more than " +
                                   number_text(100 * settled_fraction, 2) + " % of their length");
+    if (out.solved.limited_grids > 0)
+        result.warnings.push_back("grids of " + std::to_string(out.solved.limited_grids) +
+                                  " part(s) are coarser than the contacts ask for, to bound the number of cells; \"fine\" allows more");
     if (out.solved.refined_for_walls > 0)
         result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
                                   " part(s) were refined because a wall was thinner than a cell");
+}
+
+std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions) {
+    constexpr std::size_t named = 4;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(named, motions.size()); ++k)
+        text += (text.empty() ? "" : "; ") + motion_text(scene, solved, motions[k]);
+    if (motions.size() > named) text += "; and " + std::to_string(motions.size() - named) + " more";
+    return text;
 }
 
 void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
@@ -314,10 +359,8 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         result.message = solved.failure;
         return;
     }
-    std::string motions;
-    for (const solver::PartMotion& m : solved.solution.mechanism)
-        motions += (motions.empty() ? "" : "; ") + motion_text(scene, solved, m);
-    result.message = "the loads move a part that nothing holds: " + motions + ". Add a support, or a part that it can rest on";
+    result.message = "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
+                     ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
 void fill_answers(const Scene& scene, const Outcome& out, Stopwatches& seconds, Result& result) {
@@ -346,9 +389,7 @@ void fill_answers(const Scene& scene, const Outcome& out, Stopwatches& seconds, 
     check_assumptions(scene, out, result);
 }
 
-}  // namespace
-
-Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
     Result result;
@@ -374,6 +415,11 @@ Result analyze(const Scene& scene, const AnalyzeOptions& options) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
         }
+        if (!out.solved.solution.driven.empty()) {
+            result.status = "failed";
+            result.message = "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
+                             ". Add a support, or a part that it can rest on";
+        }
         fill_answers(scene, out, seconds, result);
     }
     for (Effect& e : result.effects)
@@ -383,6 +429,19 @@ Result analyze(const Scene& scene, const AnalyzeOptions& options) {
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     return result;
+}
+
+}  // namespace
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    try {
+        return analyze_checked(scene, options);
+    } catch (const InputError& error) {
+        std::vector<Problem> problems = error.problems();
+        for (Problem& p : problems)
+            if (p.where.starts_with('/')) p.where = scene.file + " " + p.where;
+        throw InputError(std::move(problems));
+    }
 }
 
 }  // namespace abut

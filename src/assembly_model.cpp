@@ -10,6 +10,8 @@ namespace abut {
 namespace {
 
 constexpr int max_wall_refinements = 5;
+/// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
+constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -57,7 +59,7 @@ std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, c
 }
 
 geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame, const std::vector<WantedSize>& wanted,
-                             double coarseness, double refinement) {
+                             double coarseness, double refinement, double budget, bool& limited) {
     const geometry::Box2 box = bounding_box(local);
     std::array<double, 2> largest = largest_cells(local, coarseness);
     std::vector<SizeFeature> features;
@@ -74,11 +76,17 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
         features.push_back({around, r.cell_size});
     }
     for (SizeFeature& f : features) f.size *= refinement;
-    return {graded_lines(box.min.x(), box.max.x(), 0, refinement * largest[0], features),
-            graded_lines(box.min.y(), box.max.y(), 1, refinement * largest[1], features)};
+    for (;;) {
+        geometry::Grid grid{graded_lines(box.min.x(), box.max.x(), 0, refinement * largest[0], features),
+                            graded_lines(box.min.y(), box.max.y(), 1, refinement * largest[1], features)};
+        if (static_cast<double>(grid.columns()) * grid.rows() <= budget || scene.accuracy.cell_size) return grid;
+        limited = true;
+        for (SizeFeature& f : features) f.size *= budget_coarsening;
+        for (double& h : largest) h *= std::sqrt(budget_coarsening);
+    }
 }
 
-PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness, int& refined) {
+PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness, SolvedAssembly& solved) {
     const ScenePart& source = scene.parts[at(part)];
     const auto given = scene.accuracy.grids.find(source.name);
     const int degree = scene.accuracy.degree;
@@ -90,11 +98,14 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
     }
     const Frame frame = frame_for(source.part, 0);
     const geometry::Part local = transformed(source.part, frame.c, -frame.s, -frame.shift);
+    const double budget = std::max(least_cells_of_part, standard_cells / coarseness / coarseness / static_cast<double>(scene.parts.size()));
+    bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
-        PartOnGrid g = discretize(scene, part, frame, designed_grid(scene, local, frame, wanted, coarseness, refinement), {degree, degree});
+        PartOnGrid g = discretize(scene, part, frame, designed_grid(scene, local, frame, wanted, coarseness, refinement, budget, limited), {degree, degree});
         if (g.input.space.failure.empty() || attempt == max_wall_refinements || scene.accuracy.cell_size) {
-            if (attempt > 0) ++refined;
+            if (attempt > 0) ++solved.refined_for_walls;
+            if (limited) ++solved.limited_grids;
             return g;
         }
     }
@@ -140,7 +151,7 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             if (!solve_part[i]) continue;
             solved.solver_part[i] = static_cast<int>(solved.grids.size());
-            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved.refined_for_walls));
+            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
             if (!solved.grids.back().input.space.failure.empty())
                 solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
         }

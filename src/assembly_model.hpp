@@ -31,6 +31,7 @@ struct SolvedAssembly {
     double condition = 0;                          ///< largest of the parts'
     std::string failure;                           ///< not empty: not solvable, and why
     int refined_for_walls = 0;                     ///< parts whose grid had to be refined to hold the basis
+    int limited_grids = 0;                         ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
 /// What is asked of the grids of a pass: features by scene part, in assembly coordinates.

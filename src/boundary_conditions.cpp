@@ -36,16 +36,6 @@ std::optional<OnSide> grid_side_of(const PartOnGrid& g, int edge, double t0, dou
     return std::nullopt;
 }
 
-/// Length of the part's whole boundary on a grid side.
-double boundary_on_side(const PartOnGrid& g, GridSide side) {
-    double sum = 0;
-    for (std::size_t e = 0; e < g.local.edges.size(); ++e) {
-        const auto on = grid_side_of(g, static_cast<int>(e), 0, 1);
-        if (on && on->side == side) sum += on->to - on->from;
-    }
-    return sum;
-}
-
 std::vector<BoundaryPoint> points_of(const PartOnGrid& g, const EdgePortion& portion) {
     const int degree = std::max(g.input.space.x.degree, g.input.space.y.degree);
     return boundary_rule(g.local, g.cells, portion.edge, portion.t0, portion.t1, degree + 2);
@@ -76,12 +66,8 @@ void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& port
 }
 
 /// Turns a set that lies on one grid side into one whose functions can be dropped, where that is exact.
-void try_to_align(SupportSet& set, const PartOnGrid& g, const std::vector<OnSide>& stretches) {
+void try_to_align(SupportSet& set, const std::vector<OnSide>& stretches) {
     const GridSide side = stretches.front().side;
-    double covered = 0;
-    for (const OnSide& s : stretches) covered += s.to - s.from;
-    const double merge = geometry::merge_fraction * g.size;
-    if (std::abs(covered - boundary_on_side(g, side)) > merge) return;
     const Vec2 d = set.points.front().direction;
     const double value = set.points.front().value;
     constexpr double parallel = 1e-12;   // sine of the angle that rounding leaves between a direction and a grid axis
@@ -92,12 +78,7 @@ void try_to_align(SupportSet& set, const PartOnGrid& g, const std::vector<OnSide
     set.side = side;
     set.component = component;
     set.value = d[component] > 0 ? value : -value;
-    set.from = stretches.front().from;
-    set.to = stretches.front().to;
-    for (const OnSide& s : stretches) {
-        set.from = std::min(set.from, s.from);
-        set.to = std::max(set.to, s.to);
-    }
+    for (const OnSide& s : stretches) set.stretches.push_back({s.from, s.to});
 }
 
 void append_sets(std::vector<SupportSet>& sets, const PartOnGrid& g, const std::vector<EdgePortion>& portions, int tag,
@@ -123,7 +104,7 @@ void append_sets(std::vector<SupportSet>& sets, const PartOnGrid& g, const std::
         set.tag = tag;
         for (const EdgePortion& p : on_side[k]) append_points(set, g, p, component);
         if (set.points.empty()) continue;
-        try_to_align(set, g, stretches[k]);
+        try_to_align(set, stretches[k]);
         sets.push_back(std::move(set));
     }
 }
@@ -257,7 +238,10 @@ bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int par
         if (on_part(conditions.loads[i]) || acts_on_volume_of(scene, scene.loads[i], part)) return true;
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
         const Support& s = scene.supports[i];
-        if (s.kind == Support::Kind::displacement && on_part(conditions.supports[i])) return true;
+        const auto is_zero = [](const Expression& e) { return e.is_constant() && e.constant() == 0; };
+        if (s.kind == Support::Kind::displacement && on_part(conditions.supports[i]) &&
+            ((s.x && !is_zero(s.value[0])) || (s.y && !is_zero(s.value[1]))))
+            return true;
         if (s.kind == Support::Kind::rigid && s.part == scene.parts[at(part)].name &&
             (s.rigid_x.value_or(0) != 0 || s.rigid_y.value_or(0) != 0 || s.rigid_rotation.value_or(0) != 0))
             return true;

@@ -2,7 +2,10 @@
 #include "src/candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "geometry/overlap.hpp"
 #include "src/selection.hpp"
 #include "src/svg.hpp"
 
@@ -32,6 +35,23 @@ void check_overlap(const Scene& scene, const Candidate& c, double allowed, std::
                         "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\""});
 }
 
+/// A part drawn inside another's material: no boundaries need to meet.
+void check_containment(const Scene& scene, int i, int j, double allowed, std::vector<Problem>& problems) {
+    const auto inside = [&](const geometry::Part& outer, const geometry::Part& inner) {
+        const Vec2 p = point(inner.edges.front().curve, 0.5);
+        double away = std::numeric_limits<double>::infinity();
+        for (const geometry::Edge& e : outer.edges) away = std::min(away, (point(e.curve, closest_parameter(e.curve, p)) - p).norm());
+        return away > allowed && contains(outer, p);
+    };
+    const geometry::Part &a = part_of(scene, i), &b = part_of(scene, j);
+    const bool same_place = std::abs(area(a) - area(b)) <= allowed * perimeter(a) && (centroid(a) - centroid(b)).norm() <= allowed &&
+                            std::abs(perimeter(a) - perimeter(b)) <= allowed && overlap(a, b, allowed).area > 0.5 * area(a);
+    if (!same_place && !inside(a, b) && !inside(b, a)) return;
+    const ScenePart &first = scene.parts[static_cast<std::size_t>(i)], &second = scene.parts[static_cast<std::size_t>(j)];
+    problems.push_back({second.where, "parts " + first.name + " and " + second.name + " lie in the same place",
+                        "move one of them, or cut the one out of the other"});
+}
+
 }  // namespace
 
 bool selector_matches(const Scene& scene, const Selector& selector, int part, int edge) {
@@ -50,6 +70,7 @@ bool selector_matches(const Scene& scene, const Selector& selector, int part, in
 std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
     std::vector<Candidate> candidates;
     std::vector<Problem> problems;
+    if (!scene.contacts.detect && scene.contacts.pairs.empty()) return candidates;
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
@@ -57,7 +78,10 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
             const double size = std::min(box_i.diagonal(), box_j.diagonal());
             const double distance = scene.contacts.search_distance ? *scene.contacts.search_distance : factor * first_search_fraction * size;
             if (!box_i.overlaps(box_j, distance)) continue;
+            if (factor == 1 && scene.contacts.overlap == "report") check_containment(scene, i, j, overlap_fraction * size, problems);
+            const double deepest = -first_search_fraction * size;
             for (geometry::FacingZone& zone : find_facing_zones(part_of(scene, i), part_of(scene, j), distance)) {
+                if (zone.gap_min < deepest && distance > first_search_fraction * size) continue;   // a far side, not an overlap
                 Candidate c{i, j, std::move(zone), 0, scene.contacts.overlap == "ignore"};
                 bool wanted = scene.contacts.detect;
                 for (const PairRule& rule : scene.contacts.pairs) {
@@ -66,7 +90,7 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
                     c.closing = rule.interference;
                 }
                 if (!wanted) continue;
-                if (scene.contacts.overlap == "report") check_overlap(scene, c, overlap_fraction * size, problems);
+                if (factor == 1 && scene.contacts.overlap == "report") check_overlap(scene, c, overlap_fraction * size, problems);
                 candidates.push_back(std::move(c));
             }
         }

@@ -17,8 +17,9 @@ constexpr double cells_over_diagonal = 14;   // of a plain part
 constexpr double cells_over_extent = 4;      // at least, in each direction
 constexpr double cells_across_wall = 4;
 constexpr double cells_across_slot = 3;      // of a part's own slots: as many as a quadratic spline's support
-constexpr double slot_floor = 0.05;          // of the largest cell: narrower slots are not resolved
-constexpr double cells_per_radius = 2.5;
+constexpr double slot_floor = 0.001;         // of the largest cell: narrower slots are not resolved
+constexpr double cells_per_radius = 3;
+constexpr double cells_per_fillet_radius = 6;  // of holes and fillets: they raise the stress
 constexpr double corner_fraction = 0.1;      // of the largest cell, at re-entrant corners
 constexpr int chords = 48;                   // scan lines in each direction that look for walls
 
@@ -109,7 +110,8 @@ std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
             const geometry::Edge& edge = local.edges[static_cast<std::size_t>(loop.edges[i])];
             const geometry::Edge& next = local.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])];
             if (const auto* arc = std::get_if<geometry::Arc>(&edge.curve))
-                features.push_back({bounding_box(edge.curve), coarseness * arc->radius / cells_per_radius});
+                features.push_back({bounding_box(edge.curve),
+                                    coarseness * arc->radius / (arc->sweep < 0 ? cells_per_fillet_radius : cells_per_radius)});
             const double turn = geometry::cross(geometry::unit_tangent(edge.curve, 1), geometry::unit_tangent(next.curve, 0));
             if (turn < -0.1) {
                 Box2 at;

@@ -87,7 +87,9 @@ std::vector<Curve> closed(const Polygon& points) {
     return curves;
 }
 
-Polygon box(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Polygon box(double x0, double y0, double x1, double y1) {
+    return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
 Polygon backwards(Polygon polygon) {
     std::reverse(polygon.begin(), polygon.end());
     return polygon;
@@ -113,7 +115,9 @@ Sample disc(const Vec2& center, double r, double seam) {
 }
 
 Sample ring() {
-    Sample sample{"ring", {}, [](const Polygon& cell) { return disc_area(cell, {0, 0}, 1) - disc_area(cell, {0.125, 0}, 0.5); }};
+    Sample sample{"ring", {}, [](const Polygon& cell) {
+                      return disc_area(cell, {0, 0}, 1) - disc_area(cell, {0.125, 0}, 0.5);
+                  }};
     add_loop(sample.part, {Arc{{0, 0}, 1, 0.7, pi}, Arc{{0, 0}, 1, 0.7 + pi, pi}});
     add_loop(sample.part, {Arc{{0.125, 0}, 0.5, 0, -2 * pi}});
     return sample;
@@ -153,7 +157,9 @@ std::vector<Sample> samples() {
 }
 
 Sample moved(const Sample& sample, double c, double s, const Vec2& d) {
-    const auto back = [=](const Vec2& p) { return Vec2(c * (p - d).x() + s * (p - d).y(), -s * (p - d).x() + c * (p - d).y()); };
+    const auto back = [=](const Vec2& p) {
+        return Vec2(c * (p - d).x() + s * (p - d).y(), -s * (p - d).x() + c * (p - d).y());
+    };
     return {sample.name, transformed(sample.part, c, s, d), [=, area_in = sample.area_in](Polygon cell) {
                 for (Vec2& p : cell) p = back(p);
                 return area_in(cell);
@@ -194,16 +200,20 @@ std::vector<double> random_lines(const Part& part, int axis, Random& random) {
     std::vector<double> wanted;
     for (double v : special_values(part, axis)) {
         const double choice = unit(random);
-        if (choice < 0.4) wanted.push_back(v);
-        else if (choice < 0.6) wanted.push_back(v + sliver());
-        else if (choice < 0.8) wanted.push_back(v - sliver());
+        if (choice < 0.4)
+            wanted.push_back(v);
+        else if (choice < 0.6)
+            wanted.push_back(v + sliver());
+        else if (choice < 0.8)
+            wanted.push_back(v - sliver());
     }
     const int n_free = static_cast<int>(6 * unit(random));
     for (int i = 0; i < n_free; ++i) wanted.push_back(low + size * unit(random));
 
     std::vector<double> lines{low - beyond(), high + beyond()};
     for (double v : wanted) {
-        const bool free = std::none_of(lines.begin(), lines.end(), [&](double x) { return std::abs(x - v) < least_width * size; });
+        const bool free =
+            std::none_of(lines.begin(), lines.end(), [&](double x) { return std::abs(x - v) < least_width * size; });
         if (free && v > lines[0] && v < lines[1]) lines.push_back(v);
     }
     std::sort(lines.begin(), lines.end());
@@ -222,9 +232,13 @@ Box2 box_of(const Grid& grid, int cell) {
     return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
 }
 
-double area_of(const Box2& b) { return b.size().prod(); }
+double area_of(const Box2& b) {
+    return b.size().prod();
+}
 
-int n_cells(const Grid& grid) { return grid.columns() * grid.rows(); }
+int n_cells(const Grid& grid) {
+    return grid.columns() * grid.rows();
+}
 
 CellClass class_of(const CutCells& cells, int column, int row) {
     return cells.cell_class[static_cast<std::size_t>(cells.grid.cell(column, row))];
@@ -266,7 +280,8 @@ double distance_to_boundary(const Part& part, const Vec2& p) {
     return least;
 }
 
-/// Number of points that an inner cell has outside the part, or an outer one inside; points nearer the boundary than 1e-9 apart.
+/// Number of points that an inner cell has outside the part, or an outer one inside; points nearer the boundary than 1e-9
+/// apart.
 int wrong_points(const Part& part, const CutCells& cells, Random& random) {
     const std::vector<MonotonePiece> pieces = monotone_pieces(part);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -297,9 +312,9 @@ std::string cover_problem(const Part& part, const CutCells& cells) {
     return "";
 }
 
-/// How far a piece of the boundary may lie outside its cell: where the corner that it belongs to fills less than sliver_fraction
-/// of its own cell, the neighbour takes it, and such a corner of a cell of size 1 is sqrt(1e-13 / tan) long; of the samples here
-/// the sharpest is 12 degrees wide, and the depth is tried in steps of 8.
+/// How far a piece of the boundary may lie outside its cell. Where a grid line cuts off a tip of less than sliver_fraction of a
+/// cell, the neighbour takes the piece: with the 16 degrees of the sharpest corner here the tip is at most sqrt(2e-13 / tan 16)
+/// = 8e-7 of a cell long, and cells are at most 4 long.
 constexpr double piece_reach = 1e-5;
 
 /// Empty, or the first piece whose cell is outer or elsewhere.
@@ -314,20 +329,225 @@ std::string location_problem(const Part& part, const CutCells& cells) {
     return "";
 }
 
-TEST(CutCells, AreasClassesAndPiecesOnSweptGrids) {
+/// Calls check(sample, cells, random) for each sample on 200 grids, turned and unturned, until a check fails.
+template <class Check>
+void on_swept_grids(Check check) {
     for (const Sample& original : samples()) {
         Random random(7);
         for (int k = 0; k < 200; ++k) {
             const Sample sample = placed(original, k, random);
             const CutCells cells = cut_cells(sample.part, random_grid(sample.part, random));
             SCOPED_TRACE(sample.name + ", placement " + std::to_string(k));
-            const double whole = area(sample.part);
-            ASSERT_NEAR(cells.area, whole, 1e-12 * whole);
-            ASSERT_LT(fraction_error(sample, cells), fraction_tolerance);
-            ASSERT_EQ(partition_problem(cells), "");
-            ASSERT_EQ(wrong_points(sample.part, cells, random), 0);
-            ASSERT_EQ(cover_problem(sample.part, cells), "");
-            ASSERT_EQ(location_problem(sample.part, cells), "");
+            check(sample, cells, random);
+            if (testing::Test::HasFailure()) return;
         }
     }
 }
+
+TEST(CutCells, AreasSumToThePartOnSweptGrids) {
+    on_swept_grids([](const Sample& sample, const CutCells& cells, Random&) {
+        const double whole = area(sample.part);
+        EXPECT_NEAR(cells.area, whole, 1e-12 * whole);
+        EXPECT_LT(fraction_error(sample, cells), fraction_tolerance);
+    });
+}
+
+TEST(CutCells, ClassesAgreeWithPointsOnSweptGrids) {
+    on_swept_grids([](const Sample& sample, const CutCells& cells, Random& random) {
+        EXPECT_EQ(partition_problem(cells), "");
+        EXPECT_EQ(wrong_points(sample.part, cells, random), 0);
+    });
+}
+
+TEST(CutCells, PiecesCoverEveryEdgeOnSweptGrids) {
+    on_swept_grids(
+        [](const Sample& sample, const CutCells& cells, Random&) { EXPECT_EQ(cover_problem(sample.part, cells), ""); });
+}
+
+TEST(CutCells, PiecesLieInCellsWithMaterialOnSweptGrids) {
+    on_swept_grids(
+        [](const Sample& sample, const CutCells& cells, Random&) { EXPECT_EQ(location_problem(sample.part, cells), ""); });
+}
+
+TEST(CutCells, ATipCutOffByAGridLineHasACell) {
+    // the tip right of the line fills 1e-13 of its cell and less, and the normal of its lower edge never comes back into the
+    // part
+    const Sample wedge = polygon_sample("wedge", {{0, 0}, {2, 0}, {0.25, 0.5}});
+    for (double tip : {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 1e-15}) {
+        const CutCells cells = cut_cells(wedge.part, {{0, 1, 2 - tip, 3}, {0, 0.25, 0.5}});
+        EXPECT_EQ(location_problem(wedge.part, cells), "") << "tip " << tip;
+    }
+}
+
+// ---- the stated rule for what lies on a grid line ----
+
+TEST(CutCells, HalfOpenIntervals) {
+    const std::vector<double> lines{0, 1, 3};
+    EXPECT_EQ(interval_of(lines, -1e-300), -1);
+    EXPECT_EQ(interval_of(lines, 0), 0);
+    EXPECT_EQ(interval_of(lines, std::nextafter(1.0, 0.0)), 0);
+    EXPECT_EQ(interval_of(lines, 1), 1);
+    EXPECT_EQ(interval_of(lines, 3), 2);
+    EXPECT_EQ(interval_of(lines, 9), 2);
+}
+
+TEST(CutCells, GridNumbersCellsRowByRow) {
+    const Grid grid{{0, 1, 2, 3}, {0, 1, 2}};
+    EXPECT_EQ(grid.columns(), 3);
+    EXPECT_EQ(grid.rows(), 2);
+    EXPECT_EQ(grid.cell(2, 1), 5);
+    EXPECT_EQ(grid.column_of(5), 2);
+    EXPECT_EQ(grid.row_of(5), 1);
+}
+
+/// The cell on the material's side is inner, the one on the other side outer, on all four sides.
+TEST(CutCells, EdgesOnGridLinesSeparateInnerFromOuter) {
+    const Part part = polygon_sample("square", box(1, 1, 2, 2)).part;
+    const CutCells cells = cut_cells(part, {{0, 1, 2, 3}, {0, 1, 2, 3}});
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            EXPECT_EQ(class_of(cells, i, j), i == 1 && j == 1 ? CellClass::inner : CellClass::outer) << i << " " << j;
+    ASSERT_EQ(cells.pieces.size(), 4u);
+    for (const BoundaryPiece& piece : cells.pieces) EXPECT_EQ(piece.cell, cells.grid.cell(1, 1)) << "edge " << piece.edge;
+    EXPECT_EQ(cells.area, 1.0);
+}
+
+TEST(CutCells, HoleOnGridLinesIsOneOuterCell) {
+    Part part = polygon_sample("plate", box(0, 0, 3, 3)).part;
+    add_loop(part, closed(backwards(box(1, 1, 2, 2))));
+    const CutCells cells = cut_cells(part, {{0, 1, 2, 3}, {0, 1, 2, 3}});
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            EXPECT_EQ(class_of(cells, i, j), i == 1 && j == 1 ? CellClass::outer : CellClass::inner) << i << " " << j;
+    // the hole's edges run up its left side, along its top, down its right side, back along its bottom
+    const std::vector<int> neighbour{cells.grid.cell(0, 1), cells.grid.cell(1, 2), cells.grid.cell(2, 1),
+                                     cells.grid.cell(1, 0)};
+    for (std::size_t e = 4; e < 8; ++e) {
+        const Vec2 middle = point(part.edges[e].curve, 0.5);
+        const int side = middle.x() == 1 ? 0 : middle.y() == 2 ? 1 : middle.x() == 2 ? 2 : 3;
+        EXPECT_EQ(piece_at(cells, static_cast<int>(e), 0.5).cell, neighbour[static_cast<std::size_t>(side)]);
+    }
+}
+
+/// As a contour the edge on a line belongs to the cell on its right or above, where it bounds no area; the cell on its left
+/// sees the material through its own right side.
+TEST(CutCells, ContoursOfEdgesOnGridLines) {
+    // material left of x = 1: the rows cut by a slanted top, so that the cells have contours
+    const Part part = polygon_sample("slanted", {{0, 0}, {1, 0}, {1, 1.5}, {0, 1.25}}).part;
+    const CutCells cells = cut_cells(part, {{0, 1, 2}, {0, 1, 2}});
+    EXPECT_EQ(class_of(cells, 0, 0), CellClass::inner);
+    EXPECT_EQ(class_of(cells, 0, 1), CellClass::boundary);
+    EXPECT_EQ(class_of(cells, 1, 0), CellClass::outer);
+    EXPECT_EQ(class_of(cells, 1, 1), CellClass::outer);
+    EXPECT_DOUBLE_EQ(fraction_of(cells, 0, 1), 0.375);
+    std::vector<ContourPiece> sides;
+    for (const ContourPiece& c : cells.contours) {
+        if (c.edge < 0) sides.push_back(c);
+        if (c.edge == 1) { EXPECT_EQ(cells.grid.column_of(c.cell), 1); }
+    }
+    ASSERT_EQ(sides.size(), 2u);
+    EXPECT_EQ(sides[1].cell, cells.grid.cell(0, 1));
+    EXPECT_EQ(sides[1].t0, 1.0);
+    EXPECT_EQ(sides[1].t1, 1.5);
+    for (const BoundaryPiece& piece : cells.pieces) EXPECT_EQ(cells.grid.column_of(piece.cell), 0);
+}
+
+TEST(CutCells, CircleTangentToItsFourLines) {
+    // the lines touch the circle: four cells cut, nothing outside them
+    const CutCells cells = cut_cells(disc({0, 0}, 1, 0.3).part, {{-2, -1, 0, 1, 2}, {-2, -1, 0, 1, 2}});
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j) {
+            const bool within = (i == 1 || i == 2) && (j == 1 || j == 2);
+            EXPECT_EQ(class_of(cells, i, j), within ? CellClass::boundary : CellClass::outer) << i << " " << j;
+            EXPECT_NEAR(fraction_of(cells, i, j), within ? pi / 4 : 0, 1e-15);
+        }
+}
+
+TEST(CutCells, HoleTangentToGridLines) {
+    Part part = polygon_sample("plate", box(0, 0, 4, 4)).part;
+    add_loop(part, {Arc{{2, 2}, 1, 0, -2 * pi}});
+    const CutCells cells = cut_cells(part, {{0, 1, 3, 4}, {0, 1, 3, 4}});
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            EXPECT_EQ(class_of(cells, i, j), i == 1 && j == 1 ? CellClass::boundary : CellClass::inner) << i << " " << j;
+    EXPECT_NEAR(fraction_of(cells, 1, 1), 1 - pi / 4, 1e-15);
+}
+
+TEST(CutCells, OneCellThatIsThePartsBox) {
+    const CutCells square = cut_cells(polygon_sample("square", box(0, 0, 1, 2)).part, {{0, 1}, {0, 2}});
+    EXPECT_EQ(square.cell_class[0], CellClass::inner);
+    const CutCells round = cut_cells(disc({0, 0}, 1, 0).part, {{-1, 1}, {-1, 1}});
+    EXPECT_EQ(round.cell_class[0], CellClass::boundary);
+    EXPECT_NEAR(round.fraction[0], pi / 4, 1e-15);
+}
+
+// ---- slivers ----
+
+/// A rectangle that reaches beyond a line, or stays short of it, by s of a cell: seen down to 1e-12, rounded away below 1e-13.
+TEST(CutCells, SliversAreSeenDownToTheSliverFraction) {
+    for (int k = 1; k <= 12; ++k) {
+        const double s = std::pow(10.0, -k);
+        const CutCells over = cut_cells(polygon_sample("over", box(0, 0, 1 + s, 1)).part, {{0, 1, 2}, {0, 1}});
+        EXPECT_EQ(over.cell_class[0], CellClass::inner);
+        EXPECT_EQ(over.cell_class[1], CellClass::boundary) << s;
+        EXPECT_NEAR(over.fraction[1], s, 3e-16);
+        const CutCells shy = cut_cells(polygon_sample("short", box(0, 0, 1 - s, 1)).part, {{0, 1, 2}, {0, 1}});
+        EXPECT_EQ(shy.cell_class[0], CellClass::boundary) << s;
+        EXPECT_NEAR(shy.fraction[0], 1 - s, 3e-16);
+        EXPECT_EQ(shy.cell_class[1], CellClass::outer);
+    }
+    const double below = 0.5 * sliver_fraction;
+    const CutCells over = cut_cells(polygon_sample("over", box(0, 0, 1 + below, 1)).part, {{0, 1, 2}, {0, 1}});
+    EXPECT_EQ(over.cell_class[1], CellClass::outer);
+    for (const BoundaryPiece& piece : over.pieces) EXPECT_EQ(piece.cell, 0);
+    const CutCells shy = cut_cells(polygon_sample("short", box(0, 0, 1 - below, 1)).part, {{0, 1, 2}, {0, 1}});
+    EXPECT_EQ(shy.cell_class[0], CellClass::inner);
+}
+
+TEST(CutCells, AGridThatMissesThePartFallsShortInArea) {
+    const Part part = polygon_sample("square", box(0, 0, 1, 1)).part;
+    EXPECT_DOUBLE_EQ(cut_cells(part, {{0, 0.75}, {0, 1}}).area, 0.75);
+    EXPECT_DOUBLE_EQ(cut_cells(part, {{0.25, 1}, {-1, 0.5}}).area, 0.375);
+}
+
+TEST(CutCells, PieceAtFindsThePieceThatHoldsAParameter) {
+    const CutCells cells = cut_cells(polygon_sample("square", box(0, 0, 1, 1)).part, {{0, 0.25, 1}, {0, 1}});
+    EXPECT_EQ(piece_at(cells, 0, 0).cell, 0);
+    EXPECT_EQ(piece_at(cells, 0, 0.2).cell, 0);
+    EXPECT_EQ(piece_at(cells, 0, 0.25).cell, 1);
+    EXPECT_EQ(piece_at(cells, 0, 1).cell, 1);
+    EXPECT_EQ(piece_at(cells, 2, 0.7).t1, 0.75);
+    EXPECT_EQ(piece_at(cells, 2, 0.8).cell, 0);
+}
+
+// ---- the checks notice a fault ----
+
+TEST(CutCellsChecks, NoticeAFault) {
+    const Sample sample = plate_with_holes();
+    const CutCells good = cut_cells(sample.part, {{-1, -0.5, 0, 1}, {-0.5, 0.25, 0.5}});
+    Random random(7);
+    ASSERT_LT(fraction_error(sample, good), fraction_tolerance);
+
+    CutCells cells = good;
+    cells.fraction[1] += 2 * fraction_tolerance;
+    EXPECT_GT(fraction_error(sample, cells), fraction_tolerance);
+
+    cells = good;
+    const auto inner = static_cast<std::size_t>(std::find(good.cell_class.begin(), good.cell_class.end(), CellClass::inner) -
+                                                good.cell_class.begin());
+    ASSERT_LT(inner, good.cell_class.size());
+    cells.cell_class[inner] = CellClass::outer;
+    EXPECT_NE(partition_problem(cells), "");
+    EXPECT_GT(wrong_points(sample.part, cells, random), 0);
+    EXPECT_NE(location_problem(sample.part, cells), "");
+
+    cells = good;
+    cells.pieces[1].t0 = std::nextafter(cells.pieces[1].t0, 2.0);
+    EXPECT_NE(cover_problem(sample.part, cells), "");
+
+    cells = good;
+    cells.pieces[0].cell = -1;
+    EXPECT_NE(location_problem(sample.part, cells), "");
+}
+
+}  // namespace
