@@ -24,21 +24,17 @@ namespace {
 
 const std::vector<std::string> accuracy_levels{"draft", "standard", "fine"};
 
-/// --accuracy stands for the scene's level, or as a number for its target.
+/// --accuracy stands for the scene's level.
 void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
     if (!has(arguments, "--accuracy")) return;
     const std::string text = arguments.options.at("--accuracy");
     if (std::find(accuracy_levels.begin(), accuracy_levels.end(), text) != accuracy_levels.end()) {
         accuracy.level = text;
-        accuracy.target.reset();
         return;
     }
-    const std::optional<double> target = to_number(text);
-    if (!target || *target <= 0 || *target >= 1) {
-        throw InputError("--accuracy", "'" + shortened(text) + "' is neither a level nor a number between 0 and 1",
-                         "use " + listed(accuracy_levels) + ", or an error to aim at such as 0.01");
-    }
-    accuracy.target = target;
+    if (to_number(text))
+        throw InputError("--accuracy", "an error to aim at is not supported yet", "use " + listed(accuracy_levels));
+    throw InputError("--accuracy", "'" + shortened(text) + "' is no level", "use " + listed(accuracy_levels));
 }
 
 Result analyze_with_progress(const Scene& scene, bool quiet) {

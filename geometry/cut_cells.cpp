@@ -139,18 +139,33 @@ void classify(CutCells& cells, const Part& part) {
     }
 }
 
-/// The cell that holds the point just inside the part; where rounding makes that an outer one, the nearest that is not.
+double distance(const Grid& grid, int column, int row, const Vec2& p) {
+    const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row);
+    return (p - p.cwiseMax(Vec2(grid.x[i], grid.y[j])).cwiseMin(Vec2(grid.x[i + 1], grid.y[j + 1]))).norm();
+}
+
+/// The cell that holds the point just inside the part; where that is an outer one (a tip cut off by a grid line, rounding), the
+/// nearest of the cells around it that is not.
 int cell_inside(const CutCells& cells, const Curve& curve, double t, double merge) {
-    const Vec2 p = point(curve, t), n = outward_normal(curve, t);
     const Grid& grid = cells.grid;
-    for (double depth = merge; depth < 1e9 * merge; depth *= 8) {
-        const Vec2 q = p - depth * n;
-        const int column = std::clamp(interval_of(grid.x, q.x()), 0, grid.columns() - 1);
-        const int row = std::clamp(interval_of(grid.y, q.y()), 0, grid.rows() - 1);
-        const int cell = grid.cell(column, row);
-        if (cells.cell_class[static_cast<std::size_t>(cell)] != CellClass::outer) return cell;
+    const Vec2 p = point(curve, t), q = p - merge * outward_normal(curve, t);
+    const int column = std::clamp(interval_of(grid.x, q.x()), 0, grid.columns() - 1);
+    const int row = std::clamp(interval_of(grid.y, q.y()), 0, grid.rows() - 1);
+    int nearest = -1;
+    for (int ring = 0; nearest < 0 && ring < std::max(grid.columns(), grid.rows()); ++ring) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int j = std::max(row - ring, 0); j <= std::min(row + ring, grid.rows() - 1); ++j)
+            for (int i = std::max(column - ring, 0); i <= std::min(column + ring, grid.columns() - 1); ++i) {
+                const int cell = grid.cell(i, j);
+                if (cells.cell_class[static_cast<std::size_t>(cell)] == CellClass::outer) continue;
+                const double d = distance(grid, i, j, q);
+                if (d < least) {
+                    least = d;
+                    nearest = cell;
+                }
+            }
     }
-    return -1;
+    return nearest;
 }
 
 void locate_pieces(CutCells& cells, const Part& part) {

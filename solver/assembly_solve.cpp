@@ -283,7 +283,8 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
     if (result.feasible && result.converged && split.neutral.cols() > 0 && !balance_neutral_motions(whole, split, qp, result, held)) {
         const VectorXd work = split.neutral.transpose() * (whole.mode_load + whole.modes.transpose() * result.multipliers);
         const double scale = std::max(problem.load_scale, result.multipliers.cwiseAbs().sum());
-        if (work.cwiseAbs().maxCoeff() > driven_work_fraction * scale) {
+        solution.driven_work = work.cwiseAbs().maxCoeff() / scale;
+        if (solution.driven_work > driven_work_fraction) {
             solution.neutral.clear();
             solution.driven = part_motions(problem.parts, split.neutral * work);
         }

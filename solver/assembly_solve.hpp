@@ -49,7 +49,8 @@ struct AssemblySolution {
     std::vector<Eigen::VectorXd> pressure;       ///< by interface
     std::vector<double> constraint_force;        ///< by constraint
     std::vector<PartMotion> neutral;             ///< motions left out: nothing resists and nothing drives them
-    std::vector<PartMotion> driven;              ///< not empty: the contact forces drive these neutral motions; the balance is off by that
+    std::vector<PartMotion> driven;              ///< not empty: the contact forces drive these neutral motions,
+    double driven_work = 0;                      ///< and the balance is off by this fraction of the forces
     std::vector<PartMotion> mechanism;           ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
     bool converged = false, used_fallback = false;

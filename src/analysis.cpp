@@ -19,13 +19,15 @@ namespace abut {
 
 namespace {
 
-constexpr int max_search_widenings = 4;
+constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
 /// Contacts whose ends move by less than this fraction of their length from one grid to the next are found.
 constexpr double settled_fraction = 0.015;
 /// The same of the root mean square of its pressure.
 constexpr double settled_pressure = 0.05;
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
+/// Contact forces that do not balance by more than this fraction are no answer; below, a warning.
+constexpr double tolerated_work = 0.02;
 constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;   // of the part's size
 
@@ -67,6 +69,15 @@ double peak_of(const SolvedAssembly& s, std::size_t contact) {
             peak = std::max(peak, solver::pressure_at(k, pressure_of(s, contact), a + (b - a) * q / 3));
         }
     return peak;
+}
+
+/// Is the largest pressure that at an end of the interface?
+bool peak_at_end(const SolvedAssembly& s, std::size_t contact) {
+    if (s.interface_of[contact] < 0) return false;
+    const solver::KnotVector& k = s.contacts[contact].face.pressure;
+    const double ends = std::max(solver::pressure_at(k, pressure_of(s, contact), k.breakpoints.front()),
+                                 solver::pressure_at(k, pressure_of(s, contact), k.breakpoints.back()));
+    return ends >= peak_of(s, contact);
 }
 
 /// Root of the mean square of a contact's pressure: steady where the peak at a corner has no limit.
@@ -112,6 +123,9 @@ bool same_contacts(const SolvedAssembly& now, const SolvedAssembly& before) {
         if (now.runs[k].size() != before.runs[k].size()) return false;
         const double a_mean = mean_of(now, k), b_mean = mean_of(before, k);
         if (std::abs(a_mean - b_mean) > settled_pressure * std::max(a_mean, b_mean)) return false;
+        // the peak, too, unless it stands at an edge, where it may have no limit
+        const double a_peak = peak_of(now, k), b_peak = peak_of(before, k);
+        if (std::abs(a_peak - b_peak) > settled_pressure * std::max(a_peak, b_peak) && !peak_at_end(now, k)) return false;
         for (std::size_t r = 0; r < now.runs[k].size(); ++r) {
             const ContactRun &a = now.runs[k][r], &b = before.runs[k][r];
             const double limit = settled_fraction * std::max(a.end - a.begin, b.end - b.begin);
@@ -191,7 +205,12 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
             factor = std::max(search_widening * factor, needed);
             const std::size_t before = out.candidates.size();
             search();
-            if (stuck && out.candidates.size() == before) widenings = max_search_widenings;   // nothing more to rest on
+            // nothing more to rest on: look farther before anything is solved again
+            for (; stuck && out.candidates.size() == before && widenings < max_search_widenings; ++widenings) {
+                factor *= search_widening;
+                search();
+            }
+            out.have_previous = false;
             if (stuck || !any_run(now)) wanted = first_sizes(scene, out.candidates, coarseness);
             else wanted = sizes_from(scene, now, coarseness);
             continue;
@@ -415,7 +434,12 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
         }
-        if (!out.solved.solution.driven.empty()) {
+        const std::vector<solver::PartMotion>& driven = out.solved.solution.driven;
+        if (!driven.empty() && out.solved.solution.driven_work <= tolerated_work)
+            result.warnings.push_back("contact pushes with " + number_text(100 * out.solved.solution.driven_work, 2) +
+                                      " % of its force along a motion that frictionless contact does not hold (" +
+                                      motions_text(scene, out.solved, driven) + "); hold the part by a support if that matters");
+        if (!driven.empty() && out.solved.solution.driven_work > tolerated_work) {
             result.status = "failed";
             result.message = "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
                              ". Add a support, or a part that it can rest on";

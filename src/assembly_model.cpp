@@ -28,8 +28,19 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// More cells than this in one part are a slip of the pen, not a wish.
+constexpr double most_cells = 4e6;
+
+void refuse_too_many(double columns, double rows, const std::string& where) {
+    if (columns * rows > most_cells)
+        throw InputError(where, "this asks for a grid of about " + std::to_string(static_cast<long>(columns * rows)) + " cells",
+                         "at most " + std::to_string(static_cast<long>(most_cells)) + " are possible for one part");
+}
+
 /// Grid lines from the scene's explicit grid, in the part's local frame.
 geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& local, const Frame& frame) {
+    refuse_too_many(std::max<double>(options.cells[0], static_cast<double>(options.x.size())),
+                    std::max<double>(options.cells[1], static_cast<double>(options.y.size())), options.where);
     geometry::Grid grid{options.x, options.y};
     const geometry::Box2 box = bounding_box(local);
     for (int axis : {0, 1}) {
@@ -61,6 +72,7 @@ std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, c
 geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame, const std::vector<WantedSize>& wanted,
                              double coarseness, double refinement, double budget, bool& limited) {
     const geometry::Box2 box = bounding_box(local);
+    if (scene.accuracy.cell_size) refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size, "/accuracy/cell_size");
     std::array<double, 2> largest = largest_cells(local, coarseness);
     std::vector<SizeFeature> features;
     if (scene.accuracy.cell_size) largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
@@ -162,6 +174,12 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         for (const PartOnGrid& g : solved.grids) {
             solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
             const solver::PartSystem& system = solved.problem.parts.back();
+            for (const solver::SupportRecord& record : system.supports)
+                if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
+                    throw InputError(scene.supports[at(record.set.tag)].where,
+                                     "this support cannot be imposed by dropping functions: it does not lie along the outermost grid lines of part " +
+                                         scene.parts[at(g.part)].name,
+                                     "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
             if (!system.failure.empty()) solved.failure = "part " + scene.parts[at(g.part)].name + ": " + system.failure;
             else solved.condition = std::max(solved.condition, system.factor.condition_estimate());
             for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))

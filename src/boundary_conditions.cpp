@@ -61,6 +61,9 @@ void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& port
         const Vec2 direction = component.direction ? g.frame.vector_to_local(*component.direction) : p.normal;
         const Vec2 global = g.frame.to_global(p.x);
         const double value = component.value ? (*component.value)(global.x(), global.y()) : 0.0;
+        if (!std::isfinite(value))
+            throw InputError("", "the prescribed displacement has no finite value at (" + std::to_string(global.x()) + ", " + std::to_string(global.y()) +
+                                     ") on part " + g.local.name, "check its expression");
         set.points.push_back({p.cell, p.x, p.normal, direction, p.weight, value});
     }
 }
@@ -162,11 +165,42 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
 }
 
 void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, PartLoad& result) {
+    double largest = 0;
     result.vector += body_load(g.input, [&](const Vec2& local) -> Vec2 {
-        return g.frame.vector_to_local(volume_force(scene, load, g, g.frame.to_global(local)));
+        const Vec2 force = volume_force(scene, load, g, g.frame.to_global(local));
+        largest = std::max(largest, force.norm());
+        return g.frame.vector_to_local(force);
     });
-    const Vec2 middle = volume_force(scene, load, g, g.frame.to_global(g.center));
-    result.scale = std::max(result.scale, middle.norm() * g.area * g.input.thickness);
+    result.scale = std::max(result.scale, largest * g.area * g.input.thickness);
+}
+
+/// Value that a support prescribes for component c, where it is one number.
+std::optional<double> constant_value(const Support& s, int c) {
+    if (s.kind == Support::Kind::symmetry || !(c == 0 ? s.x : s.y)) return std::nullopt;
+    if (s.kind == Support::Kind::fix) return 0.0;
+    const Expression& e = s.value[static_cast<std::size_t>(c)];
+    return e.is_constant() ? std::optional<double>(e.constant()) : std::nullopt;
+}
+
+/// Two supports that prescribe different values of one component on the same stretch of an edge.
+void append_contradictions(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions, std::vector<Problem>& problems) {
+    const auto meet = [&](std::size_t i, std::size_t j) -> const EdgePortion* {
+        for (const EdgePortion& a : portions[i])
+            for (const EdgePortion& b : portions[j])
+                if (a.part == b.part && a.edge == b.edge && std::max(a.t0, b.t0) < std::min(a.t1, b.t1)) return &a;
+        return nullptr;
+    };
+    for (std::size_t i = 0; i < portions.size(); ++i)
+        for (std::size_t j = i + 1; j < portions.size(); ++j)
+            for (int c : {0, 1}) {
+                const auto a = constant_value(scene.supports[i], c), b = constant_value(scene.supports[j], c);
+                const EdgePortion* shared = a && b && *a != *b ? meet(i, j) : nullptr;
+                if (!shared) continue;
+                const ScenePart& part = scene.parts[at(shared->part)];
+                problems.push_back({scene.supports[j].where, "supports " + std::to_string(i) + " and " + std::to_string(j) + " prescribe different " +
+                                        (c == 0 ? "x" : "y") + " displacements on " + part.name + "/" + part.part.edges[at(shared->edge)].name,
+                                    "take one of them away"});
+            }
 }
 
 }  // namespace
@@ -184,6 +218,7 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
     };
     for (const Support& s : scene.supports) r.supports.push_back(resolve(s.on));
     for (const Load& l : scene.loads) r.loads.push_back(resolve(l.on));
+    append_contradictions(scene, r.supports, problems);
     if (!problems.empty()) throw InputError(problems);
     return r;
 }
@@ -226,6 +261,9 @@ PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, c
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
         if (is_edge_load(scene.loads[i])) add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);
         else if (acts_on_volume_of(scene, scene.loads[i], on_grid.part)) add_volume_load(scene, scene.loads[i], on_grid, result);
+        if (!result.vector.allFinite())
+            throw InputError(scene.loads[i].where, "this load has no finite value everywhere on part " + scene.parts[at(on_grid.part)].name,
+                             "check its expressions for divisions by zero and roots of negative numbers");
     }
     return result;
 }

@@ -116,7 +116,12 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;
-    if (largest > 0) {
+    // below what rounding of the displacements amounts to in force there is nothing to balance
+    double rounding = 0;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+        rounding = std::max(rounding, 1e-12 * solved.grids[i].input.elasticity.d11 * solved.grids[i].input.thickness *
+                                          solved.solution.displacement[i].cwiseAbs().maxCoeff());
+    if (largest > rounding) {
         result.equilibrium.relative_residual = (t.applied.force + reaction.force).norm() / largest;
         result.equilibrium.relative_moment_residual = std::abs(t.applied.moment + reaction.moment) / (largest * arm);
     }

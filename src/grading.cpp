@@ -23,6 +23,26 @@ void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double
     if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size});
 }
 
+/// Where a straight edge meets an arc within a contact the pressure has a steep peak: fine cells at the joints of either chain.
+void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double size, WantedSizes& wanted) {
+    const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
+    if (!begin.found || !end.found) return;
+    const std::array<const geometry::Chain*, 2> chain{&contact.zone.chain1, &contact.zone.chain2};
+    const std::array<double, 2> low{begin.s1, std::min(begin.s2, end.s2)}, high{end.s1, std::max(begin.s2, end.s2)};
+    for (std::size_t side = 0; side < 2; ++side) {
+        const geometry::Part& part = scene.parts[at(contact.part[side])].part;
+        const std::size_t n = chain[side]->edges.size();
+        for (std::size_t k = chain[side]->closed ? 0 : 1; k < n && n > 1; ++k) {
+            double s = chain[side]->begin[k];
+            if (chain[side]->closed)
+                while (s < low[side]) s += chain[side]->length;
+            if (s <= low[side] || s >= high[side]) continue;
+            const Vec2 x = geometry::at(part, *chain[side], s).x;
+            for (int p : contact.part) want(wanted, p, {x}, size);
+        }
+    }
+}
+
 bool rises_towards(const Eigen::VectorXd& pressure, const ContactInterface& contact, double end, double inside) {
     return solver::pressure_at(contact.face.pressure, pressure, end) > corner_rise * solver::pressure_at(contact.face.pressure, pressure, inside);
 }
@@ -66,6 +86,7 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double 
                 points[0].push_back(pair.on1.x);
                 points[1].push_back(pair.on2.x);
             }
+            want_at_joints(scene, contact, run, coarseness * length * corner_fraction, wanted);
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 want(wanted, contact.part[side], points[side], coarseness * length / cells_in_contact);

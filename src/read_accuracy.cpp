@@ -5,13 +5,6 @@ namespace abut {
 
 namespace {
 
-std::optional<double> read_target(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> target = read_positive(reading, value);
-    if (!target || *target < 1) return target;
-    report(reading, value, "'target' is a relative error, less than 1", "0.01 stands for 1 %");
-    return std::nullopt;
-}
-
 std::optional<Refinement> read_refinement(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"near", "radius", "cell_size"}, {}})) return std::nullopt;
     const auto near = required_member(reading, value, "near", read_vector);
@@ -40,13 +33,9 @@ std::string word_or(SceneReading& reading, const JsonValue& object, const char* 
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {}};
+    const Words keys{{"level", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {"target"}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {{"draft", "standard", "fine"}, {}});
-    const JsonValue* target = find_member(accuracy, "target");
-    if (target) result.target = read_target(reading, *target);
-    if (target && find_member(accuracy, "level"))
-        report(reading, *target, "'target' cannot be combined with 'level'", "keep one of them");
     if (const JsonValue* degree = find_member(accuracy, "degree")) {
         result.degree = read_integer(reading, *degree, least_degree, most_degree).value_or(result.degree);
     }

@@ -96,7 +96,6 @@ struct Refinement { Vec2 near; double radius, cell_size; };
 
 struct Accuracy {
     std::string level = "standard";                      ///< "draft", "standard", "fine"
-    std::optional<double> target;
     int degree = 2;
     std::optional<double> cell_size;
     std::vector<Refinement> refine;

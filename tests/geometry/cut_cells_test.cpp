@@ -249,8 +249,8 @@ double fraction_of(const CutCells& cells, int column, int row) {
 
 // ---- what must hold on any grid ----
 
-/// The fraction of a cell is as exact as its width: 1e-16 of a coordinate over least_width, times a dozen roundings.
-constexpr double fraction_tolerance = 1e-13;
+/// Up to sliver_fraction is rounded away on purpose; as much again for a dozen roundings of 1e-16 over least_width.
+constexpr double fraction_tolerance = 2 * sliver_fraction;
 
 /// Largest difference between a cell's fraction and the oracle's.
 double fraction_error(const Sample& sample, const CutCells& cells) {

@@ -104,10 +104,12 @@ TEST(PartSystem, FreeMotionsCostNoEnergyAndKeepWhatIsHeld) {
         ASSERT_EQ(s.modes.cols(), static_cast<Index>(c.free.size()));
         const double scale = test::dense(s.stiffness).cwiseAbs().maxCoeff();
         for (Index k = 0; k < s.modes.cols(); ++k) {
-            EXPECT_NEAR(s.modes.col(k).cwiseAbs().maxCoeff(), 1, 0.5);   // unit displacement at the part's size
+            // unit displacement at the part's size: half of that at the corners for a rotation about the middle
+            EXPECT_GT(s.modes.col(k).cwiseAbs().maxCoeff(), 0.4);
+            EXPECT_LT(s.modes.col(k).cwiseAbs().maxCoeff(), 1.1);
             EXPECT_LT(multiply(s.stiffness, s.modes.col(k)).cwiseAbs().maxCoeff(), 1e-9 * scale);
             for (std::size_t i = 0; i < s.dropped.size(); ++i)
-                if (s.dropped[i]) EXPECT_EQ(s.modes(static_cast<Index>(i), k), 0);
+                EXPECT_TRUE(!s.dropped[i] || s.modes(static_cast<Index>(i), k) == 0) << i;
         }
     }
 }
@@ -167,14 +169,12 @@ TEST(PartSystem, PrescribedValuesAreTaken) {
 }
 
 TEST(PartSystem, AFunctionIsDroppedForOneSupportOnly) {
-    SupportSet left_half = held(GridSide::bottom, 1), all = held(GridSide::bottom, 1);
-    left_half.to = 1;
-    left_half.points = test::support_on(plate.space, {0, 0}, {1, 0}, {0, -1}, {0, 1}).points;
-    const PartSystem s = test::system_of(plate, {left_half, all}, unloaded);
+    // the lower left corner belongs to both sides
+    const PartSystem s = test::system_of(plate, {held(GridSide::bottom, 1), held(GridSide::left, 1)}, unloaded);
     std::set<int> seen;
     for (const SupportRecord& record : s.supports)
         for (int f : record.dropped) EXPECT_TRUE(seen.insert(f).second);
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(plate.space.x.n_functions()));
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(plate.space.x.n_functions() + plate.space.y.n_functions() - 1));
 }
 
 TEST(PartSystem, WorkOfTheLoadIsTwiceTheEnergy) {

@@ -191,8 +191,7 @@ inline SupportSet side_support(const SplineSpace& s, GridSide side, int componen
     set.side = side;
     set.component = component;
     set.value = value;
-    set.from = vertical ? y0 : x0;
-    set.to = vertical ? y1 : x1;
+    set.stretches = {vertical ? Stretch{y0, y1} : Stretch{x0, x1}};
     return set;
 }
 inline SupportSet by_nitsche(SupportSet set) {

@@ -222,11 +222,11 @@ TEST(ReadScene, contacts) {
 
 TEST(ReadScene, accuracy) {
     const Accuracy accuracy =
-        with_members(R"("accuracy": {"target": 0.02, "degree": 3, "cell_size": 0.1, "basis": "web", "dirichlet": "nitsche",
+        with_members(R"("accuracy": {"level": "fine", "degree": 3, "cell_size": 0.1, "basis": "web", "dirichlet": "nitsche",
         "adapt": true, "refine": [{"near": [0, 1], "radius": 0.2, "cell_size": 0.01}],
         "grids": {"p": {"cells": [4, 8], "offset": [0.1, 0], "angle": 45, "degree": [2, 3]}}})")
             .accuracy;
-    EXPECT_EQ(accuracy.target, 0.02);
+    EXPECT_EQ(accuracy.level, "fine");
     EXPECT_EQ(accuracy.degree, 3);
     EXPECT_EQ(accuracy.cell_size, 0.1);
     EXPECT_EQ(accuracy.basis, "web");
