@@ -11,15 +11,35 @@ namespace abut::geometry {
 
 struct CsgNode;
 
-struct Rectangle { Vec2 min, max; };                 ///< edges left right bottom top
-struct Circle { Vec2 center; double radius; };       ///< edge circle, from angle 0 counter-clockwise
-struct Polygon { std::vector<Vec2> points; };        ///< edges e0 e1 ..., in either orientation
-struct HalfPlane { Vec2 point, normal; };            ///< edge line; keeps the side that the normal points away from
-struct Union { std::vector<CsgNode> of; };
-struct Intersection { std::vector<CsgNode> of; };
-struct Difference { std::vector<CsgNode> of; };      ///< the first less all others
+struct Rectangle {
+    Vec2 min, max;
+};  ///< edges left right bottom top
+struct Circle {
+    Vec2 center;
+    double radius;
+};  ///< edge circle, from angle 0 counter-clockwise
+struct Polygon {
+    std::vector<Vec2> points;
+};  ///< edges e0 e1 ..., in either orientation
+struct HalfPlane {
+    Vec2 point, normal;
+};  ///< edge line; keeps the side that the normal points away from
+struct Union {
+    std::vector<CsgNode> of;
+};
+struct Intersection {
+    std::vector<CsgNode> of;
+};
+struct Difference {
+    std::vector<CsgNode> of;
+};  ///< the first less all others
 /// Applied in the order rotate (degrees, about `about`), translate. (scale and mirror: a later version)
-struct Placed { std::vector<CsgNode> of; double rotate = 0; Vec2 translate{0, 0}; Vec2 about{0, 0}; };  ///< one child
+struct Placed {
+    std::vector<CsgNode> of;
+    double rotate = 0;
+    Vec2 translate{0, 0};
+    Vec2 about{0, 0};
+};  ///< one child
 
 /// One edge of `loops`, in the file's own direction.
 struct LoopEdge {
@@ -27,9 +47,13 @@ struct LoopEdge {
     std::string name;   ///< "e0", ... or the name given
     std::string where;  ///< JSON pointer
 };
-struct Loops { std::vector<std::vector<LoopEdge>> loops; };
+struct Loops {
+    std::vector<std::vector<LoopEdge>> loops;
+};
 /// A boundary that is already known (an import): taken as it is.
-struct Imported { Part part; };
+struct Imported {
+    Part part;
+};
 
 struct CsgNode {
     std::variant<Rectangle, Circle, Polygon, HalfPlane, Union, Intersection, Difference, Placed, Loops, Imported> shape;
@@ -39,15 +63,15 @@ struct CsgNode {
 
 /// What is wrong with a model, and where in the plane.
 struct GeometryProblem {
-    std::string where;   ///< JSON pointer or edge names
+    std::string where;  ///< JSON pointer or edge names
     std::string what;
     std::string hint;
     Vec2 at{0, 0};
 };
 
 struct CsgResult {
-    Part part;                               ///< one part; several disjoint regions are allowed (name left empty)
-    std::vector<GeometryProblem> problems;   ///< not empty: the part must not be used
+    Part part;                              ///< one part; several disjoint regions are allowed (name left empty)
+    std::vector<GeometryProblem> problems;  ///< not empty: the part must not be used
 };
 
 /// Evaluates the tree exactly. Every edge of the result knows the primitive's edge it came from; adjacent pieces of one

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-Vec2 on_circle(const Arc& arc, double angle) { return arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle)); }
+Vec2 on_circle(const Arc& arc, double angle) {
+    return arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle));
+}
 
 /// Points of the circle at the four quarter turns, exact where the angle is one: the cosine of pi/2 in doubles is not 0.
 Vec2 at_quarter(const Arc& arc, long quarter) {
@@ -71,16 +73,22 @@ Vec2 derivative(const Curve& curve, double t) {
         });
 }
 
-Vec2 unit_tangent(const Curve& curve, double t) { return derivative(curve, t).normalized(); }
+Vec2 unit_tangent(const Curve& curve, double t) {
+    return derivative(curve, t).normalized();
+}
 
-Vec2 outward_normal(const Curve& curve, double t) { return right_of(unit_tangent(curve, t)); }
+Vec2 outward_normal(const Curve& curve, double t) {
+    return right_of(unit_tangent(curve, t));
+}
 
 double curvature(const Curve& curve, double) {
     return visit(
         curve, [](const Segment&) { return 0.0; }, [](const Arc& a) { return std::copysign(1 / a.radius, a.sweep); });
 }
 
-double length(const Curve& curve) { return length(curve, 0, 1); }
+double length(const Curve& curve) {
+    return length(curve, 0, 1);
+}
 
 double length(const Curve& curve, double t0, double t1) {
     return visit(
@@ -116,21 +124,36 @@ std::vector<double> axis_extrema(const Curve& curve) {
 
 Curve reversed(const Curve& curve) {
     return visit(
-        curve, [](const Segment& s) -> Curve { return Segment{s.to, s.from}; },
-        [](const Arc& a) -> Curve { return Arc{a.center, a.radius, a.start + a.sweep, -a.sweep}; });
+        curve,
+        [](const Segment& s) -> Curve {
+            return Segment{s.to, s.from};
+        },
+        [](const Arc& a) -> Curve {
+            return Arc{a.center, a.radius, a.start + a.sweep, -a.sweep};
+        });
 }
 
 Curve trimmed(const Curve& curve, double t0, double t1) {
     return visit(
-        curve, [&](const Segment& s) -> Curve { return Segment{point(s, t0), point(s, t1)}; },
-        [&](const Arc& a) -> Curve { return Arc{a.center, a.radius, a.start + t0 * a.sweep, (t1 - t0) * a.sweep}; });
+        curve,
+        [&](const Segment& s) -> Curve {
+            return Segment{point(s, t0), point(s, t1)};
+        },
+        [&](const Arc& a) -> Curve {
+            return Arc{a.center, a.radius, a.start + t0 * a.sweep, (t1 - t0) * a.sweep};
+        });
 }
 
 Curve transformed(const Curve& curve, double c, double s, const Vec2& d) {
     const auto move = [&](const Vec2& p) { return Vec2(c * p.x() - s * p.y() + d.x(), s * p.x() + c * p.y() + d.y()); };
     return visit(
-        curve, [&](const Segment& g) -> Curve { return Segment{move(g.from), move(g.to)}; },
-        [&](const Arc& a) -> Curve { return Arc{move(a.center), a.radius, a.start + std::atan2(s, c), a.sweep}; });
+        curve,
+        [&](const Segment& g) -> Curve {
+            return Segment{move(g.from), move(g.to)};
+        },
+        [&](const Arc& a) -> Curve {
+            return Arc{move(a.center), a.radius, a.start + std::atan2(s, c), a.sweep};
+        });
 }
 
 }  // namespace abut::geometry

@@ -36,7 +36,8 @@ double length(const Curve& curve, double t0, double t1);
 Box2 bounding_box(const Curve& curve);
 /// Parameter of the point closest to p (global minimum; the smaller parameter where several are equally close).
 double closest_parameter(const Curve& curve, const Vec2& p);
-/// Parameters in [0, 1], ascending, where the tangent is parallel to an axis: with 0 and 1 they bound the x- and y-monotone pieces.
+/// Parameters in [0, 1], ascending, where the tangent is parallel to an axis: with 0 and 1 they bound the x- and y-monotone
+/// pieces.
 std::vector<double> axis_extrema(const Curve& curve);
 /// The same curve run backwards.
 Curve reversed(const Curve& curve);

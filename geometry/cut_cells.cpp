@@ -13,26 +13,27 @@ namespace {
 /// Where the boundary passes from one side of a vertical grid line to the other. Material lies above a crossing to the right.
 struct Crossing {
     double y;
-    int turn;   // +1: to the right (material begins above), -1: to the left (material ends)
+    int turn;  // +1: to the right (material begins above), -1: to the left (material ends)
 };
 
 /// One step of the walk along a monotone piece: the point where it enters the next column or row.
 struct Step {
     Vec2 at;
     int d_column, d_row;
-    double progress;   // from the start of the piece: grows along it, since it is monotone in x and in y
+    double progress;  // from the start of the piece: grows along it, since it is monotone in x and in y
 };
 
 struct Walk {
     const Part& part;
     const Grid& grid;
-    std::vector<std::vector<Crossing>> crossings;   // by vertical line
+    std::vector<std::vector<Crossing>> crossings;  // by vertical line
     std::vector<ContourPiece> contours;
     std::vector<BoundaryPiece> pieces;
 };
 
 template <class At>
-void append_steps(std::vector<Step>& steps, const std::vector<double>& lines, double from, double to, const Vec2& start, At at) {
+void append_steps(std::vector<Step>& steps, const std::vector<double>& lines, double from, double to, const Vec2& start,
+                  At at) {
     const int a = interval_of(lines, from), b = interval_of(lines, to);
     for (int i = a; i != b; i += b > a ? 1 : -1) {
         const int line = b > a ? i + 1 : i;
@@ -47,10 +48,12 @@ std::vector<Step> steps_along(const MonotonePiece& piece, const Grid& grid) {
         int dc, dr;
     };
     std::vector<Step> steps;
-    append_steps(steps, grid.x, piece.from.x(), piece.to.x(), piece.from,
-                 [&](double x, int d) { return To{Vec2(x, y_at(piece, x)), d, 0}; });
-    append_steps(steps, grid.y, piece.from.y(), piece.to.y(), piece.from,
-                 [&](double y, int d) { return To{Vec2(x_at(piece, y), y), 0, d}; });
+    append_steps(steps, grid.x, piece.from.x(), piece.to.x(), piece.from, [&](double x, int d) {
+        return To{Vec2(x, y_at(piece, x)), d, 0};
+    });
+    append_steps(steps, grid.y, piece.from.y(), piece.to.y(), piece.from, [&](double y, int d) {
+        return To{Vec2(x_at(piece, y), y), 0, d};
+    });
     std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.progress < b.progress; });
     return steps;
 }
@@ -131,9 +134,12 @@ void classify(CutCells& cells, const Part& part) {
         for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
             sum += area_share(part, grid, cells.contours[static_cast<std::size_t>(k)]);
         const double fraction = sum / full;
-        if (fraction < sliver_fraction) cells.cell_class[c] = CellClass::outer;
-        else if (fraction > 1 - sliver_fraction) cells.cell_class[c] = CellClass::inner;
-        else cells.cell_class[c] = CellClass::boundary;
+        if (fraction < sliver_fraction)
+            cells.cell_class[c] = CellClass::outer;
+        else if (fraction > 1 - sliver_fraction)
+            cells.cell_class[c] = CellClass::inner;
+        else
+            cells.cell_class[c] = CellClass::boundary;
         cells.fraction[c] = cells.cell_class[c] == CellClass::boundary ? fraction : (fraction > 0.5 ? 1.0 : 0.0);
         cells.area += cells.fraction[c] * full;
     }
@@ -175,7 +181,8 @@ void locate_pieces(CutCells& cells, const Part& part) {
     });
     cells.first_piece.assign(part.edges.size() + 1, 0);
     for (BoundaryPiece& piece : cells.pieces) {
-        piece.cell = cell_inside(cells, part.edges[static_cast<std::size_t>(piece.edge)].curve, 0.5 * (piece.t0 + piece.t1), merge);
+        piece.cell =
+            cell_inside(cells, part.edges[static_cast<std::size_t>(piece.edge)].curve, 0.5 * (piece.t0 + piece.t1), merge);
         ++cells.first_piece[static_cast<std::size_t>(piece.edge) + 1];
     }
     for (std::size_t e = 0; e < part.edges.size(); ++e) cells.first_piece[e + 1] += cells.first_piece[e];
@@ -191,8 +198,9 @@ CutCells cut_cells(const Part& part, const Grid& grid) {
     Walk walk{part, grid, std::vector<std::vector<Crossing>>(grid.x.size()), {}, {}};
     for (const MonotonePiece& piece : monotone_pieces(part)) walk_piece(walk, piece);
     for (int line = 1; line <= grid.columns(); ++line)
-        right_sides(walk.crossings[static_cast<std::size_t>(line)], grid,
-                    [&](int row, double a, double b) { walk.contours.push_back({grid.cell(line - 1, row), -1, a, b}); });
+        right_sides(walk.crossings[static_cast<std::size_t>(line)], grid, [&](int row, double a, double b) {
+            walk.contours.push_back({grid.cell(line - 1, row), -1, a, b});
+        });
 
     CutCells cells;
     cells.grid = grid;

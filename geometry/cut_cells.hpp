@@ -39,7 +39,7 @@ inline constexpr double sliver_fraction = 1e-13;
 struct BoundaryPiece {
     int edge;
     double t0, t1;
-    int cell;    ///< the cell that holds the point just inside the part; never an outer one
+    int cell;  ///< the cell that holds the point just inside the part; never an outer one
 };
 
 /// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
@@ -51,13 +51,13 @@ struct ContourPiece {
 
 struct CutCells {
     Grid grid;
-    std::vector<CellClass> cell_class;    ///< by cell
-    std::vector<double> fraction;         ///< filled fraction by cell
-    std::vector<BoundaryPiece> pieces;    ///< by edge, then t
-    std::vector<int> first_piece;         ///< n_edges + 1 offsets into pieces
-    std::vector<ContourPiece> contours;   ///< of boundary cells, by cell
-    std::vector<int> first_contour;       ///< n_cells + 1 offsets into contours
-    double area = 0;                      ///< sum over the cells: equals the part's area where the grid covers it
+    std::vector<CellClass> cell_class;   ///< by cell
+    std::vector<double> fraction;        ///< filled fraction by cell
+    std::vector<BoundaryPiece> pieces;   ///< by edge, then t
+    std::vector<int> first_piece;        ///< n_edges + 1 offsets into pieces
+    std::vector<ContourPiece> contours;  ///< of boundary cells, by cell
+    std::vector<int> first_contour;      ///< n_cells + 1 offsets into contours
+    double area = 0;                     ///< sum over the cells: equals the part's area where the grid covers it
 };
 
 /// Cost O(cells + boundary pieces). The grid must cover the part; where it does not, `area` falls short of the part's.

@@ -16,7 +16,7 @@ namespace abut::geometry {
 /// A closed loop without any corner is a closed chain: s is then periodic.
 struct Chain {
     std::vector<int> edges;
-    std::vector<double> begin;   ///< arc length where each edge begins; begin[0] = 0
+    std::vector<double> begin;  ///< arc length where each edge begins; begin[0] = 0
     double length = 0;
     bool closed = false;
 };
@@ -26,9 +26,9 @@ std::vector<Chain> smooth_chains(const Part& part);
 
 struct ChainPoint {
     int edge = -1;
-    double t = 0;                ///< parameter of that edge's curve
+    double t = 0;                               ///< parameter of that edge's curve
     Vec2 x{0, 0}, tangent{0, 0}, normal{0, 0};  ///< unit; normal outward
-    double curvature = 0;        ///< signed, positive turning left
+    double curvature = 0;                       ///< signed, positive turning left
 };
 /// s is taken modulo the length on closed chains and clamped to the ends on open ones.
 ChainPoint at(const Part& part, const Chain& chain, double s);
@@ -36,24 +36,26 @@ ChainPoint at(const Part& part, const Chain& chain, double s);
 /// A stretch of a chain of part 1 that faces a stretch of a chain of part 2, with one pair for every point.
 struct FacingZone {
     Chain chain1, chain2;
-    double begin1 = 0, end1 = 0;    ///< arc length on chain 1, begin1 < end1; may run past the length of a closed chain
-    double begin2 = 0, end2 = 0;    ///< the partners' on chain 2: begin2 pairs with begin1; begin2 > end2 (chains run opposite)
+    double begin1 = 0, end1 = 0;  ///< arc length on chain 1, begin1 < end1; may run past the length of a closed chain
+    double begin2 = 0, end2 = 0;  ///< the partners' on chain 2: begin2 pairs with begin1; begin2 > end2 (chains run opposite)
     double gap_min = 0, gap_max = 0;
-    bool closed = false;            ///< a full turn on both closed chains
-    bool begin_is_limit = false, end_is_limit = false;  ///< ends where the gap exceeds the distance (the zone could be longer), not at a corner
+    bool closed = false;  ///< a full turn on both closed chains
+    bool begin_is_limit = false,
+         end_is_limit = false;  ///< ends where the gap exceeds the distance (the zone could be longer), not at a corner
 };
 
 struct FacingPair {
     double s1 = 0, s2 = 0;
     ChainPoint on1, on2;
-    Vec2 normal{0, 0};              ///< n above: from body 1 towards body 2
+    Vec2 normal{0, 0};  ///< n above: from body 1 towards body 2
     double gap = 0;
-    double slope = 0;               ///< ds2/ds1, negative
-    double stretch = 0;             ///< d(middle curve's length)/ds1, measured across n
+    double slope = 0;    ///< ds2/ds1, negative
+    double stretch = 0;  ///< d(middle curve's length)/ds1, measured across n
     bool found = false;
 };
 
-/// The pair of the point at s1 of zone.chain1 (or at s2 of zone.chain2), by safeguarded Newton on the condition above, started at `guess` for the other arc length.
+/// The pair of the point at s1 of zone.chain1 (or at s2 of zone.chain2), by safeguarded Newton on the condition above, started
+/// at `guess` for the other arc length.
 FacingPair pair_from_first(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess2);
 FacingPair pair_from_second(const Part& part1, const Part& part2, const FacingZone& zone, double s2, double guess1);
 

@@ -19,8 +19,7 @@ std::string one_line(const Problem& problem) {
     return text;
 }
 
-InputError::InputError(std::vector<Problem> problems)
-    : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
+InputError::InputError(std::vector<Problem> problems) : std::runtime_error(joined(problems)), problems_(std::move(problems)) {}
 
 InputError::InputError(std::string where, std::string what, std::string hint)
     : InputError(std::vector<Problem>{{std::move(where), std::move(what), std::move(hint)}}) {}

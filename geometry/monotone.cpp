@@ -9,7 +9,9 @@ namespace abut::geometry {
 
 namespace {
 
-double between(double v, double a, double b) { return std::clamp(v, std::min(a, b), std::max(a, b)); }
+double between(double v, double a, double b) {
+    return std::clamp(v, std::min(a, b), std::max(a, b));
+}
 
 /// The point of an arc where its tangent is parallel to an axis, with the coordinate that is extreme exact.
 Vec2 extreme_point(const Arc& arc, double t) {

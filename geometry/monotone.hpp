@@ -11,7 +11,7 @@ namespace abut::geometry {
 /// Consecutive pieces share their end coordinates bit for bit: whatever is decided about a vertex is decided once.
 struct MonotonePiece {
     int edge;
-    double t0, t1;         ///< parameters of the edge's curve, t0 < t1
+    double t0, t1;  ///< parameters of the edge's curve, t0 < t1
     Vec2 from, to;
     bool is_arc = false;
     Vec2 center{0, 0};

@@ -53,7 +53,9 @@ Box2 bounding_box(const Part& part) {
     return box;
 }
 
-double area(const Part& part) { return part.edges.empty() ? 0.0 : moments(part, bounding_box(part).center()).area; }
+double area(const Part& part) {
+    return part.edges.empty() ? 0.0 : moments(part, bounding_box(part).center()).area;
+}
 
 Vec2 centroid(const Part& part) {
     const Vec2 o = bounding_box(part).center();
@@ -77,9 +79,13 @@ int count_holes(const Part& part) {
     return holes;
 }
 
-bool contains(const Part& part, const Vec2& p) { return contains(monotone_pieces(part), p); }
+bool contains(const Part& part, const Vec2& p) {
+    return contains(monotone_pieces(part), p);
+}
 
-double merge_length(const Part& part) { return merge_fraction * bounding_box(part).diagonal(); }
+double merge_length(const Part& part) {
+    return merge_fraction * bounding_box(part).diagonal();
+}
 
 Part transformed(const Part& part, double c, double s, const Vec2& d) {
     Part moved = part;

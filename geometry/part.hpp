@@ -11,10 +11,10 @@ namespace abut::geometry {
 /// One piece of a part's boundary, oriented with the material on its left (the outward normal on its right).
 struct Edge {
     Curve curve;
-    std::string name;             ///< within the part: "left", "base/left", "left#1", "h2F"
-    std::string source;           ///< name of the primitive's or imported edge this is (a piece of): "left"
-    bool along_source = true;     ///< does the curve run in the source's own direction?
-    double source_begin = 0;      ///< arc length on the source edge at the piece's end that comes first on the source
+    std::string name;          ///< within the part: "left", "base/left", "left#1", "h2F"
+    std::string source;        ///< name of the primitive's or imported edge this is (a piece of): "left"
+    bool along_source = true;  ///< does the curve run in the source's own direction?
+    double source_begin = 0;   ///< arc length on the source edge at the piece's end that comes first on the source
 };
 
 /// A closed chain of edges, head to tail: outer boundaries run counter-clockwise, holes clockwise.
@@ -45,7 +45,8 @@ double merge_length(const Part& part);
 /// Rotated by (c, s), then moved by d.
 Part transformed(const Part& part, double c, double s, const Vec2& d);
 
-/// Arc length along the named edge (the piece), counted in the source's own direction, of the point at parameter t of the edge's curve.
+/// Arc length along the named edge (the piece), counted in the source's own direction, of the point at parameter t of the
+/// edge's curve.
 double edge_arc_length(const Edge& edge, double t);
 
 }  // namespace abut::geometry

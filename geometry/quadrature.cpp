@@ -16,9 +16,11 @@ double turn(const Curve& curve, double t0, double t1) {
     return arc ? std::abs(arc->sweep) * (t1 - t0) : 0.0;
 }
 
-/// The integrand along an arc is a trigonometric polynomial of degree `frequency`: Gauss points needed beyond the straight case so
-/// that the patch test on discs holds to 1e-9.
-int extra_points(int frequency, double angle) { return angle > 0 ? 2 + static_cast<int>(std::ceil(0.5 * frequency * angle)) : 0; }
+/// The integrand along an arc is a trigonometric polynomial of degree `frequency`: Gauss points needed beyond the straight case
+/// so that the patch test on discs holds to 1e-9.
+int extra_points(int frequency, double angle) {
+    return angle > 0 ? 2 + static_cast<int>(std::ceil(0.5 * frequency * angle)) : 0;
+}
 
 void add_row(CellRule& rule, double x0, const Vec2& end, double dy, const GaussRule& inner) {
     const double width = end.x() - x0;
@@ -35,7 +37,8 @@ void add_contour(CellRule& rule, const Part& part, const Grid& grid, const Conto
     if (c.edge < 0) {
         const GaussRule& outer = gauss_rule(degree + 1);
         for (std::size_t i = 0; i < outer.points.size(); ++i)
-            add_row(rule, x0, {grid.x[column + 1], c.t0 + outer.points[i] * (c.t1 - c.t0)}, outer.weights[i] * (c.t1 - c.t0), inner);
+            add_row(rule, x0, {grid.x[column + 1], c.t0 + outer.points[i] * (c.t1 - c.t0)}, outer.weights[i] * (c.t1 - c.t0),
+                    inner);
         return;
     }
     const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;

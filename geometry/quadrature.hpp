@@ -15,16 +15,16 @@ struct CellRule {
 };
 
 /// Rules of all boundary cells, exact (but for rounding, on straight edges) for products of two tensor polynomials of the given
-/// degree, by the divergence theorem: along each contour Gauss points, from the cell's left side to each of them Gauss points again
-/// [Gunderman, Weiss, Evans 2021]. Points may lie outside the part and weights may be negative.
+/// degree, by the divergence theorem: along each contour Gauss points, from the cell's left side to each of them Gauss points
+/// again [Gunderman, Weiss, Evans 2021]. Points may lie outside the part and weights may be negative.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree);
 
 struct BoundaryPoint {
     int cell;
     int edge;
     double t;
-    Vec2 x, normal;   ///< normal: unit, outward
-    double weight;    ///< arc length
+    Vec2 x, normal;  ///< normal: unit, outward
+    double weight;   ///< arc length
 };
 
 /// Gauss points of the portion [t0, t1] of an edge, cell by cell, n points a cell and more where it curves.

@@ -11,24 +11,40 @@ namespace abut::geometry {
 
 struct SketchEntity {
     Curve curve;
-    std::string kind;    ///< "LINE", "ARC", "CIRCLE", "LWPOLYLINE"
+    std::string kind;  ///< "LINE", "ARC", "CIRCLE", "LWPOLYLINE"
     std::string layer;
-    std::string name;    ///< "h2F" (the handle), "h2F.0" for a polyline's segment, "l123" (file line) without a handle
-    int line = 0;        ///< in the file, counted from 1
+    std::string name;  ///< "h2F" (the handle), "h2F.0" for a polyline's segment, "l123" (file line) without a handle
+    int line = 0;      ///< in the file, counted from 1
 };
 
-struct EntityCount { int read = 0, used = 0, ignored = 0; };
-struct Ignored { std::string what; int count = 0; std::string why; };
-struct Repair { std::string what; Vec2 at; double size = 0; };
-struct SketchProblem { std::string what; Vec2 at; std::string entity; int line = 0; std::string hint; };
+struct EntityCount {
+    int read = 0, used = 0, ignored = 0;
+};
+struct Ignored {
+    std::string what;
+    int count = 0;
+    std::string why;
+};
+struct Repair {
+    std::string what;
+    Vec2 at;
+    double size = 0;
+};
+struct SketchProblem {
+    std::string what;
+    Vec2 at;
+    std::string entity;
+    int line = 0;
+    std::string hint;
+};
 
 struct Drawing {
-    std::string file, format;        ///< format: "DXF AC1014"
-    std::string unit;                ///< "mm", "in", ...; empty when the file states none
+    std::string file, format;  ///< format: "DXF AC1014"
+    std::string unit;          ///< "mm", "in", ...; empty when the file states none
     std::vector<SketchEntity> entities;
     std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
     std::vector<Ignored> ignored;
-    std::vector<SketchProblem> problems;        ///< unreadable entities
+    std::vector<SketchProblem> problems;  ///< unreadable entities
 };
 
 /// Reads an ASCII DXF file through dxflib. Throws InputError (file, line) if it is missing, empty, truncated or no DXF.
@@ -41,11 +57,11 @@ struct SketchOptions {
 inline constexpr double joining_fraction = 2e-5;
 
 struct SketchParts {
-    std::vector<Part> parts;     ///< in order of first appearance in the file; named after the layer
+    std::vector<Part> parts;          ///< in order of first appearance in the file; named after the layer
     std::vector<std::string> layers;  ///< layer of each part
     std::vector<Repair> repairs;
     std::vector<SketchProblem> problems;
-    double tolerance = 0;        ///< the largest that was used
+    double tolerance = 0;  ///< the largest that was used
 };
 
 /// Joins the entities of each layer into closed loops and sorts them by nesting into parts: one part per outer loop

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Core>
-
 #include <limits>
 
 namespace abut::geometry {
@@ -10,13 +9,19 @@ namespace abut::geometry {
 using Vec2 = Eigen::Vector2d;
 
 /// z component of a x b: positive when b lies counter-clockwise of a.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 
 /// v turned by +90 degrees.
-inline Vec2 left_of(const Vec2& v) { return {-v.y(), v.x()}; }
+inline Vec2 left_of(const Vec2& v) {
+    return {-v.y(), v.x()};
+}
 
 /// v turned by -90 degrees: the outward normal of a boundary whose material lies on its left.
-inline Vec2 right_of(const Vec2& v) { return {v.y(), -v.x()}; }
+inline Vec2 right_of(const Vec2& v) {
+    return {v.y(), -v.x()};
+}
 
 /// Axis-parallel box; empty until it has been extended.
 struct Box2 {
@@ -36,8 +41,8 @@ struct Box2 {
     Vec2 center() const { return 0.5 * (min + max); }
     double diagonal() const { return empty() ? 0.0 : size().norm(); }
     bool overlaps(const Box2& b, double margin) const {
-        return min.x() - margin <= b.max.x() && b.min.x() <= max.x() + margin &&
-               min.y() - margin <= b.max.y() && b.min.y() <= max.y() + margin;
+        return min.x() - margin <= b.max.x() && b.min.x() <= max.x() + margin && min.y() - margin <= b.max.y() &&
+               b.min.y() <= max.y() + margin;
     }
 };
 

@@ -75,7 +75,9 @@ Sampled sample(const SplineSpace& s, int cell, const std::vector<Vec2>& points) 
     return out;
 }
 
-Eigen::Map<const VectorXd> as_vector(const std::vector<double>& v) { return {v.data(), static_cast<Index>(v.size())}; }
+Eigen::Map<const VectorXd> as_vector(const std::vector<double>& v) {
+    return {v.data(), static_cast<Index>(v.size())};
+}
 
 CellIntegrals cut_integrals(const SplineSpace& space, const CellRule& rule) {
     const Sampled s = sample(space, rule.cell, rule.points);
@@ -101,7 +103,9 @@ void scatter(BlockMatrix& k, const std::vector<int>& f, const CellIntegrals& c, 
         }
 }
 
-bool is_full(const SplineSpace& s, int cell) { return s.fraction[static_cast<std::size_t>(cell)] == 1; }
+bool is_full(const SplineSpace& s, int cell) {
+    return s.fraction[static_cast<std::size_t>(cell)] == 1;
+}
 
 /// Calls f(cell) for every cell that is wholly inside.
 template <class F>

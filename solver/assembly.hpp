@@ -25,7 +25,7 @@ struct LineRule {
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
 struct PartInput {
     SplineSpace space;
-    std::vector<CellRule> cut_rules;     ///< every cell with 0 < fraction < 1
+    std::vector<CellRule> cut_rules;  ///< every cell with 0 < fraction < 1
     LineRule line_rule;
     Elasticity elasticity;
     double thickness = 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps: rows of the interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left out
+// Steps: rows of the interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left
+// out
 // -> the contact QP -> displacements.
 #include "solver/assembly_solve.hpp"
 
@@ -28,7 +29,7 @@ std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
 /// The rows of one part, numbered among themselves.
 struct LocalRows {
     std::vector<int> global;
-    MatrixXd columns;   // (kept unknowns x rows): D' of the part
+    MatrixXd columns;  // (kept unknowns x rows): D' of the part
 };
 
 LocalRows local_rows(const PartSystem& part, const std::vector<RowEntry>& entries) {
@@ -60,8 +61,14 @@ VectorXd transposed_times(const std::vector<RowEntry>& entries, const VectorXd& 
 /// C, g, G, h before scaling, with the rows that they belong to.
 ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    ContactQp qp{MatrixXd::Zero(rows.n, rows.n), rows.gap0, MatrixXd::Zero(rows.n, offset.back()), VectorXd::Zero(offset.back()),
-                 rows.unilateral, VectorXd::Zero(rows.n), rows.gap0, problem.load_scale};
+    ContactQp qp{MatrixXd::Zero(rows.n, rows.n),
+                 rows.gap0,
+                 MatrixXd::Zero(rows.n, offset.back()),
+                 VectorXd::Zero(offset.back()),
+                 rows.unilateral,
+                 VectorXd::Zero(rows.n),
+                 rows.gap0,
+                 problem.load_scale};
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
         const PartSystem& part = problem.parts[i];
         const Index n_modes = part.modes.cols();
@@ -72,7 +79,8 @@ ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
         }
         if (rows.by_part[i].empty()) continue;
         qp.gap += rows_times(rows.by_part[i], solve(part, part.load), rows.n);
-        for (Index k = 0; k < n_modes; ++k) qp.modes.col(offset[i] + k) = rows_times(rows.by_part[i], part.modes.col(k), rows.n);
+        for (Index k = 0; k < n_modes; ++k)
+            qp.modes.col(offset[i] + k) = rows_times(rows.by_part[i], part.modes.col(k), rows.n);
         const LocalRows local = local_rows(part, rows.by_part[i]);
         const MatrixXd y = part.factor.solve_lower(local.columns);
         const MatrixXd c = y.transpose() * y;
@@ -104,8 +112,8 @@ void add_foundation(ContactQp& qp, const AssemblyProblem& problem, const std::ve
         if (!qp.unilateral[static_cast<std::size_t>(row)]) qp.foundation[row] = stiffest > 0 ? stiffest : 1.0;
 }
 
-/// How the candidates resist the free motions along the bodies' own normals: root-mean-square over each interface; constraints as
-/// they are. (rows x amplitudes)
+/// How the candidates resist the free motions along the bodies' own normals: root-mean-square over each interface; constraints
+/// as they are. (rows x amplitudes)
 MatrixXd resistance(const AssemblyProblem& problem, const ContactQp& qp, Index n_modes) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     Index n_rows = 0;
@@ -126,7 +134,8 @@ MatrixXd resistance(const AssemblyProblem& problem, const ContactQp& qp, Index n
                         -problem.own_normals[f][q][side].dot(motions[k].at(face.points[q].x[side]));
             }
     }
-    r.bottomRows(static_cast<Index>(problem.constraints.size())) = qp.modes.bottomRows(static_cast<Index>(problem.constraints.size()));
+    r.bottomRows(static_cast<Index>(problem.constraints.size())) =
+        qp.modes.bottomRows(static_cast<Index>(problem.constraints.size()));
     return r;
 }
 
@@ -176,12 +185,13 @@ void find_driven_neutral_motion(const AssemblyProblem& problem, const MatrixXd& 
             for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
 }
 
-/// Pairs act along the normal of the middle curve, not along a round part's own: with the neutral motions left out, their balance
-/// is off by what that difference does (1e-8 to 1e-5 of the load). Where the pressures can make up for it, they do so with the
-/// neutral motions as unknowns; their amplitudes, which mean nothing, are taken out again by take_least_motion.
-bool balance_neutral_motions(const ContactQp& whole, const MotionSplit& split, ContactQp& qp, ContactQpResult& result, MatrixXd& held) {
+/// Pairs act along the normal of the middle curve, not along a round part's own: with the neutral motions left out, their
+/// balance is off by what that difference does (1e-8 to 1e-5 of the load). Where the pressures can make up for it, they do so
+/// with the neutral motions as unknowns; their amplitudes, which mean nothing, are taken out again by take_least_motion.
+bool balance_neutral_motions(const ContactQp& whole, const MotionSplit& split, ContactQp& qp, ContactQpResult& result,
+                             MatrixXd& held) {
     const MatrixXd lever = whole.modes * split.neutral;
-    constexpr double least_lever = 1e-6;   // of unit motion at the part's size: below, contact cannot turn the part at all
+    constexpr double least_lever = 1e-6;  // of unit motion at the part's size: below, contact cannot turn the part at all
     std::vector<Index> some;
     for (Index k = 0; k < lever.cols(); ++k)
         if (lever.rows() > 0 && lever.col(k).cwiseAbs().maxCoeff() > least_lever) some.push_back(k);
@@ -218,8 +228,8 @@ void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, 
     for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
 }
 
-void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, const VectorXd& amplitudes,
-                           AssemblySolution& solution) {
+void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers,
+                           const VectorXd& amplitudes, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     solution.contact_load.clear();
     solution.load.clear();
@@ -239,8 +249,8 @@ void recover_displacements(const AssemblyProblem& problem, const Rows& rows, con
 
 /// One step of iterative refinement: what the displacements leave of closed gaps and of equilibrium is the right-hand side of a
 /// correction. It takes out the rounding of C and of the pinned solutions. False where nothing is left to correct.
-bool refine(const AssemblyProblem& problem, const Rows& rows, const MatrixXd& resisted, ContactQp qp, const std::vector<char>& active,
-            VectorXd& multipliers, VectorXd& amplitudes, const AssemblySolution& solution) {
+bool refine(const AssemblyProblem& problem, const Rows& rows, const MatrixXd& resisted, ContactQp qp,
+            const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes, const AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     qp.gap = rows.gap0;
     VectorXd load = VectorXd::Zero(offset.back());
@@ -264,8 +274,8 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
     std::vector<int> first_row;
     Rows rows = interface_rows(problem.parts, problem.interfaces, first_row);
     for (const MeanConstraint& c : problem.constraints)
-        append_mean_constraint(rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area, c.coefficient, c.size,
-                               c.value);
+        append_mean_constraint(rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
+                               c.coefficient, c.size, c.value);
     solution.n_multipliers = rows.n;
 
     ContactQp qp = condense(problem, rows);
@@ -280,7 +290,8 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
 
     ContactQpResult result = solve_contact_qp(qp);
     MatrixXd held = split.resisted;
-    if (result.feasible && result.converged && split.neutral.cols() > 0 && !balance_neutral_motions(whole, split, qp, result, held)) {
+    if (result.feasible && result.converged && split.neutral.cols() > 0 &&
+        !balance_neutral_motions(whole, split, qp, result, held)) {
         const VectorXd work = split.neutral.transpose() * (whole.mode_load + whole.modes.transpose() * result.multipliers);
         const double scale = std::max(problem.load_scale, result.multipliers.cwiseAbs().sum());
         solution.driven_work = work.cwiseAbs().maxCoeff() / scale;
@@ -302,7 +313,8 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
         recover_displacements(problem, rows, multipliers, held * amplitudes, solution);
     take_least_motion(problem, split.neutral, solution);
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
-        solution.pressure.push_back(all_coefficients(problem.interfaces[f], multipliers.segment(first_row[f], n_rows(problem.interfaces[f]))));
+        solution.pressure.push_back(
+            all_coefficients(problem.interfaces[f], multipliers.segment(first_row[f], n_rows(problem.interfaces[f]))));
     for (std::size_t c = 0; c < problem.constraints.size(); ++c)
         solution.constraint_force.push_back(multipliers[rows.n - static_cast<Index>(problem.constraints.size() - c)]);
     return solution;

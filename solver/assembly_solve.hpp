@@ -24,8 +24,8 @@ struct PartMotion {
     RigidMotion motion;
 };
 
-/// A free motion is neutral where the candidates' own normals resist it less than this (singular value, relative to the largest;
-/// rotations measured at the part's size): kept, it would turn rounding into large rotations.
+/// A free motion is neutral where the candidates' own normals resist it less than this (singular value, relative to the
+/// largest; rotations measured at the part's size): kept, it would turn rounding into large rotations.
 inline constexpr double neutral_motion_fraction = 1e-3;
 /// The loads may do this much work in a neutral motion, relative to load times size.
 inline constexpr double neutral_work_fraction = 1e-9;
@@ -36,22 +36,23 @@ struct AssemblyProblem {
     std::vector<PartSystem> parts;
     std::vector<Interface> interfaces;
     std::vector<MeanConstraint> constraints;
-    std::vector<double> foundation;          ///< by interface: pressure per penetration of a Winkler foundation, for the start
-    double load_scale = 0;                   ///< the largest single load
-    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: what resists a neutral motion.
+    std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
+    double load_scale = 0;           ///< the largest single load
+    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: what resists a neutral
+    /// motion.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
 };
 
 struct AssemblySolution {
-    std::vector<Eigen::VectorXd> displacement;   ///< (2n) by part
-    std::vector<Eigen::VectorXd> load;           ///< (2n) by part, contact and constraints included
-    std::vector<Eigen::VectorXd> contact_load;   ///< (2n) by part, contact alone
-    std::vector<Eigen::VectorXd> pressure;       ///< by interface
-    std::vector<double> constraint_force;        ///< by constraint
-    std::vector<PartMotion> neutral;             ///< motions left out: nothing resists and nothing drives them
-    std::vector<PartMotion> driven;              ///< not empty: the contact forces drive these neutral motions,
-    double driven_work = 0;                      ///< and the balance is off by this fraction of the forces
-    std::vector<PartMotion> mechanism;           ///< not empty: the loads drive these motions, nothing else is filled in
+    std::vector<Eigen::VectorXd> displacement;  ///< (2n) by part
+    std::vector<Eigen::VectorXd> load;          ///< (2n) by part, contact and constraints included
+    std::vector<Eigen::VectorXd> contact_load;  ///< (2n) by part, contact alone
+    std::vector<Eigen::VectorXd> pressure;      ///< by interface
+    std::vector<double> constraint_force;       ///< by constraint
+    std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
+    std::vector<PartMotion> driven;             ///< not empty: the contact forces drive these neutral motions,
+    double driven_work = 0;                     ///< and the balance is off by this fraction of the forces
+    std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
     bool converged = false, used_fallback = false;
 };

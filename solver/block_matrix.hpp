@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symmetric sparse matrix of 2 x 2 blocks: one block for each pair of functions, rows and columns ordered (function, component).
+// Symmetric sparse matrix of 2 x 2 blocks: one block for each pair of functions, rows and columns ordered (function,
+// component).
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -8,9 +9,9 @@ namespace abut::solver {
 
 /// Blocks of the lower triangle (row >= column); diagonal blocks are stored whole.
 struct BlockMatrix {
-    int n = 0;                              ///< functions; the matrix is 2n x 2n
-    std::vector<int> first;                 ///< n + 1 offsets by row
-    std::vector<int> column;                ///< ascending in each row, up to and with the diagonal
+    int n = 0;                ///< functions; the matrix is 2n x 2n
+    std::vector<int> first;   ///< n + 1 offsets by row
+    std::vector<int> column;  ///< ascending in each row, up to and with the diagonal
     std::vector<Eigen::Matrix2d> block;
 
     /// The block of (row, column), row >= column; it must be in the pattern.

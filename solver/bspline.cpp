@@ -24,7 +24,9 @@ void cox_de_boor(const double* t, int p, double x, double* values) {
     }
 }
 
-const double* interval_start(const KnotVector& knots, int interval) { return knots.knots.data() + interval + knots.degree; }
+const double* interval_start(const KnotVector& knots, int interval) {
+    return knots.knots.data() + interval + knots.degree;
+}
 
 }  // namespace
 
@@ -41,10 +43,11 @@ KnotVector periodic_knots(std::vector<double> breakpoints, int degree) {
     KnotVector result{degree, std::move(breakpoints), {}};
     const std::vector<double>& b = result.breakpoints;
     const double period = b.back() - b.front();
-    const auto n = b.size() - 1, p = static_cast<std::size_t>(degree);
-    for (std::size_t k = p; k > 0; --k) result.knots.push_back(b[n - k % n] - period * static_cast<double>((k + n - 1) / n));
-    result.knots.insert(result.knots.end(), b.begin(), b.end());
-    for (std::size_t k = 1; k <= p; ++k) result.knots.push_back(b[k % n] + period * static_cast<double>((k + n - 1) / n));
+    const int n = result.n_intervals();
+    for (int k = -degree; k <= n + degree; ++k) {
+        const int turns = (k < 0 ? k - n + 1 : k) / n;  // rounded down
+        result.knots.push_back(k == n ? b.back() : b[static_cast<std::size_t>(k - turns * n)] + period * turns);
+    }
     return result;
 }
 
@@ -91,7 +94,8 @@ LocalValues extension_coefficients(const KnotVector& knots, int interval, int j)
             for (int i = p; i >= r; --i) {
                 const double left = t[i - p], right = t[i + 1 - r];
                 const double a = (u - left) / (right - left);
-                d[static_cast<std::size_t>(i)] = (1 - a) * d[static_cast<std::size_t>(i) - 1] + a * d[static_cast<std::size_t>(i)];
+                d[static_cast<std::size_t>(i)] =
+                    (1 - a) * d[static_cast<std::size_t>(i) - 1] + a * d[static_cast<std::size_t>(i)];
             }
         }
         result[static_cast<std::size_t>(unit)] = d[static_cast<std::size_t>(p)];

@@ -23,8 +23,8 @@ struct KnotVector {
 
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree);
 
-/// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then one
-/// periodic function; nothing is special about the seam.
+/// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then
+/// one periodic function; nothing is special about the seam.
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree);
 
 /// Interval that holds x; the last for the right end, the nearest for points outside.
@@ -37,8 +37,8 @@ void evaluate(const KnotVector& knots, int interval, double x, LocalValues& valu
 /// Abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville).
 double greville(const KnotVector& knots, int i);
 
-/// The polynomial pieces of an interval's functions, continued over the whole line, have B-spline coefficients everywhere: those
-/// for function j, one for each function of the interval, are the blossom at j's inner knots. This is the extension of
+/// The polynomial pieces of an interval's functions, continued over the whole line, have B-spline coefficients everywhere:
+/// those for function j, one for each function of the interval, are the blossom at j's inner knots. This is the extension of
 /// [Grishin10, eqs 3.16-3.17] (Hoellig) on non-uniform knots.
 LocalValues extension_coefficients(const KnotVector& knots, int interval, int j);
 

@@ -19,9 +19,9 @@ using Set = std::vector<char>;
 
 constexpr int max_pdas_iterations = 30;
 constexpr int max_proximal_passes = 7;
-constexpr double first_proximal_fraction = 1e-6;   // of the Winkler stiffness; tenfold less each pass
-constexpr double equilibrium_tolerance = 1e-10;    // relative to the loads
-constexpr double feasibility_tolerance = 1e-8;     // relative to the loads: below, the residual is rounding, not a mechanism
+constexpr double first_proximal_fraction = 1e-6;  // of the Winkler stiffness; tenfold less each pass
+constexpr double equilibrium_tolerance = 1e-10;   // relative to the loads
+constexpr double feasibility_tolerance = 1e-8;    // relative to the loads: below, the residual is rounding, not a mechanism
 
 struct State {
     VectorXd multipliers, amplitudes;
@@ -63,12 +63,15 @@ bool solve_on(const ContactQp& qp, const Set& active, double proximal, const Vec
     return true;
 }
 
-VectorXd gap_of(const ContactQp& qp, const State& s) { return qp.gap + qp.compliance * s.multipliers + qp.modes * s.amplitudes; }
+VectorXd gap_of(const ContactQp& qp, const State& s) {
+    return qp.gap + qp.compliance * s.multipliers + qp.modes * s.amplitudes;
+}
 
 /// Below this a gap is closed: rounding of the terms that it is the sum of.
 double gap_rounding(const ContactQp& qp, const State& s) {
     if (qp.gap.size() == 0) return 0;
-    const double terms = qp.gap.cwiseAbs().maxCoeff() + (qp.compliance.diagonal().cwiseAbs().maxCoeff()) * s.multipliers.cwiseAbs().sum() +
+    const double terms = qp.gap.cwiseAbs().maxCoeff() +
+                         (qp.compliance.diagonal().cwiseAbs().maxCoeff()) * s.multipliers.cwiseAbs().sum() +
                          (qp.modes.size() > 0 ? qp.modes.cwiseAbs().maxCoeff() * s.amplitudes.cwiseAbs().sum() : 0.0);
     return 1e-14 * terms;
 }
@@ -93,7 +96,7 @@ Set bilateral_rows(const ContactQp& qp) {
 /// Pressures of rigid bodies on a Winkler foundation: damped Newton on the rigid amplitudes.
 struct Settled {
     VectorXd multipliers;
-    double stiffness = 0;   // mean stiffness against the rigid motions
+    double stiffness = 0;  // mean stiffness against the rigid motions
 };
 
 Settled settle(const ContactQp& qp) {
@@ -170,8 +173,8 @@ bool proximal_passes(const ContactQp& qp, double stiffness, Set& active, State& 
     return equilibrium_error(qp, state) <= equilibrium_tolerance * force_scale(qp, state.multipliers);
 }
 
-/// The monotone primal active set (Nocedal and Wright, alg. 16.3) from feasible multipliers: the energy falls with every step, so
-/// no set comes back.
+/// The monotone primal active set (Nocedal and Wright, alg. 16.3) from feasible multipliers: the energy falls with every step,
+/// so no set comes back.
 bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, Set& active, State& state, int& iterations) {
     VectorXd l = feasible;
     for (std::size_t k = 0; k < active.size(); ++k) active[k] = !qp.unilateral[k] || l[static_cast<Index>(k)] > 0;
@@ -201,7 +204,8 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
         const VectorXd gap = gap_of(qp, state);
         Index worst = -1;
         for (Index k = 0; k < gap.size(); ++k)
-            if (!active[static_cast<std::size_t>(k)] && gap[k] < -gap_rounding(qp, state) && (worst < 0 || gap[k] < gap[worst])) worst = k;
+            if (!active[static_cast<std::size_t>(k)] && gap[k] < -gap_rounding(qp, state) && (worst < 0 || gap[k] < gap[worst]))
+                worst = k;
         if (worst < 0) return equilibrium_error(qp, state) <= feasibility_tolerance * force_scale(qp, state.multipliers);
         active[static_cast<std::size_t>(worst)] = 1;
     }

@@ -12,14 +12,14 @@
 namespace abut::solver {
 
 struct ContactQp {
-    Eigen::MatrixXd compliance;      ///< C, symmetric positive semidefinite (m x m)
-    Eigen::VectorXd gap;             ///< g (m)
-    Eigen::MatrixXd modes;           ///< G (m x n)
-    Eigen::VectorXd mode_load;       ///< h (n)
-    std::vector<char> unilateral;    ///< (m)
-    Eigen::VectorXd foundation;      ///< stiffness of a Winkler foundation for every row, for the starting guess (m)
-    Eigen::VectorXd drawn_gap;       ///< gap of the undeformed bodies, for the same (m)
-    double load_scale = 0;           ///< the largest load on any body: what equilibrium is measured against
+    Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
+    Eigen::VectorXd gap;           ///< g (m)
+    Eigen::MatrixXd modes;         ///< G (m x n)
+    Eigen::VectorXd mode_load;     ///< h (n)
+    std::vector<char> unilateral;  ///< (m)
+    Eigen::VectorXd foundation;    ///< stiffness of a Winkler foundation for every row, for the starting guess (m)
+    Eigen::VectorXd drawn_gap;     ///< gap of the undeformed bodies, for the same (m)
+    double load_scale = 0;         ///< the largest load on any body: what equilibrium is measured against
 };
 
 struct ContactQpResult {
@@ -27,9 +27,9 @@ struct ContactQpResult {
     std::vector<char> active;
     int iterations = 0;
     bool converged = false;
-    bool used_fallback = false;      ///< the monotone active set had to finish
-    bool feasible = true;            ///< false: no pressures >= 0 balance the loads
-    Eigen::VectorXd mechanism;       ///< with !feasible: the motion (amplitudes) that the loads drive
+    bool used_fallback = false;  ///< the monotone active set had to finish
+    bool feasible = true;        ///< false: no pressures >= 0 balance the loads
+    Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive
 };
 
 /// 1. Non-negative least squares on the equilibrium alone: its residual is the motion of a mechanism.
@@ -38,8 +38,9 @@ struct ContactQpResult {
 /// 4. Where that cycles or loses every contact: the monotone primal active set, which always ends.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 
-/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; false where the set leaves them open.
-/// With residuals in place of gap and mode_load: the correction of a step of iterative refinement.
-bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers, Eigen::VectorXd& amplitudes);
+/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; false where the set leaves them
+/// open. With residuals in place of gap and mode_load: the correction of a step of iterative refinement.
+bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers,
+                  Eigen::VectorXd& amplitudes);
 
 }  // namespace abut::solver

@@ -9,7 +9,7 @@ namespace abut::solver {
 /// zz = out_of_plane (xx + yy).
 struct Elasticity {
     double d11 = 0, d12 = 0, d33 = 0;
-    double out_of_plane = 0;   ///< nu in plane strain, 0 in plane stress
+    double out_of_plane = 0;  ///< nu in plane strain, 0 in plane stress
 };
 
 inline Elasticity plane_stress(double E, double nu) {

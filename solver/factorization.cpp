@@ -71,7 +71,7 @@ Factorization::~Factorization() = default;
 Factorization::Factorization(const SparseSymmetric& matrix) : data_(std::make_unique<Data>()) {
     Data& d = *data_;
     d.scale = inverse_root_of_diagonal(matrix, d.failed_at);
-    if (d.failed_at >= 0) return;
+    if (d.failed_at >= 0 || matrix.n == 0) return;
     std::vector<double> scaled(matrix.value);
     for (int c = 0; c < matrix.n; ++c)
         for (int k = matrix.first[static_cast<std::size_t>(c)]; k < matrix.first[static_cast<std::size_t>(c) + 1]; ++k)
@@ -99,11 +99,15 @@ Factorization::Factorization(const SparseSymmetric& matrix) : data_(std::make_un
     }
 }
 
-bool Factorization::ok() const { return data_ && data_->failed_at < 0; }
-int Factorization::failed_at() const { return data_ ? data_->failed_at : -1; }
+bool Factorization::ok() const {
+    return data_ && data_->failed_at < 0;
+}
+int Factorization::failed_at() const {
+    return data_ ? data_->failed_at : -1;
+}
 
 double Factorization::condition_estimate() const {
-    if (data_->factor->n == 0) return 1;
+    if (data_->factor == nullptr) return 1;  // of an empty matrix
     return 1 / cholmod_rcond(data_->factor, &data_->common);
 }
 

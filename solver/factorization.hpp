@@ -8,8 +8,8 @@
 
 namespace abut::solver {
 
-/// P S A S P' = L L', S the inverse root of the diagonal. Move-only. CHOLMOD, supernodal: its simplicial factor would be L D L',
-/// and C = Y'Y from Y = solve_lower(B) silently wrong.
+/// P S A S P' = L L', S the inverse root of the diagonal. Move-only. CHOLMOD, supernodal: its simplicial factor would be L D
+/// L', and C = Y'Y from Y = solve_lower(B) silently wrong.
 class Factorization {
 public:
     Factorization();

@@ -18,12 +18,14 @@ void compress(std::vector<RowEntry>& entries) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (kept > 0 && entries[kept - 1].row == entries[i].row && entries[kept - 1].coefficient == entries[i].coefficient)
             entries[kept - 1].value += entries[i].value;
-        else entries[kept++] = entries[i];
+        else
+            entries[kept++] = entries[i];
     }
     entries.resize(kept);
 }
 
-void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const InterfacePoint& p, int first_row) {
+void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const InterfacePoint& p,
+               int first_row) {
     const int interval = interval_of(face.pressure, p.s);
     LocalValues n;
     evaluate(face.pressure, interval, p.s, n);
@@ -41,14 +43,16 @@ void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface
         for (int k = 0; k <= face.pressure.degree; ++k)
             for (std::size_t i = 0; i < b.functions.size(); ++i)
                 for (int c = 0; c < 2; ++c)
-                    rows.by_part[part].push_back({row(k), 2 * b.functions[i] + c,
-                                                  w * n[static_cast<std::size_t>(k)] * b.value[static_cast<Index>(i)] * along[c]});
+                    rows.by_part[part].push_back(
+                        {row(k), 2 * b.functions[i] + c,
+                         w * n[static_cast<std::size_t>(k)] * b.value[static_cast<Index>(i)] * along[c]});
     }
 }
 
 }  // namespace
 
-Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces, std::vector<int>& first_row) {
+Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
+                    std::vector<int>& first_row) {
     Rows rows;
     first_row.clear();
     for (const Interface& face : interfaces) {

@@ -13,12 +13,12 @@ namespace abut::solver {
 
 /// A pair of points, one on each body, on their common normal.
 struct InterfacePoint {
-    double s;                      ///< arc length along the interface's middle curve
-    double weight;                 ///< arc length
-    double gap;                    ///< drawn, positive open
+    double s;       ///< arc length along the interface's middle curve
+    double weight;  ///< arc length
+    double gap;     ///< drawn, positive open
     std::array<int, 2> cell;
-    std::array<Vec2, 2> x;         ///< in each body's frame
-    std::array<Vec2, 2> normal;    ///< the direction from body 0 towards body 1, in each body's frame
+    std::array<Vec2, 2> x;       ///< in each body's frame
+    std::array<Vec2, 2> normal;  ///< the direction from body 0 towards body 1, in each body's frame
 };
 
 /// The contact pressure along one interface is a B-spline in s with coefficients >= 0: degree 2 as in DESIGN 5, and no integral
@@ -28,13 +28,15 @@ inline constexpr int multiplier_degree = 2;
 struct Interface {
     std::array<int, 2> part;
     double thickness = 1;
-    KnotVector pressure;           ///< over s
-    bool periodic = false;         ///< all the way round: pressure has periodic knots
+    KnotVector pressure;    ///< over s
+    bool periodic = false;  ///< all the way round: pressure has periodic knots
     std::vector<InterfacePoint> points;
 };
 
 /// Unknown coefficients of an interface's pressure.
-inline int n_rows(const Interface& face) { return face.periodic ? face.pressure.n_intervals() : face.pressure.n_functions(); }
+inline int n_rows(const Interface& face) {
+    return face.periodic ? face.pressure.n_intervals() : face.pressure.n_functions();
+}
 /// All coefficients of the pressure spline from the unknown ones (the periodic ones come again at its end).
 Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown);
 
@@ -47,13 +49,14 @@ struct RowEntry {
 struct Rows {
     int n = 0;
     std::vector<std::vector<RowEntry>> by_part;
-    Eigen::VectorXd gap0;          ///< weighted: integrals of gap times pressure function
-    Eigen::VectorXd weight;        ///< integral of the row's pressure function (1 for constraints)
+    Eigen::VectorXd gap0;    ///< weighted: integrals of gap times pressure function
+    Eigen::VectorXd weight;  ///< integral of the row's pressure function (1 for constraints)
     std::vector<char> unilateral;
 };
 
 /// One row for every pressure function of every interface, in order; row offsets by interface in first_row.
-Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces, std::vector<int>& first_row);
+Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
+                    std::vector<int>& first_row);
 
 /// Mean displacement and mean rotation (half the mean curl) of a part, in its own frame: rows that hold
 /// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Appended to rows; returns the row.

@@ -19,7 +19,8 @@ Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd
 
 }  // namespace
 
-NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<char>& bounded) {
+NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                            const std::vector<char>& bounded) {
     const Index n = a.cols();
     NonnegativeResult r{Eigen::VectorXd::Zero(n), b, true};
     if (a.size() == 0) return r;
@@ -37,7 +38,8 @@ NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eige
         const Eigen::VectorXd w = a.transpose() * r.residual;
         Index enter = -1;
         for (Index k = 0; k < n; ++k)
-            if (bounded[static_cast<std::size_t>(k)] && r.x[k] == 0 && w[k] > tolerance && (enter < 0 || w[k] > w[enter])) enter = k;
+            if (bounded[static_cast<std::size_t>(k)] && r.x[k] == 0 && w[k] > tolerance && (enter < 0 || w[k] > w[enter]))
+                enter = k;
         if (enter < 0) {
             r.converged = true;
             return r;

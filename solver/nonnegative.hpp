@@ -8,9 +8,10 @@ namespace abut::solver {
 /// min |A x - b| with x_k >= 0 where bounded[k] (Lawson and Hanson 1974, with free unknowns always in the passive set).
 struct NonnegativeResult {
     Eigen::VectorXd x;
-    Eigen::VectorXd residual;   ///< b - A x
+    Eigen::VectorXd residual;  ///< b - A x
     bool converged = false;
 };
-NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<char>& bounded);
+NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                            const std::vector<char>& bounded);
 
 }  // namespace abut::solver

@@ -53,7 +53,8 @@ std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, d
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(gram);
     std::vector<RigidMotion> motions;
     for (int k = 0; k < 3; ++k) {
-        if (gram.isZero(0)) motions.push_back(unit[k]);
+        if (gram.isZero(0))
+            motions.push_back(unit[k]);
         else if (eigen.eigenvalues()[k] <= rigid_mode_fraction * eigen.eigenvalues()[2]) {
             const Eigen::Vector3d v = eigen.eigenvectors().col(k);
             motions.push_back({v.head<2>(), v[2] / size, center});
@@ -62,16 +63,18 @@ std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, d
     return motions;
 }
 
-/// A coefficient can be pinned if its stiffness is at least this fraction of the median: one whose function barely touches the part
-/// would hold it by a weak spring, and rounding of the loads would move the part (1e-8 of its displacement at degree 3).
+/// A coefficient can be pinned if its stiffness is at least this fraction of the median: one whose function barely touches the
+/// part would hold it by a weak spring, and rounding of the loads would move the part (1e-8 of its displacement at degree 3).
 constexpr double pin_stiffness_fraction = 0.5;
 
-/// As many coefficients as there are modes, chosen so that holding them holds the modes: pivoted elimination on the modes' rows.
+/// As many coefficients as there are modes, chosen so that holding them holds the modes: pivoted elimination on the modes'
+/// rows.
 std::vector<Index> pins(const PartSystem& s) {
     Eigen::MatrixXd rest = s.modes;
     Eigen::VectorXd diagonal(2 * s.n());
     for (int f = 0; f < s.n(); ++f)
-        diagonal.segment<2>(2 * f) = s.stiffness.block[static_cast<std::size_t>(s.stiffness.first[static_cast<std::size_t>(f) + 1] - 1)].diagonal();
+        diagonal.segment<2>(2 * f) =
+            s.stiffness.block[static_cast<std::size_t>(s.stiffness.first[static_cast<std::size_t>(f) + 1] - 1)].diagonal();
     std::vector<double> sorted(diagonal.begin(), diagonal.end());
     std::nth_element(sorted.begin(), sorted.begin() + diagonal.size() / 2, sorted.end());
     const double least = pin_stiffness_fraction * sorted[sorted.size() / 2];
@@ -108,7 +111,8 @@ Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& mot
     return c;
 }
 
-PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center, double size) {
+PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
+                            double size) {
     PartSystem s;
     s.input = std::move(input);
     s.stiffness = assemble_stiffness(s.input);
@@ -142,7 +146,8 @@ Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
     return u;
 }
 
-std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement, const Eigen::VectorXd& load) {
+std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
+                                         const Eigen::VectorXd& load) {
     const Eigen::VectorXd residual = multiply(system.stiffness, displacement) - load;
     std::vector<Resultant> reactions;
     for (const SupportRecord& record : system.supports) {

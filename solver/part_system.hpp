@@ -23,7 +23,7 @@ enum class SupportMethod { aligned, nitsche };
 struct SupportRecord {
     SupportSet set;
     SupportMethod method;
-    std::vector<int> dropped;    ///< functions whose `component` the set holds (aligned); each belongs to one set only
+    std::vector<int> dropped;  ///< functions whose `component` the set holds (aligned); each belongs to one set only
 };
 
 /// Whether two rigid motions of a part count as held or free: the smallest eigenvalue of the supports' Gram matrix, with
@@ -32,18 +32,18 @@ inline constexpr double rigid_mode_fraction = 1e-10;
 
 struct PartSystem {
     PartInput input;
-    BlockMatrix stiffness;               ///< with Nitsche's terms, nothing dropped
-    Eigen::VectorXd load;                ///< (2n) with Nitsche's data
-    Eigen::VectorXd applied;             ///< (2n) external loads only
+    BlockMatrix stiffness;    ///< with Nitsche's terms, nothing dropped
+    Eigen::VectorXd load;     ///< (2n) with Nitsche's data
+    Eigen::VectorXd applied;  ///< (2n) external loads only
     std::vector<SupportRecord> supports;
-    Eigen::VectorXd prescribed;          ///< (2n) values of dropped coefficients, 0 elsewhere
-    std::vector<int> number;             ///< (2n) row in the factorised matrix; negative: dropped or pinned
-    std::vector<char> dropped;           ///< (2n)
+    Eigen::VectorXd prescribed;  ///< (2n) values of dropped coefficients, 0 elsewhere
+    std::vector<int> number;     ///< (2n) row in the factorised matrix; negative: dropped or pinned
+    std::vector<char> dropped;   ///< (2n)
     int n_kept = 0;
     std::vector<RigidMotion> free_motions;  ///< 0 to 3, unit displacement at the part's size
-    Eigen::MatrixXd modes;               ///< (2n x free motions) their coefficients
+    Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
-    std::string failure;                 ///< not empty: not solvable, and why
+    std::string failure;  ///< not empty: not solvable, and why
 
     int n() const { return input.space.n_functions; }
 };
@@ -51,16 +51,19 @@ struct PartSystem {
 /// size: the length at which rotations are measured (the part's diagonal); center: about which they turn.
 /// The free motions are held by pinning as many coefficients: exact as long as the loads on the part balance, which the
 /// equilibrium rows of the contact problem see to.
-PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center, double size);
+PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
+                            double size);
 
 /// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
 
-/// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones prescribed.
+/// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones
+/// prescribed.
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
 /// Forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by support.
-std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement, const Eigen::VectorXd& load);
+std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
+                                         const Eigen::VectorXd& load);
 
 /// Resultant of a load vector (2n).
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);

@@ -11,13 +11,13 @@ namespace {
 using Eigen::Index;
 
 struct NormalEquations {
-    std::vector<std::tuple<int, int, double>> entries;   // (column, row >= column, value)
+    std::vector<std::tuple<int, int, double>> entries;  // (column, row >= column, value)
     Eigen::MatrixX3d rhs;
 };
 
 /// Adds one cell's samples: dense within the cell, then its lower triangle.
-void add_cell(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement, int cell,
-              const std::vector<Vec2>& points) {
+void add_cell(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement,
+              int cell, const std::vector<Vec2>& points) {
     const std::vector<int> functions = extraction(space, cell).functions;
     const auto n = static_cast<Index>(functions.size());
     Eigen::MatrixXd b(static_cast<Index>(points.size()), n);
@@ -33,7 +33,8 @@ void add_cell(NormalEquations& eq, const PartInput& input, const SplineSpace& sp
         eq.rhs.row(functions[static_cast<std::size_t>(j)]) += r.row(j);
         for (Index i = 0; i < n; ++i)
             if (functions[static_cast<std::size_t>(i)] >= functions[static_cast<std::size_t>(j)])
-                eq.entries.emplace_back(functions[static_cast<std::size_t>(j)], functions[static_cast<std::size_t>(i)], m(i, j));
+                eq.entries.emplace_back(functions[static_cast<std::size_t>(j)], functions[static_cast<std::size_t>(i)],
+                                        m(i, j));
     }
 }
 
@@ -74,8 +75,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
                        const std::vector<SamplePoint>& cut) {
     const SplineSpace& from = input.space;
     StressField field;
-    field.space = make_space(from.x.breakpoints, from.y.breakpoints, std::max(1, from.x.degree - 1), std::max(1, from.y.degree - 1),
-                             from.fraction, Basis::web);
+    field.space = make_space(from.x.breakpoints, from.y.breakpoints, std::max(1, from.x.degree - 1),
+                             std::max(1, from.y.degree - 1), from.fraction, Basis::web);
     field.out_of_plane = input.elasticity.out_of_plane;
     field.failure = field.space.failure;
     if (!field.failure.empty()) return field;

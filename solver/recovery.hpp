@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smoothed stresses: the spline of one degree less that fits the stresses of the displacement at the points where those are most
-// accurate, by least squares [Grishin10, eqs 4.39-4.40].
+// Smoothed stresses: the spline of one degree less that fits the stresses of the displacement at the points where those are
+// most accurate, by least squares [Grishin10, eqs 4.39-4.40].
 #pragma once
 #include <vector>
 
@@ -15,7 +15,7 @@ struct SamplePoint {
 
 struct StressField {
     SplineSpace space;
-    Eigen::MatrixX3d coefficients;   ///< (n_functions x (xx, yy, xy))
+    Eigen::MatrixX3d coefficients;  ///< (n_functions x (xx, yy, xy))
     double out_of_plane = 0;
     std::string failure;
 };

@@ -15,7 +15,9 @@ struct Range {
 };
 
 /// Intervals on which a univariate function lives.
-Range support(const KnotVector& knots, int i) { return {std::max(0, i - knots.degree), std::min(knots.n_intervals(), i + 1)}; }
+Range support(const KnotVector& knots, int i) {
+    return {std::max(0, i - knots.degree), std::min(knots.n_intervals(), i + 1)};
+}
 
 template <class OnCell>
 void for_support_cells(const SplineSpace& s, int tensor, OnCell on_cell) {
@@ -47,7 +49,8 @@ int nearest_inner_cell(const SplineSpace& s, int tensor, std::vector<int>& mark,
         double closest = std::numeric_limits<double>::infinity();
         next.clear();
         for (int cell : front) {
-            if (s.fraction[static_cast<std::size_t>(cell)] >= inner_cell_fraction && distance_squared(s, cell, middle) < closest) {
+            if (s.fraction[static_cast<std::size_t>(cell)] >= inner_cell_fraction &&
+                distance_squared(s, cell, middle) < closest) {
                 closest = distance_squared(s, cell, middle);
                 best = cell;
             }
@@ -56,7 +59,8 @@ int nearest_inner_cell(const SplineSpace& s, int tensor, std::vector<int>& mark,
                 for (int dc = -1; dc <= 1; ++dc) {
                     if (c + dc < 0 || c + dc >= s.columns() || r + dr < 0 || r + dr >= s.rows()) continue;
                     const int other = cell + dr * s.columns() + dc;
-                    if (mark[static_cast<std::size_t>(other)] == stamp || s.fraction[static_cast<std::size_t>(other)] <= 0) continue;
+                    if (mark[static_cast<std::size_t>(other)] == stamp || s.fraction[static_cast<std::size_t>(other)] <= 0)
+                        continue;
                     mark[static_cast<std::size_t>(other)] = stamp;
                     next.push_back(other);
                 }
@@ -74,8 +78,10 @@ std::vector<Role> roles(const SplineSpace& s, Basis basis) {
     for (std::size_t k = 0; k < role.size(); ++k)
         for_support_cells(s, static_cast<int>(k), [&](int cell) {
             const double f = s.fraction[static_cast<std::size_t>(cell)];
-            if (f >= inner_cell_fraction || (f > 0 && basis == Basis::plain)) role[k] = Role::own;
-            else if (f > 0 && role[k] == Role::absent) role[k] = Role::extended;
+            if (f >= inner_cell_fraction || (f > 0 && basis == Basis::plain))
+                role[k] = Role::own;
+            else if (f > 0 && role[k] == Role::absent)
+                role[k] = Role::extended;
         });
     return role;
 }
@@ -116,8 +122,10 @@ SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines,
             s.coefficient.push_back(1);
         } else if (role[k] == Role::extended) {
             const int from = nearest_inner_cell(s, static_cast<int>(k), mark, static_cast<int>(k));
-            if (from < 0) s.failure = "no cell is filled to a quarter where the part is thin: the grid is too coarse";
-            else append_extended(s, static_cast<int>(k), from, own);
+            if (from < 0)
+                s.failure = "no cell is filled to a quarter where the part is thin: the grid is too coarse";
+            else
+                append_extended(s, static_cast<int>(k), from, own);
         }
         s.first.push_back(static_cast<int>(s.function.size()));
     }
@@ -151,7 +159,8 @@ Extraction extraction(const SplineSpace& space, int cell) {
     for (std::size_t row = 0; row < tensors.size(); ++row) {
         const auto t = static_cast<std::size_t>(tensors[row]);
         for (int k = space.first[t]; k < space.first[t + 1]; ++k) {
-            const auto at = std::lower_bound(e.functions.begin(), e.functions.end(), space.function[static_cast<std::size_t>(k)]);
+            const auto at =
+                std::lower_bound(e.functions.begin(), e.functions.end(), space.function[static_cast<std::size_t>(k)]);
             e.matrix(static_cast<Eigen::Index>(row), at - e.functions.begin()) = space.coefficient[static_cast<std::size_t>(k)];
         }
     }

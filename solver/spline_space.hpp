@@ -21,19 +21,21 @@ inline constexpr double inner_cell_fraction = 0.25;
 /// nearest inner cell. Nothing downstream knows which basis it is.
 struct SplineSpace {
     KnotVector x, y;
-    int n_functions = 0;                 ///< of the space, per displacement component
-    std::vector<double> fraction;        ///< filled fraction by cell (row-major, row = y)
-    std::vector<int> first;              ///< n_tensor + 1 offsets: the row of tensor function j * x.n_functions() + i
-    std::vector<int> function;           ///< functions of the space in each row, ascending
+    int n_functions = 0;           ///< of the space, per displacement component
+    std::vector<double> fraction;  ///< filled fraction by cell (row-major, row = y)
+    std::vector<int> first;        ///< n_tensor + 1 offsets: the row of tensor function j * x.n_functions() + i
+    std::vector<int> function;     ///< functions of the space in each row, ascending
     std::vector<double> coefficient;
-    std::vector<int> tensor_of;          ///< tensor function of each function of the space
-    int n_extended = 0;                  ///< tensor functions that are extended
-    std::string failure;                 ///< not empty: no such space (no inner cell to extend from), and why
+    std::vector<int> tensor_of;  ///< tensor function of each function of the space
+    int n_extended = 0;          ///< tensor functions that are extended
+    std::string failure;         ///< not empty: no such space (no inner cell to extend from), and why
 
     int columns() const { return x.n_intervals(); }
     int rows() const { return y.n_intervals(); }
     int cell_at(const Vec2& p) const { return interval_of(y, p.y()) * columns() + interval_of(x, p.x()); }
-    bool has_row(int tensor) const { return first[static_cast<std::size_t>(tensor)] < first[static_cast<std::size_t>(tensor) + 1]; }
+    bool has_row(int tensor) const {
+        return first[static_cast<std::size_t>(tensor)] < first[static_cast<std::size_t>(tensor) + 1];
+    }
 };
 
 /// fraction: filled fraction of every cell, 0 for outer ones.
@@ -47,7 +49,7 @@ std::vector<int> tensor_functions(const SplineSpace& space, int cell);
 struct Extraction {
     std::vector<int> functions;
     Eigen::MatrixXd matrix;
-    bool identity = false;               ///< the B-splines themselves: matrix left empty
+    bool identity = false;  ///< the B-splines themselves: matrix left empty
 };
 Extraction extraction(const SplineSpace& space, int cell);
 

@@ -96,11 +96,13 @@ struct SideRow {
     const SplineSpace& space;
     const KnotVector& along;
     bool vertical;
-    int row;       // of functions, across the side
-    int cells;     // of cells, across the side
+    int row;    // of functions, across the side
+    int cells;  // of cells, across the side
 
     int tensor(int k) const { return vertical ? k * space.x.n_functions() + row : row * space.x.n_functions() + k; }
-    int place(int tensor_function) const { return vertical ? tensor_function / space.x.n_functions() : tensor_function % space.x.n_functions(); }
+    int place(int tensor_function) const {
+        return vertical ? tensor_function / space.x.n_functions() : tensor_function % space.x.n_functions();
+    }
     bool is_outermost(int tensor_function) const { return tensor(place(tensor_function)) == tensor_function; }
     double fraction(int i) const {
         return space.fraction[static_cast<std::size_t>(vertical ? i * space.columns() + cells : cells * space.columns() + i)];
@@ -108,7 +110,8 @@ struct SideRow {
 };
 
 SideRow row_of(const SplineSpace& s, GridSide side) {
-    const bool vertical = side == GridSide::left || side == GridSide::right, first = side == GridSide::left || side == GridSide::bottom;
+    const bool vertical = side == GridSide::left || side == GridSide::right,
+               first = side == GridSide::left || side == GridSide::bottom;
     const KnotVector& across = vertical ? s.x : s.y;
     return {s, vertical ? s.y : s.x, vertical, first ? 0 : across.n_functions() - 1, first ? 0 : across.n_intervals() - 1};
 }
@@ -134,7 +137,8 @@ HeldIntervals held_intervals(const KnotVector& along, const std::vector<Stretch>
 
 }  // namespace
 
-std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, const std::vector<Stretch>& stretches) {
+std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side,
+                                                  const std::vector<Stretch>& stretches) {
     const SideRow row = row_of(space, side);
     const HeldIntervals held = held_intervals(row.along, stretches);
     const auto lives_on_held = [&](int k) {

@@ -29,8 +29,8 @@ struct SupportSet {
     int tag = 0;
     std::vector<SupportPoint> points;
     std::optional<GridSide> side;
-    int component = 0;       ///< of the grid's axes, with `side`
-    double value = 0;        ///< with `side`
+    int component = 0;               ///< of the grid's axes, with `side`
+    double value = 0;                ///< with `side`
     std::vector<Stretch> stretches;  ///< along the side, with `side`
 };
 
@@ -56,8 +56,9 @@ Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const 
 double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
 /// The functions to drop so that a component vanishes on stretches of a grid side: those of the outermost row that live there.
-/// None where that would not be exact: a B-spline that lives there is extended from functions that do not, or reaches into a cell
-/// that holds material without being held along its whole side (beside a recess or a fillet), where it must not vanish.
-std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side, const std::vector<Stretch>& stretches);
+/// None where that would not be exact: a B-spline that lives there is extended from functions that do not, or reaches into a
+/// cell that holds material without being held along its whole side (beside a recess or a fillet), where it must not vanish.
+std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side,
+                                                  const std::vector<Stretch>& stretches);
 
 }  // namespace abut::solver

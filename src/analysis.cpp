@@ -29,9 +29,11 @@ constexpr double settled_pressure = 0.05;
 /// Contact forces that do not balance by more than this fraction are no answer; below, a warning.
 constexpr double tolerated_work = 0.02;
 constexpr double large_rotation = 0.05, large_strain = 0.05;
-constexpr double large_motion = 0.05;   // of the part's size
+constexpr double large_motion = 0.05;  // of the part's size
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 int max_passes(const Scene& scene) {
     if (scene.accuracy.level == "draft") return 3;
@@ -49,13 +51,14 @@ struct Outcome {
     SolvedAssembly solved;
     int passes = 0, factorizations = 0, iterations = 0;
     bool have_previous = false, settled = true, search_too_short = false;
-    std::vector<double> previous_peak;   // by candidate
+    std::vector<double> previous_peak;  // by candidate
     double previous_energy = 0;
 };
 
 double energy_of(const SolvedAssembly& s) {
     double sum = 0;
-    for (std::size_t i = 0; i < s.problem.parts.size(); ++i) sum += strain_energy(s.problem.parts[i], s.solution.displacement[i]);
+    for (std::size_t i = 0; i < s.problem.parts.size(); ++i)
+        sum += strain_energy(s.problem.parts[i], s.solution.displacement[i]);
     return sum;
 }
 
@@ -95,7 +98,8 @@ double mean_of(const SolvedAssembly& s, std::size_t contact) {
 bool zone_too_short(const SolvedAssembly& s) {
     for (std::size_t k = 0; k < s.contacts.size(); ++k)
         for (const ContactRun& run : s.runs[k])
-            if ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)) return true;
+            if ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit))
+                return true;
     return false;
 }
 
@@ -104,14 +108,16 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
     std::vector<double> reach(scene.parts.size(), 0.0);
     for (std::size_t k = 0; k < s.grids.size(); ++k) {
         const Eigen::VectorXd& u = s.solution.displacement[k];
-        for (Eigen::Index f = 0; f + 1 < u.size(); f += 2) reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], u.segment<2>(f).norm());
+        for (Eigen::Index f = 0; f + 1 < u.size(); f += 2)
+            reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], u.segment<2>(f).norm());
     }
     double factor = 0;
     for (std::size_t i = 0; i < scene.parts.size(); ++i)
         for (std::size_t j = i + 1; j < scene.parts.size(); ++j) {
             const auto a = bounding_box(scene.parts[i].part), b = bounding_box(scene.parts[j].part);
             const double closing = reach[i] + reach[j];
-            if (a.overlaps(b, closing)) factor = std::max(factor, closing / (first_search_fraction * std::min(a.diagonal(), b.diagonal())));
+            if (a.overlaps(b, closing))
+                factor = std::max(factor, closing / (first_search_fraction * std::min(a.diagonal(), b.diagonal())));
         }
     return factor;
 }
@@ -135,8 +141,8 @@ bool same_contacts(const SolvedAssembly& now, const SolvedAssembly& before) {
     return true;
 }
 
-/// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the middle
-/// of its hole), the seam moves to the middle of the longest open stretch.
+/// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the
+/// middle of its hole), the seam moves to the middle of the longest open stretch.
 void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ContactRun>& runs = s.runs[k];
@@ -157,7 +163,7 @@ void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candida
             longest = runs.front().begin;
             middle = 0.5 * runs.front().begin;
         }
-        if (longest == 0) continue;   // pressed all round
+        if (longest == 0) continue;  // pressed all round
         const geometry::FacingPair pair = pair_at(scene, s.contacts[k], middle);
         if (!pair.found) continue;
         zone.begin1 = pair.s1;
@@ -178,7 +184,8 @@ std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& ca
 }
 
 /// Grids, solution, new grids from the contacts found, until these stay where they are.
-Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds) {
+Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
+                         Stopwatches& seconds) {
     Outcome out;
     const double coarseness = coarseness_of(scene);
     double factor = 1;
@@ -198,7 +205,8 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
         out.factorizations += static_cast<int>(now.problem.parts.size());
         out.iterations += now.solution.iterations;
         const bool stuck = !now.failure.empty() || !now.solution.mechanism.empty();
-        const bool may_widen = !scene.contacts.search_distance && widenings < max_search_widenings && scene.contacts.detect && scene.parts.size() > 1;
+        const bool may_widen = !scene.contacts.search_distance && widenings < max_search_widenings && scene.contacts.detect &&
+                               scene.parts.size() > 1;
         const double needed = stuck ? 0.0 : needed_search_factor(scene, now);
         if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor)) {
             ++widenings;
@@ -211,8 +219,10 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
                 search();
             }
             out.have_previous = false;
-            if (stuck || !any_run(now)) wanted = first_sizes(scene, out.candidates, coarseness);
-            else wanted = sizes_from(scene, now, coarseness);
+            if (stuck || !any_run(now))
+                wanted = first_sizes(scene, out.candidates, coarseness);
+            else
+                wanted = sizes_from(scene, now, coarseness);
             continue;
         }
         out.search_too_short = !stuck && scene.parts.size() > 1 && scene.contacts.detect &&
@@ -251,9 +261,12 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
             for (double v : g.cells.grid.x) part.grid_x.push_back(v + g.frame.shift.x());
             for (double v : g.cells.grid.y) part.grid_y.push_back(v + g.frame.shift.y());
             for (geometry::CellClass c : g.cells.cell_class) {
-                if (c == geometry::CellClass::inner) ++part.cells_inner;
-                else if (c == geometry::CellClass::boundary) ++part.cells_boundary;
-                else ++part.cells_outer;
+                if (c == geometry::CellClass::inner)
+                    ++part.cells_inner;
+                else if (c == geometry::CellClass::boundary)
+                    ++part.cells_boundary;
+                else
+                    ++part.cells_outer;
             }
             result.unknowns += part.unknowns;
             result.cells[0] += part.cells_inner;
@@ -266,11 +279,12 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
     }
 }
 
-void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, Result& result) {
+void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
+                 Result& result) {
     for (const Probe& probe : scene.output.probes)
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             if (scene.parts[i].name != probe.part) continue;
-            if (solved.solver_part[i] < 0) {   // carries nothing: it stays where it is, without stress
+            if (solved.solver_part[i] < 0) {  // carries nothing: it stays where it is, without stress
                 result.probes.push_back({probe.part, probe.at, {0, 0}, {}});
                 result.warnings.push_back("the probe in part " + probe.part + " is zero: nothing acts on that part");
                 continue;
@@ -294,8 +308,9 @@ void check_probes(const Scene& scene) {
                 away = std::min(away, (point(e.curve, closest_parameter(e.curve, probe.at)) - probe.at).norm());
             const double merge = geometry::merge_length(part.part);
             if (away > merge && !contains(part.part, probe.at))
-                problems.push_back({probe.where, "the probe at (" + number_text(probe.at.x(), 6) + ", " + number_text(probe.at.y(), 6) +
-                                                     ") lies outside part " + probe.part,
+                problems.push_back({probe.where,
+                                    "the probe at (" + number_text(probe.at.x(), 6) + ", " + number_text(probe.at.y(), 6) +
+                                        ") lies outside part " + probe.part,
                                     "it is " + number_text(away, 3) + " away from the part's boundary"});
         }
     if (!problems.empty()) throw InputError(problems);
@@ -342,11 +357,19 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
                                       number_text(result.parts[at(g.part)].max_displacement.value, 3) +
                                       "; contacts are paired where they are drawn");
         if (rotation > large_rotation)
-            result.warnings.push_back("large displacement: part " + name + " turns by up to " + number_text(rotation * 180 / M_PI, 3) +
+            result.warnings.push_back("large displacement: part " + name + " turns by up to " +
+                                      number_text(rotation * 180 / M_PI, 3) +
                                       " degrees; the answer is that of small displacements");
         if (strain > large_strain)
             result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * strain, 3) +
                                       " %; the answer is that of linear elasticity");
+    }
+    for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
+        const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
+                                      [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
+        if (!used && scene.contacts.pairs[r].kind == PairRule::Kind::contact)
+            result.warnings.push_back("contacts.pairs " + std::to_string(r) +
+                                      " has no effect: these edges face each other nowhere within the search distance");
     }
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
@@ -355,8 +378,9 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
         result.warnings.push_back("the contacts still moved between the last two grids by more than " +
                                   number_text(100 * settled_fraction, 2) + " % of their length");
     if (out.solved.limited_grids > 0)
-        result.warnings.push_back("grids of " + std::to_string(out.solved.limited_grids) +
-                                  " part(s) are coarser than the contacts ask for, to bound the number of cells; \"fine\" allows more");
+        result.warnings.push_back(
+            "grids of " + std::to_string(out.solved.limited_grids) +
+            " part(s) are coarser than the contacts ask for, to bound the number of cells; \"fine\" allows more");
     if (out.solved.refined_for_walls > 0)
         result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
                                   " part(s) were refined because a wall was thinner than a cell");
@@ -378,8 +402,9 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         result.message = solved.failure;
         return;
     }
-    result.message = "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
-                     ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+    result.message =
+        "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
+        ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
 void fill_answers(const Scene& scene, const Outcome& out, Stopwatches& seconds, Result& result) {
@@ -438,18 +463,21 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
         if (!driven.empty() && out.solved.solution.driven_work <= tolerated_work)
             result.warnings.push_back("contact pushes with " + number_text(100 * out.solved.solution.driven_work, 2) +
                                       " % of its force along a motion that frictionless contact does not hold (" +
-                                      motions_text(scene, out.solved, driven) + "); hold the part by a support if that matters");
+                                      motions_text(scene, out.solved, driven) +
+                                      "); hold the part by a support if that matters");
         if (!driven.empty() && out.solved.solution.driven_work > tolerated_work) {
             result.status = "failed";
-            result.message = "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
-                             ". Add a support, or a part that it can rest on";
+            result.message =
+                "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
+                ". Add a support, or a part that it can rest on";
         }
         fill_answers(scene, out, seconds, result);
     }
     for (Effect& e : result.effects)
         if (e.on && e.name == "contact") e.seconds = seconds["solve"];
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"}) result.timing.emplace_back(stage, seconds[stage]);
+    for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
+        result.timing.emplace_back(stage, seconds[stage]);
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     return result;

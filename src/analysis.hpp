@@ -9,7 +9,7 @@
 namespace abut {
 
 struct AnalyzeOptions {
-    std::function<void(const std::string&)> progress;   ///< told what is being done; may be empty
+    std::function<void(const std::string&)> progress;  ///< told what is being done; may be empty
 };
 
 /// Scene to answer. Throws InputError for what only shows here (a selection that matches nothing, drawn overlaps, a grid that

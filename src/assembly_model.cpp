@@ -13,7 +13,9 @@ constexpr int max_wall_refinements = 5;
 /// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 class Timed {
 public:
@@ -69,14 +71,19 @@ std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, c
     return features;
 }
 
-geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame, const std::vector<WantedSize>& wanted,
-                             double coarseness, double refinement, double budget, bool& limited) {
+geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
+                             const std::vector<WantedSize>& wanted, double coarseness, double refinement, double budget,
+                             bool& limited) {
     const geometry::Box2 box = bounding_box(local);
-    if (scene.accuracy.cell_size) refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size, "/accuracy/cell_size");
+    if (scene.accuracy.cell_size)
+        refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size,
+                        "/accuracy/cell_size");
     std::array<double, 2> largest = largest_cells(local, coarseness);
     std::vector<SizeFeature> features;
-    if (scene.accuracy.cell_size) largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
-    else features = shape_features(local, coarseness);
+    if (scene.accuracy.cell_size)
+        largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
+    else
+        features = shape_features(local, coarseness);
     if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) {
         const auto more = local_features(wanted, frame);
         features.insert(features.end(), more.begin(), more.end());
@@ -98,7 +105,8 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
     }
 }
 
-PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness, SolvedAssembly& solved) {
+PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
+                       SolvedAssembly& solved) {
     const ScenePart& source = scene.parts[at(part)];
     const auto given = scene.accuracy.grids.find(source.name);
     const int degree = scene.accuracy.degree;
@@ -110,11 +118,14 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
     }
     const Frame frame = frame_for(source.part, 0);
     const geometry::Part local = transformed(source.part, frame.c, -frame.s, -frame.shift);
-    const double budget = std::max(least_cells_of_part, standard_cells / coarseness / coarseness / static_cast<double>(scene.parts.size()));
+    const double budget =
+        std::max(least_cells_of_part, standard_cells / coarseness / coarseness / static_cast<double>(scene.parts.size()));
     bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
-        PartOnGrid g = discretize(scene, part, frame, designed_grid(scene, local, frame, wanted, coarseness, refinement, budget, limited), {degree, degree});
+        PartOnGrid g =
+            discretize(scene, part, frame, designed_grid(scene, local, frame, wanted, coarseness, refinement, budget, limited),
+                       {degree, degree});
         if (g.input.space.failure.empty() || attempt == max_wall_refinements || scene.accuracy.cell_size) {
             if (attempt > 0) ++solved.refined_for_walls;
             if (limited) ++solved.limited_grids;
@@ -123,7 +134,8 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
     }
 }
 
-solver::PartSystem make_system(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g, double& load_scale) {
+solver::PartSystem make_system(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g,
+                               double& load_scale) {
     PartLoad load = load_vector(scene, conditions, g);
     load_scale = std::max(load_scale, load.scale);
     return solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size);
@@ -136,7 +148,8 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
         if (a < 0 || b < 0) continue;
-        solved.contacts.back() = make_interface(scene, c.zone, solved.grids[at(a)], solved.grids[at(b)], {a, b}, c.closing, c.no_overlap);
+        solved.contacts.back() =
+            make_interface(scene, c.zone, solved.grids[at(a)], solved.grids[at(b)], {a, b}, c.closing, c.no_overlap);
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
         solved.interface_of.back() = static_cast<int>(solved.problem.interfaces.size());
@@ -155,7 +168,8 @@ double coarseness_of(const Scene& scene) {
 }
 
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness, Stopwatches& seconds) {
+                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                          Stopwatches& seconds) {
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
     {
@@ -177,11 +191,14 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
             for (const solver::SupportRecord& record : system.supports)
                 if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
                     throw InputError(scene.supports[at(record.set.tag)].where,
-                                     "this support cannot be imposed by dropping functions: it does not lie along the outermost grid lines of part " +
+                                     "this support cannot be imposed by dropping functions: it does not lie along the "
+                                     "outermost grid lines of part " +
                                          scene.parts[at(g.part)].name,
                                      "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
-            if (!system.failure.empty()) solved.failure = "part " + scene.parts[at(g.part)].name + ": " + system.failure;
-            else solved.condition = std::max(solved.condition, system.factor.condition_estimate());
+            if (!system.failure.empty())
+                solved.failure = "part " + scene.parts[at(g.part)].name + ": " + system.failure;
+            else
+                solved.condition = std::max(solved.condition, system.factor.condition_estimate());
             for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
                 solved.problem.constraints.push_back(std::move(c));
         }

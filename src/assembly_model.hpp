@@ -21,28 +21,29 @@ using Stopwatches = std::map<std::string, double>;
 
 /// A solved pass.
 struct SolvedAssembly {
-    std::vector<PartOnGrid> grids;                 ///< of the parts that are solved
-    std::vector<int> solver_part;                  ///< by scene part: index into grids, or -1
-    std::vector<ContactInterface> contacts;        ///< parallel to the candidates; those without pieces have no points
-    std::vector<int> interface_of;                 ///< by contact: index among the solver's interfaces, or -1
+    std::vector<PartOnGrid> grids;           ///< of the parts that are solved
+    std::vector<int> solver_part;            ///< by scene part: index into grids, or -1
+    std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
+    std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
-    std::vector<std::vector<ContactRun>> runs;     ///< by contact
-    double condition = 0;                          ///< largest of the parts'
-    std::string failure;                           ///< not empty: not solvable, and why
-    int refined_for_walls = 0;                     ///< parts whose grid had to be refined to hold the basis
-    int limited_grids = 0;                         ///< parts whose grid is coarser than wanted, to bound the number of cells
+    std::vector<std::vector<ContactRun>> runs;  ///< by contact
+    double condition = 0;                       ///< largest of the parts'
+    std::string failure;                        ///< not empty: not solvable, and why
+    int refined_for_walls = 0;                  ///< parts whose grid had to be refined to hold the basis
+    int limited_grids = 0;                      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
 /// What is asked of the grids of a pass: features by scene part, in assembly coordinates.
 struct WantedSize {
-    std::vector<Vec2> points;   ///< the cells around all of them
+    std::vector<Vec2> points;  ///< the cells around all of them
     double size;
 };
 using WantedSizes = std::vector<std::vector<WantedSize>>;
 
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness, Stopwatches& seconds);
+                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                          Stopwatches& seconds);
 
 /// Sizes wanted before anything is known: cells along the closest portions of the candidates.
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);

@@ -13,7 +13,9 @@ using geometry::BoundaryPoint;
 using solver::GridSide;
 using solver::SupportSet;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// Grid side on which an edge lies wholly, if any, with its extent along it.
 struct OnSide {
@@ -28,7 +30,9 @@ std::optional<OnSide> grid_side_of(const PartOnGrid& g, int edge, double t0, dou
     const auto& grid = g.cells.grid;
     const double merge = geometry::merge_fraction * g.size;
     const auto on = [&](int axis, double line) { return std::abs(a[axis] - line) < merge && std::abs(b[axis] - line) < merge; };
-    const auto result = [&](GridSide side, int along) { return OnSide{side, std::min(a[along], b[along]), std::max(a[along], b[along])}; };
+    const auto result = [&](GridSide side, int along) {
+        return OnSide{side, std::min(a[along], b[along]), std::max(a[along], b[along])};
+    };
     if (on(0, grid.x.front())) return result(GridSide::left, 1);
     if (on(0, grid.x.back())) return result(GridSide::right, 1);
     if (on(1, grid.y.front())) return result(GridSide::bottom, 0);
@@ -62,8 +66,10 @@ void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& port
         const Vec2 global = g.frame.to_global(p.x);
         const double value = component.value ? (*component.value)(global.x(), global.y()) : 0.0;
         if (!std::isfinite(value))
-            throw InputError("", "the prescribed displacement has no finite value at (" + std::to_string(global.x()) + ", " + std::to_string(global.y()) +
-                                     ") on part " + g.local.name, "check its expression");
+            throw InputError("",
+                             "the prescribed displacement has no finite value at (" + std::to_string(global.x()) + ", " +
+                                 std::to_string(global.y()) + ") on part " + g.local.name,
+                             "check its expression");
         set.points.push_back({p.cell, p.x, p.normal, direction, p.weight, value});
     }
 }
@@ -73,7 +79,7 @@ void try_to_align(SupportSet& set, const std::vector<OnSide>& stretches) {
     const GridSide side = stretches.front().side;
     const Vec2 d = set.points.front().direction;
     const double value = set.points.front().value;
-    constexpr double parallel = 1e-12;   // sine of the angle that rounding leaves between a direction and a grid axis
+    constexpr double parallel = 1e-12;  // sine of the angle that rounding leaves between a direction and a grid axis
     const int component = std::abs(d.x()) > std::abs(d.y()) ? 0 : 1;
     if (std::abs(d[1 - component]) > parallel) return;
     for (const solver::SupportPoint& p : set.points)
@@ -147,7 +153,8 @@ Vec2 volume_force(const Scene& scene, const Load& load, const PartOnGrid& g, con
     return value;
 }
 
-void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g, PartLoad& result) {
+void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g,
+                   PartLoad& result) {
     const double total = selected_area(scene, portions);
     std::vector<solver::TractionPoint> points;
     double magnitude = 0;
@@ -183,7 +190,8 @@ std::optional<double> constant_value(const Support& s, int c) {
 }
 
 /// Two supports that prescribe different values of one component on the same stretch of an edge.
-void append_contradictions(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions, std::vector<Problem>& problems) {
+void append_contradictions(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions,
+                           std::vector<Problem>& problems) {
     const auto meet = [&](std::size_t i, std::size_t j) -> const EdgePortion* {
         for (const EdgePortion& a : portions[i])
             for (const EdgePortion& b : portions[j])
@@ -197,8 +205,10 @@ void append_contradictions(const Scene& scene, const std::vector<std::vector<Edg
                 const EdgePortion* shared = a && b && *a != *b ? meet(i, j) : nullptr;
                 if (!shared) continue;
                 const ScenePart& part = scene.parts[at(shared->part)];
-                problems.push_back({scene.supports[j].where, "supports " + std::to_string(i) + " and " + std::to_string(j) + " prescribe different " +
-                                        (c == 0 ? "x" : "y") + " displacements on " + part.name + "/" + part.part.edges[at(shared->edge)].name,
+                problems.push_back({scene.supports[j].where,
+                                    "supports " + std::to_string(i) + " and " + std::to_string(j) + " prescribe different " +
+                                        (c == 0 ? "x" : "y") + " displacements on " + part.name + "/" +
+                                        part.part.edges[at(shared->edge)].name,
                                     "take one of them away"});
             }
 }
@@ -259,10 +269,13 @@ std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const P
 PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
     PartLoad result{Eigen::VectorXd::Zero(2 * on_grid.input.space.n_functions), 0};
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-        if (is_edge_load(scene.loads[i])) add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);
-        else if (acts_on_volume_of(scene, scene.loads[i], on_grid.part)) add_volume_load(scene, scene.loads[i], on_grid, result);
+        if (is_edge_load(scene.loads[i]))
+            add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);
+        else if (acts_on_volume_of(scene, scene.loads[i], on_grid.part))
+            add_volume_load(scene, scene.loads[i], on_grid, result);
         if (!result.vector.allFinite())
-            throw InputError(scene.loads[i].where, "this load has no finite value everywhere on part " + scene.parts[at(on_grid.part)].name,
+            throw InputError(scene.loads[i].where,
+                             "this load has no finite value everywhere on part " + scene.parts[at(on_grid.part)].name,
                              "check its expressions for divisions by zero and roots of negative numbers");
     }
     return result;
@@ -290,8 +303,10 @@ bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int par
 std::string support_label(const Scene& scene, int support) {
     const Support& s = scene.supports[at(support)];
     std::string what;
-    if (s.kind == Support::Kind::symmetry) what = "symmetry";
-    else if (s.kind == Support::Kind::rigid) return "rigid hold of " + s.part;
+    if (s.kind == Support::Kind::symmetry)
+        what = "symmetry";
+    else if (s.kind == Support::Kind::rigid)
+        return "rigid hold of " + s.part;
     else {
         what = s.kind == Support::Kind::fix ? "fix " : "displacement ";
         what += s.x && s.y ? "x, y" : (s.x ? "x" : "y");

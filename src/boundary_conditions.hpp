@@ -13,12 +13,13 @@ namespace abut {
 
 /// The scene's selections turned into portions of edges, once for all grids.
 struct ResolvedConditions {
-    std::vector<std::vector<EdgePortion>> supports, loads;   ///< parallel to Scene::supports, Scene::loads
+    std::vector<std::vector<EdgePortion>> supports, loads;  ///< parallel to Scene::supports, Scene::loads
 };
 ResolvedConditions resolve_conditions(const Scene& scene);
 
 /// Supports of one part along its boundary. SupportSet::tag is the index of the scene's support.
-std::vector<solver::SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
+std::vector<solver::SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions,
+                                             const PartOnGrid& on_grid);
 
 /// Mean constraints of one part ("rigid" supports); `part` is the index among the solver's parts.
 std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const PartOnGrid& on_grid, int part);

@@ -6,33 +6,25 @@
 #include <limits>
 
 #include "geometry/overlap.hpp"
-#include "src/selection.hpp"
+#include "src/pair_rules.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
 
 namespace {
 
-const geometry::Part& part_of(const Scene& scene, int i) { return scene.parts[static_cast<std::size_t>(i)].part; }
-
-/// Does a rule speak of this zone: one selector matching an edge of either side.
-bool rule_matches(const Scene& scene, const PairRule& rule, const Candidate& c) {
-    const auto any = [&](const Selector& selector, int part, const geometry::Chain& chain) {
-        return std::any_of(chain.edges.begin(), chain.edges.end(), [&](int e) { return selector_matches(scene, selector, part, e); });
-    };
-    const auto both = [&](const Selector& a, const Selector& b) {
-        return any(a, c.first, c.zone.chain1) && any(b, c.second, c.zone.chain2);
-    };
-    return both(rule.between[0], rule.between[1]) || both(rule.between[1], rule.between[0]);
+const geometry::Part& part_of(const Scene& scene, int i) {
+    return scene.parts[static_cast<std::size_t>(i)].part;
 }
 
 void check_overlap(const Scene& scene, const Candidate& c, double allowed, std::vector<Problem>& problems) {
     if (c.zone.gap_min >= -allowed) return;
     const ScenePart &a = scene.parts[static_cast<std::size_t>(c.first)], &b = scene.parts[static_cast<std::size_t>(c.second)];
-    const std::string edges = a.name + "/" + a.part.edges[static_cast<std::size_t>(c.zone.chain1.edges.front())].name + " and " + b.name +
-                              "/" + b.part.edges[static_cast<std::size_t>(c.zone.chain2.edges.front())].name;
-    problems.push_back({a.where, "parts " + a.name + " and " + b.name + " overlap by " + number_text(-c.zone.gap_min, 4) + " at " + edges,
-                        "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\""});
+    const std::string edges = a.name + "/" + a.part.edges[static_cast<std::size_t>(c.zone.chain1.edges.front())].name +
+                              " and " + b.name + "/" + b.part.edges[static_cast<std::size_t>(c.zone.chain2.edges.front())].name;
+    problems.push_back(
+        {a.where, "parts " + a.name + " and " + b.name + " overlap by " + number_text(-c.zone.gap_min, 4) + " at " + edges,
+         "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\""});
 }
 
 /// A part drawn inside another's material: no boundaries need to meet.
@@ -40,12 +32,14 @@ void check_containment(const Scene& scene, int i, int j, double allowed, std::ve
     const auto inside = [&](const geometry::Part& outer, const geometry::Part& inner) {
         const Vec2 p = point(inner.edges.front().curve, 0.5);
         double away = std::numeric_limits<double>::infinity();
-        for (const geometry::Edge& e : outer.edges) away = std::min(away, (point(e.curve, closest_parameter(e.curve, p)) - p).norm());
+        for (const geometry::Edge& e : outer.edges)
+            away = std::min(away, (point(e.curve, closest_parameter(e.curve, p)) - p).norm());
         return away > allowed && contains(outer, p);
     };
     const geometry::Part &a = part_of(scene, i), &b = part_of(scene, j);
-    const bool same_place = std::abs(area(a) - area(b)) <= allowed * perimeter(a) && (centroid(a) - centroid(b)).norm() <= allowed &&
-                            std::abs(perimeter(a) - perimeter(b)) <= allowed && overlap(a, b, allowed).area > 0.5 * area(a);
+    const bool same_place = std::abs(area(a) - area(b)) <= allowed * perimeter(a) &&
+                            (centroid(a) - centroid(b)).norm() <= allowed && std::abs(perimeter(a) - perimeter(b)) <= allowed &&
+                            overlap(a, b, allowed).area > 0.5 * area(a);
     if (!same_place && !inside(a, b) && !inside(b, a)) return;
     const ScenePart &first = scene.parts[static_cast<std::size_t>(i)], &second = scene.parts[static_cast<std::size_t>(j)];
     problems.push_back({second.where, "parts " + first.name + " and " + second.name + " lie in the same place",
@@ -53,19 +47,6 @@ void check_containment(const Scene& scene, int i, int j, double allowed, std::ve
 }
 
 }  // namespace
-
-bool selector_matches(const Scene& scene, const Selector& selector, int part, int edge) {
-    const ScenePart& p = scene.parts[static_cast<std::size_t>(part)];
-    if (selector.pattern == p.name) return true;
-    Selector probe = selector;
-    std::vector<EdgePortion> portions;
-    try {
-        portions = select(scene, {probe});
-    } catch (const InputError&) {
-        return false;   // reported where the rules are read
-    }
-    return std::any_of(portions.begin(), portions.end(), [&](const EdgePortion& e) { return e.part == part && e.edge == edge; });
-}
 
 std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
     std::vector<Candidate> candidates;
@@ -76,22 +57,26 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
         for (int j = i + 1; j < n; ++j) {
             const auto box_i = bounding_box(part_of(scene, i)), box_j = bounding_box(part_of(scene, j));
             const double size = std::min(box_i.diagonal(), box_j.diagonal());
-            const double distance = scene.contacts.search_distance ? *scene.contacts.search_distance : factor * first_search_fraction * size;
+            const double distance =
+                scene.contacts.search_distance ? *scene.contacts.search_distance : factor * first_search_fraction * size;
             if (!box_i.overlaps(box_j, distance)) continue;
-            if (factor == 1 && scene.contacts.overlap == "report") check_containment(scene, i, j, overlap_fraction * size, problems);
+            if (factor == 1 && scene.contacts.overlap == "report")
+                check_containment(scene, i, j, overlap_fraction * size, problems);
             const double deepest = -first_search_fraction * size;
             for (geometry::FacingZone& zone : find_facing_zones(part_of(scene, i), part_of(scene, j), distance)) {
-                if (zone.gap_min < deepest && distance > first_search_fraction * size) continue;   // a far side, not an overlap
-                Candidate c{i, j, std::move(zone), 0, scene.contacts.overlap == "ignore"};
-                bool wanted = scene.contacts.detect;
-                for (const PairRule& rule : scene.contacts.pairs) {
-                    if (!rule_matches(scene, rule, c)) continue;
-                    wanted = rule.kind == PairRule::Kind::contact;
-                    c.closing = rule.interference;
+                if (zone.gap_min < deepest && distance > first_search_fraction * size) continue;  // a far side, not an overlap
+                const Candidate whole{i, j, std::move(zone), 0, scene.contacts.overlap == "ignore"};
+                for (Ruled& ruled : split_by_rules(scene, whole)) {
+                    Candidate& c = ruled.candidate;
+                    const PairRule* rule =
+                        ruled.rule < 0 ? nullptr : &scene.contacts.pairs[static_cast<std::size_t>(ruled.rule)];
+                    if (rule ? rule->kind == PairRule::Kind::ignore : !scene.contacts.detect) continue;
+                    if (rule) c.closing = rule->interference;
+                    c.rule = ruled.rule;
+                    if (factor == 1 && scene.contacts.overlap == "report")
+                        check_overlap(scene, c, overlap_fraction * size, problems);
+                    candidates.push_back(std::move(c));
                 }
-                if (!wanted) continue;
-                if (factor == 1 && scene.contacts.overlap == "report") check_overlap(scene, c, overlap_fraction * size, problems);
-                candidates.push_back(std::move(c));
             }
         }
     if (!problems.empty()) throw InputError(problems);

@@ -9,23 +9,22 @@
 namespace abut {
 
 struct Candidate {
-    int first, second;             ///< indices into Scene::parts, first < second
+    int first, second;  ///< indices into Scene::parts, first < second
     geometry::FacingZone zone;
-    double closing = 0;            ///< interference
-    bool no_overlap = false;       ///< drawn overlaps count as touching
+    double closing = 0;       ///< interference
+    bool no_overlap = false;  ///< drawn overlaps count as touching
+    int rule = -1;            ///< the scene's rule for this pair, if any
 };
 
 /// Drawn overlaps up to this fraction of the smaller part's diagonal are the drawing's rounding, not a fault.
 inline constexpr double overlap_fraction = 1e-6;
 
-/// Distance up to which two parts are candidates at first, as a fraction of the smaller diagonal; it grows where contact reaches
-/// the end of a zone.
+/// Distance up to which two parts are candidates at first, as a fraction of the smaller diagonal; it grows where contact
+/// reaches the end of a zone.
 inline constexpr double first_search_fraction = 0.05;
 
-/// factor: widens the search distance. Throws InputError for drawn overlaps that the scene does not allow, naming edges and place.
+/// factor: widens the search distance. Throws InputError for drawn overlaps that the scene does not allow, naming edges and
+/// place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);
-
-/// Does a selector name this edge of this part (patterns and part names)?
-bool selector_matches(const Scene& scene, const Selector& selector, int part, int edge);
 
 }  // namespace abut

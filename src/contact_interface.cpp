@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symbols: s1, s2 arc lengths on the two chains, s on the middle curve; a piece is a stretch without a grid line or a knot inside.
+// Symbols: s1, s2 arc lengths on the two chains, s on the middle curve; a piece is a stretch without a grid line or a knot
+// inside.
 #include "src/contact_interface.hpp"
 
 #include <algorithm>
@@ -20,11 +21,16 @@ constexpr int min_intervals = 4;
 /// Pieces shorter than this fraction of the zone are rounding between crossings that coincide.
 constexpr double shortest_piece = 1e-9;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
-const geometry::Part& part_of(const Scene& scene, int part) { return scene.parts[at(part)].part; }
+const geometry::Part& part_of(const Scene& scene, int part) {
+    return scene.parts[at(part)].part;
+}
 
-/// Arc lengths on a chain where its part's grid lines cross it or its edges meet, within [low, high] (which may run past a turn).
+/// Arc lengths on a chain where its part's grid lines cross it or its edges meet, within [low, high] (which may run past a
+/// turn).
 std::vector<double> crossings(const PartOnGrid& g, const Chain& chain, double low, double high) {
     std::vector<double> found;
     for (std::size_t k = 0; k < chain.edges.size(); ++k) {
@@ -46,8 +52,12 @@ std::vector<double> crossings(const PartOnGrid& g, const Chain& chain, double lo
 }
 
 /// Linear interpolation of a partner's arc length between the zone's ends: a first guess.
-double guess2(const FacingZone& z, double s1) { return z.begin2 + (s1 - z.begin1) / (z.end1 - z.begin1) * (z.end2 - z.begin2); }
-double guess1(const FacingZone& z, double s2) { return z.begin1 + (s2 - z.begin2) / (z.end2 - z.begin2) * (z.end1 - z.begin1); }
+double guess2(const FacingZone& z, double s1) {
+    return z.begin2 + (s1 - z.begin1) / (z.end1 - z.begin1) * (z.end2 - z.begin2);
+}
+double guess1(const FacingZone& z, double s2) {
+    return z.begin1 + (s2 - z.begin2) / (z.end2 - z.begin2) * (z.end1 - z.begin1);
+}
 
 std::vector<double> breakpoints(const Scene& scene, const FacingZone& z, const PartOnGrid& first, const PartOnGrid& second) {
     std::vector<double> b = crossings(first, z.chain1, z.begin1, z.end1);
@@ -82,8 +92,8 @@ double compliance(const Scene& scene, const PartOnGrid& g) {
 
 struct Piece {
     double begin1, end1;
-    double length;   // on the middle curve
-    double size;     // wanted knot spacing
+    double length;  // on the middle curve
+    double size;    // wanted knot spacing
 };
 
 std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const PartOnGrid& first, const PartOnGrid& second) {
@@ -96,7 +106,8 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
         Piece piece{b[k], b[k + 1], 0, 0};
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
             const double s1 = b[k] + rule.points[q] * (b[k + 1] - b[k]);
-            const FacingPair pair = pair_from_first(part_of(scene, first.part), part_of(scene, second.part), c.zone, s1, partner);
+            const FacingPair pair =
+                pair_from_first(part_of(scene, first.part), part_of(scene, second.part), c.zone, s1, partner);
             if (!pair.found) continue;
             partner = pair.s2;
             piece.length += rule.weights[q] * (b[k + 1] - b[k]) * pair.stretch;
@@ -140,8 +151,8 @@ double interpolate(const std::vector<double>& from, const std::vector<double>& t
     return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
 }
 
-void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second, double s, double weight,
-                  double closing, bool no_overlap) {
+void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second, double s,
+                  double weight, double closing, bool no_overlap) {
     solver::InterfacePoint p;
     p.s = s;
     p.weight = weight;
@@ -155,7 +166,9 @@ void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid&
 
 }  // namespace
 
-int cell_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) { return piece_at(on_grid.cells, p.edge, p.t).cell; }
+int cell_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
+    return piece_at(on_grid.cells, p.edge, p.t).cell;
+}
 
 ContactInterface make_interface(const Scene& scene, const FacingZone& zone, const PartOnGrid& first, const PartOnGrid& second,
                                 std::array<int, 2> solver_part, double closing, bool no_overlap) {
@@ -186,7 +199,8 @@ ContactInterface make_interface(const Scene& scene, const FacingZone& zone, cons
             const FacingPair pair = pair_from_first(p1, p2, zone, s1, partner);
             if (!pair.found) continue;
             partner = pair.s2;
-            append_point(c, pair, first, second, interpolate(c.s1, c.s, s1), rule.weights[q] * length * pair.stretch, closing, no_overlap);
+            append_point(c, pair, first, second, interpolate(c.s1, c.s, s1), rule.weights[q] * length * pair.stretch, closing,
+                         no_overlap);
         }
     }
     for (double s1 : c.s1) c.s2.push_back(pair_from_first(p1, p2, zone, s1, guess2(zone, s1)).s2);

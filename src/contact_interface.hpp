@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a zone where two parts face each other to the interface that the solver couples: quadrature on the middle curve, split where
-// either grid's lines cross it, and the knots of the pressure spline.
+// From a zone where two parts face each other to the interface that the solver couples: quadrature on the middle curve, split
+// where either grid's lines cross it, and the knots of the pressure spline.
 #pragma once
 #include <array>
 #include <vector>
@@ -11,25 +11,25 @@
 
 namespace abut {
 
-/// The pressure's knot spacing in units of the local cell size: stable for every grid angle, shift and ratio of sizes (measured:
-/// smallest scaled eigenvalue of C at least 0.29), while knots at the grid's own crossings are not.
+/// The pressure's knot spacing in units of the local cell size: stable for every grid angle, shift and ratio of sizes
+/// (measured: smallest scaled eigenvalue of C at least 0.29), while knots at the grid's own crossings are not.
 inline constexpr double multiplier_spacing = 1.25;
 /// A body that holds less than this share of the compliance 1/E1 + 1/E2 does not limit the pressure's resolution.
 inline constexpr double compliance_share = 0.2;
 
 struct ContactInterface {
-    std::array<int, 2> part;                 ///< indices into Scene::parts
+    std::array<int, 2> part;  ///< indices into Scene::parts
     geometry::FacingZone zone;
-    solver::Interface face;                  ///< face.part: indices among the solver's parts
+    solver::Interface face;  ///< face.part: indices among the solver's parts
     std::vector<std::array<Vec2, 2>> own_normals;
-    std::vector<double> s1, s;               ///< table: arc length on chain 1 against that of the middle curve, ascending
-    std::vector<double> s2;                  ///< partners on chain 2 of the table's entries
+    std::vector<double> s1, s;  ///< table: arc length on chain 1 against that of the middle curve, ascending
+    std::vector<double> s2;     ///< partners on chain 2 of the table's entries
     double foundation = 0;
 };
 
 /// closing: how much the drawn gap is reduced (interference); no_overlap: negative drawn gaps count as zero.
-ContactInterface make_interface(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first, const PartOnGrid& second,
-                                std::array<int, 2> solver_part, double closing, bool no_overlap);
+ContactInterface make_interface(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first,
+                                const PartOnGrid& second, std::array<int, 2> solver_part, double closing, bool no_overlap);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);

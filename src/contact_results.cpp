@@ -12,9 +12,11 @@ namespace abut {
 namespace {
 
 constexpr int profile_points_per_interval = 6;
-constexpr double margin_fraction = 0.35;   // of the contact's length that a profile shows beyond its ends
+constexpr double margin_fraction = 0.35;  // of the contact's length that a profile shows beyond its ends
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 struct Side {
     const ScenePart& part;
@@ -34,16 +36,18 @@ Side side_of(const Scene& scene, const SolvedAssembly& solved, int part) {
     return {scene.parts[at(part)], solved.grids[at(k)], solved.solution.displacement[at(k)]};
 }
 
-/// Where the profile is sampled: every pressure interval, up to the faces' own ends; where only the search ended the zone, up to a
-/// margin beyond the contact.
+/// Where the profile is sampled: every pressure interval, up to the faces' own ends; where only the search ended the zone, up
+/// to a margin beyond the contact.
 std::vector<double> profile_places(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
     const solver::KnotVector& k = contact.face.pressure;
     double low = k.breakpoints.front(), high = k.breakpoints.back();
     if (!runs.empty()) {
         double longest = 0;
         for (const ContactRun& r : runs) longest = std::max(longest, r.end - r.begin);
-        if (contact.zone.begin_is_limit || contact.zone.closed) low = std::max(low, runs.front().begin - margin_fraction * longest);
-        if (contact.zone.end_is_limit || contact.zone.closed) high = std::min(high, runs.back().end + margin_fraction * longest);
+        if (contact.zone.begin_is_limit || contact.zone.closed)
+            low = std::max(low, runs.front().begin - margin_fraction * longest);
+        if (contact.zone.end_is_limit || contact.zone.closed)
+            high = std::min(high, runs.back().end + margin_fraction * longest);
     }
     std::vector<double> places;
     for (int i = 0; i < k.n_intervals(); ++i) {
@@ -80,8 +84,10 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, const Contac
     }
 }
 
-/// Names of the edges met along a profile, in order, and the one that carries most: of the pressure, or of the length where open.
-void name_edges(const std::vector<std::string>& edge, const std::vector<double>& pressure, std::vector<std::string>& all, std::string& main) {
+/// Names of the edges met along a profile, in order, and the one that carries most: of the pressure, or of the length where
+/// open.
+void name_edges(const std::vector<std::string>& edge, const std::vector<double>& pressure, std::vector<std::string>& all,
+                std::string& main) {
     std::map<std::string, double> share;
     const bool loaded = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p > 0; });
     for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -97,7 +103,8 @@ void name_edges(const std::vector<std::string>& edge, const std::vector<double>&
 }
 
 /// Resultant on the first part, from the same quadrature that the solution used.
-void integrate_force(const ContactInterface& contact, const PartOnGrid& grid, const Eigen::VectorXd& pressure, ContactResult& result) {
+void integrate_force(const ContactInterface& contact, const PartOnGrid& grid, const Eigen::VectorXd& pressure,
+                     ContactResult& result) {
     for (const solver::InterfacePoint& p : contact.face.points) {
         const double f = p.weight * contact.face.thickness * solver::pressure_at(contact.face.pressure, pressure, p.s);
         const Vec2 force = -f * grid.frame.vector_to_global(p.normal[0]);
@@ -125,7 +132,8 @@ std::string status_of(const ContactInterface& contact, const std::vector<Contact
 
 }  // namespace
 
-ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate, std::size_t contact) {
+ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate,
+                             std::size_t contact) {
     const ContactInterface& c = solved.contacts[contact];
     ContactResult result;
     result.part = {candidate.first, candidate.second};

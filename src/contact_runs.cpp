@@ -10,8 +10,8 @@ namespace abut {
 
 namespace {
 
-constexpr double open_fraction = 1e-9;   // of the largest coefficient: below, a pressure is rounding
-constexpr int samples = 8;               // of the fit
+constexpr double open_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
+constexpr int samples = 8;              // of the fit
 
 /// Zero of the line through the squared pressures between `near` and `far` inside the end.
 double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double end, double inward, double near, double far) {

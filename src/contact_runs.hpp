@@ -9,12 +9,13 @@ namespace abut {
 
 /// A stretch of an interface's middle curve under pressure.
 struct ContactRun {
-    double begin, end;                 ///< arc lengths
-    bool from_start, to_end;           ///< reaches the interface's own ends
+    double begin, end;        ///< arc lengths
+    bool from_start, to_end;  ///< reaches the interface's own ends
 };
 
-/// Stretches where the pressure spline is positive. Ends inside the interface by fitting a line to the squared pressure near them:
-/// pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
+/// Stretches where the pressure spline is positive. Ends inside the interface by fitting a line to the squared pressure near
+/// them: pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too
+/// far.
 std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

@@ -14,19 +14,19 @@ struct DetectedPair {
     std::array<int, 2> part{0, 0};
     std::array<std::string, 2> parts, between;
     std::array<std::vector<std::string>, 2> edges;
-    std::string status;                       ///< touching, gap, overlap
-    std::string interface;                    ///< "pin-in-hole", "flat-on-flat", ...
+    std::string status;     ///< touching, gap, overlap
+    std::string interface;  ///< "pin-in-hole", "flat-on-flat", ...
     double gap_min = 0, gap_max = 0;
     double overlap_area = 0;
-    double length = 0;                        ///< of the facing boundary within the search distance
-    std::string cells_case;                   ///< the dissertation's a-e (section 4.5.1)
+    double length = 0;       ///< of the facing boundary within the search distance
+    std::string cells_case;  ///< the dissertation's a-e (section 4.5.1)
     std::string why;
-    std::vector<std::array<Vec2, 2>> marks;   ///< facing points, on the first and on the second part, for the picture
+    std::vector<std::array<Vec2, 2>> marks;  ///< facing points, on the first and on the second part, for the picture
 };
 
 struct Detection {
     std::vector<DetectedPair> pairs, near_misses;
-    double distance = 0;                      ///< the largest search distance that was used
+    double distance = 0;  ///< the largest search distance that was used
 };
 
 /// distance unset: 2 % of the smaller part's diagonal, near misses to 10 %.

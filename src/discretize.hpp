@@ -11,13 +11,13 @@
 namespace abut {
 
 struct PartOnGrid {
-    int part;                      ///< index into Scene::parts
+    int part;  ///< index into Scene::parts
     Frame frame;
-    geometry::Part local;          ///< in the grid's frame; edges and parameters as in the scene's part
+    geometry::Part local;  ///< in the grid's frame; edges and parameters as in the scene's part
     geometry::CutCells cells;
-    double area = 0;               ///< of the part
-    double size = 0;               ///< its diagonal
-    Vec2 center{0, 0};             ///< its centroid, local
+    double area = 0;    ///< of the part
+    double size = 0;    ///< its diagonal
+    Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
 };
 

@@ -11,7 +11,9 @@ namespace {
 
 using solver::Resultant;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// A resultant about a part's local origin, as one about a point of the assembly.
 Resultant to_assembly(const Resultant& local, const Frame& frame, const Vec2& about) {
@@ -59,9 +61,9 @@ double pressing_force(const SolvedAssembly& solved, std::size_t contact) {
 
 struct Totals {
     Resultant applied;
-    std::map<int, Resultant> reactions;       // by support
+    std::map<int, Resultant> reactions;  // by support
     std::map<int, std::string> method;
-    double largest = 0;                       // largest single resultant
+    double largest = 0;  // largest single resultant
 };
 
 void add(Resultant& to, const Resultant& r) {

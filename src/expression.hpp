@@ -10,12 +10,12 @@ namespace abut {
 /// A parsed expression of x and y. Cheap to copy, safe to evaluate from several threads.
 class Expression {
 public:
-    Expression() = default;                 ///< the constant 0
+    Expression() = default;  ///< the constant 0
     explicit Expression(double constant);
     double operator()(double x, double y) const;
     /// Depends on neither x nor y?
     bool is_constant() const;
-    double constant() const;                ///< value at any point; only if is_constant()
+    double constant() const;  ///< value at any point; only if is_constant()
 
     struct Node;
 

@@ -12,12 +12,16 @@ namespace {
 
 using geometry::CellClass;
 
-constexpr double drawn_arc = 0.06;   // radians between points of a drawn arc
+constexpr double drawn_arc = 0.06;  // radians between points of a drawn arc
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 /// Patches a side of a cell: few cells are drawn finer than many.
-int patches_per_side(std::size_t n_cells) { return n_cells < 300 ? 4 : (n_cells < 1500 ? 2 : 1); }
+int patches_per_side(std::size_t n_cells) {
+    return n_cells < 300 ? 4 : (n_cells < 1500 ? 2 : 1);
+}
 
 /// Stress turned from the grid's axes to the assembly's.
 Stress turned(const Eigen::Vector4d& s, const Frame& f) {
@@ -57,10 +61,11 @@ solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& 
     return solver::fit_stress(grid.input, displacement, geometry::gauss_rule(degree).points, cut);
 }
 
-FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress, int cell,
-                         const Vec2& local) {
+FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
+                         int cell, const Vec2& local) {
     const solver::DisplacementAt u = solver::displacement_at(grid.input.space, displacement, cell, local);
-    return {grid.frame.to_global(local), grid.frame.vector_to_global(u.value), turned(solver::stress_at(stress, cell, local), grid.frame)};
+    return {grid.frame.to_global(local), grid.frame.vector_to_global(u.value),
+            turned(solver::stress_at(stress, cell, local), grid.frame)};
 }
 
 PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress) {

@@ -10,8 +10,8 @@ namespace abut {
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement);
 
 /// Displacement (assembly frame) and stress (assembly axes) at a point of a cell, given in the local frame.
-FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress, int cell,
-                         const Vec2& local);
+FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
+                         int cell, const Vec2& local);
 
 /// What is drawn of a part, and its largest displacement and von Mises stress.
 struct PartFieldResult {

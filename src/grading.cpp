@@ -9,22 +9,25 @@ namespace abut {
 namespace {
 
 constexpr int samples = 33;
-constexpr double near_gap_fraction = 0.25;     // of a zone's range of gaps: what is closer counts as where contact will be
+constexpr double near_gap_fraction = 0.25;  // of a zone's range of gaps: what is closer counts as where contact will be
 constexpr double cells_in_first_contact = 16;
 constexpr double cells_in_contact = 12;
 constexpr double end_fraction = 1.0 / 160;    // of the contact's length: cells at its ends
-constexpr double corner_fraction = 1.0 / 40;   // the same where it ends at a corner that concentrates the pressure:
-constexpr double corner_rise = 1.05;           //   there it is so much larger than
-constexpr double corner_reach = 0.1;           //   this fraction of the length away (a symmetry plane is no such corner)
+constexpr double corner_fraction = 1.0 / 40;  // the same where it ends at a corner that concentrates the pressure:
+constexpr double corner_rise = 1.05;          //   there it is so much larger than
+constexpr double corner_reach = 0.1;          //   this fraction of the length away (a symmetry plane is no such corner)
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
 
 void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size) {
     if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size});
 }
 
 /// Where a straight edge meets an arc within a contact the pressure has a steep peak: fine cells at the joints of either chain.
-void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double size, WantedSizes& wanted) {
+void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double size,
+                    WantedSizes& wanted) {
     const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
     if (!begin.found || !end.found) return;
     const std::array<const geometry::Chain*, 2> chain{&contact.zone.chain1, &contact.zone.chain2};
@@ -44,7 +47,8 @@ void want_at_joints(const Scene& scene, const ContactInterface& contact, const C
 }
 
 bool rises_towards(const Eigen::VectorXd& pressure, const ContactInterface& contact, double end, double inside) {
-    return solver::pressure_at(contact.face.pressure, pressure, end) > corner_rise * solver::pressure_at(contact.face.pressure, pressure, inside);
+    return solver::pressure_at(contact.face.pressure, pressure, end) >
+           corner_rise * solver::pressure_at(contact.face.pressure, pressure, inside);
 }
 
 }  // namespace
@@ -90,10 +94,12 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double 
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 want(wanted, contact.part[side], points[side], coarseness * length / cells_in_contact);
-                if (!run.from_start) want(wanted, contact.part[side], {points[side].front()}, coarseness * length * end_fraction);
+                if (!run.from_start)
+                    want(wanted, contact.part[side], {points[side].front()}, coarseness * length * end_fraction);
                 else if (rises_towards(pressure, contact, run.begin, run.begin + corner_reach * length))
                     want(wanted, contact.part[side], {points[side].front()}, coarseness * length * corner_fraction);
-                if (!run.to_end) want(wanted, contact.part[side], {points[side].back()}, coarseness * length * end_fraction);
+                if (!run.to_end)
+                    want(wanted, contact.part[side], {points[side].back()}, coarseness * length * end_fraction);
                 else if (rises_towards(pressure, contact, run.end, run.end - corner_reach * length))
                     want(wanted, contact.part[side], {points[side].back()}, coarseness * length * corner_fraction);
             }

@@ -13,15 +13,15 @@ namespace {
 using geometry::Box2;
 using geometry::Part;
 
-constexpr double cells_over_diagonal = 14;   // of a plain part
-constexpr double cells_over_extent = 4;      // at least, in each direction
+constexpr double cells_over_diagonal = 14;  // of a plain part
+constexpr double cells_over_extent = 4;     // at least, in each direction
 constexpr double cells_across_wall = 4;
-constexpr double cells_across_slot = 3;      // of a part's own slots: as many as a quadratic spline's support
-constexpr double slot_floor = 0.001;         // of the largest cell: narrower slots are not resolved
+constexpr double cells_across_slot = 3;  // of a part's own slots: as many as a quadratic spline's support
+constexpr double slot_floor = 0.001;     // of the largest cell: narrower slots are not resolved
 constexpr double cells_per_radius = 3;
 constexpr double cells_per_fillet_radius = 6;  // of holes and fillets: they raise the stress
-constexpr double corner_fraction = 0.1;      // of the largest cell, at re-entrant corners
-constexpr int chords = 48;                   // scan lines in each direction that look for walls
+constexpr double corner_fraction = 0.1;        // of the largest cell, at re-entrant corners
+constexpr int chords = 48;                     // scan lines in each direction that look for walls
 
 double wanted_size(double v, int axis, double largest, const std::vector<SizeFeature>& features) {
     double size = largest;
@@ -44,17 +44,18 @@ std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int ax
         const int other = 1 - axis;
         if ((p.from[other] < at) == (p.to[other] < at)) continue;
         const double v = axis == 0 ? geometry::x_at(p, at) : geometry::y_at(p, at);
-        const geometry::Vec2 along = p.is_arc ? geometry::left_of(axis == 0 ? geometry::Vec2(v - p.center.x(), at - p.center.y())
-                                                                            : geometry::Vec2(at - p.center.x(), v - p.center.y()))
-                                              : geometry::Vec2(p.to - p.from);
+        const geometry::Vec2 along = p.is_arc
+                                         ? geometry::left_of(axis == 0 ? geometry::Vec2(v - p.center.x(), at - p.center.y())
+                                                                       : geometry::Vec2(at - p.center.x(), v - p.center.y()))
+                                         : geometry::Vec2(p.to - p.from);
         found.push_back({v, std::abs(along[other]) > std::abs(along[axis])});
     }
     std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.v < b.v; });
     return found;
 }
 
-/// Material between two steep sides along scan lines: walls, which need cells across. Between them the part's own slots: a spline
-/// that reaches across one would tie its arms together.
+/// Material between two steep sides along scan lines: walls, which need cells across. Between them the part's own slots: a
+/// spline that reaches across one would tie its arms together.
 void append_walls(std::vector<SizeFeature>& features, const Part& local, int axis, double coarseness) {
     const Box2 box = bounding_box(local);
     const auto pieces = geometry::monotone_pieces(local);

@@ -18,7 +18,8 @@ struct SizeFeature {
 /// How much cells may grow per distance from where a size is wanted.
 inline constexpr double size_growth = 0.6;
 
-/// Lines from low to high whose spacing follows min over features (size + size_growth * distance), at most `largest`; axis 0 is x.
+/// Lines from low to high whose spacing follows min over features (size + size_growth * distance), at most `largest`; axis 0 is
+/// x.
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);
 
 /// Sizes that the shape itself asks for: cells across every wall, cells along every arc, re-entrant corners.

@@ -13,9 +13,13 @@ namespace {
 constexpr double slide_fraction = 1e-6;
 
 /// v with rounding noise taken out: what is below a millionth of scale reads as 0.
-std::string tidy(double v, double scale) { return number_text(std::abs(v) < 1e-6 * scale ? 0.0 : v, 4); }
+std::string tidy(double v, double scale) {
+    return number_text(std::abs(v) < 1e-6 * scale ? 0.0 : v, 4);
+}
 
-std::string point_text(const Vec2& p, double scale) { return "(" + tidy(p.x(), scale) + ", " + tidy(p.y(), scale) + ")"; }
+std::string point_text(const Vec2& p, double scale) {
+    return "(" + tidy(p.x(), scale) + ", " + tidy(p.y(), scale) + ")";
+}
 
 }  // namespace
 

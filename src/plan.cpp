@@ -24,18 +24,22 @@ Effect effect(const std::string& name, bool on, const std::string& why_on, const
 }  // namespace
 
 std::vector<Effect> plan_effects(const Scene& scene) {
-    const bool interference = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(), [](const PairRule& r) { return r.interference != 0; });
-    const bool edges = has_load(scene, Load::Kind::pressure) || has_load(scene, Load::Kind::traction) || has_load(scene, Load::Kind::edge_force);
+    const bool interference = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
+                                          [](const PairRule& r) { return r.interference != 0; });
+    const bool edges = has_load(scene, Load::Kind::pressure) || has_load(scene, Load::Kind::traction) ||
+                       has_load(scene, Load::Kind::edge_force);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
     return {
-        effect("contact", contact, "several parts; every pair is searched", "only one part, or detection is off and no pair is given"),
+        effect("contact", contact, "several parts; every pair is searched",
+               "only one part, or detection is off and no pair is given"),
         effect("edge loads", edges, "pressure, traction or force on edges", "no load on an edge"),
         effect("body force", has_load(scene, Load::Kind::body_force) || has_load(scene, Load::Kind::part_force),
                "a force per volume or on a whole part", "no body force"),
         effect("gravity", has_load(scene, Load::Kind::gravity), "gravity is given", "no gravity"),
-        effect("rigid supports", has_support(scene, Support::Kind::rigid), "a part is held by its mean motion", "no rigid support"),
-        effect("interference", interference || scene.contacts.overlap == "press_fit", "an interference or drawn overlap closes gaps",
-               "no interference"),
+        effect("rigid supports", has_support(scene, Support::Kind::rigid), "a part is held by its mean motion",
+               "no rigid support"),
+        effect("interference", interference || scene.contacts.overlap == "press_fit",
+               "an interference or drawn overlap closes gaps", "no interference"),
         effect("bonding", false, "", "no bonded pair"),
         effect("friction", false, "", "friction is 0"),
         effect("springs", false, "", "no spring support"),
@@ -49,8 +53,9 @@ std::vector<bool> parts_to_solve(const Scene& scene, const std::vector<std::pair
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<bool> solve(scene.parts.size());
     for (std::size_t i = 0; i < solve.size(); ++i) solve[i] = is_driven(scene, conditions, static_cast<int>(i));
-    const bool closes = scene.contacts.overlap == "press_fit" ||
-                        std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(), [](const PairRule& r) { return r.interference != 0; });
+    const bool closes =
+        scene.contacts.overlap == "press_fit" || std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
+                                                             [](const PairRule& r) { return r.interference != 0; });
     for (const auto& [a, b] : touching)
         if (closes) solve[static_cast<std::size_t>(a)] = solve[static_cast<std::size_t>(b)] = true;
     for (bool changed = true; changed;) {

@@ -14,9 +14,14 @@ namespace abut {
 
 using geometry::Vec2;
 
-struct ValueAt { double value = 0; Vec2 at{0, 0}; };
+struct ValueAt {
+    double value = 0;
+    Vec2 at{0, 0};
+};
 
-struct Stress { double xx = 0, yy = 0, xy = 0, zz = 0; };
+struct Stress {
+    double xx = 0, yy = 0, xy = 0, zz = 0;
+};
 double von_mises(const Stress& stress);
 
 struct Effect {
@@ -30,17 +35,23 @@ struct PartResult {
     std::string name, material;
     double area = 0;
     int unknowns = 0;
-    bool solved = true;                       ///< false: carries nothing and was not analysed
+    bool solved = true;  ///< false: carries nothing and was not analysed
     ValueAt max_displacement, max_von_mises;
-    double grid_angle = 0;                    ///< radians
-    std::vector<double> grid_x, grid_y;       ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    double grid_angle = 0;               ///< radians
+    std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
 };
 
-/// Fields of one part for drawing. Patches of a cell: quadrilaterals by four sample points; those of boundary cells reach beyond
-/// the part and are to be clipped by its (deformed) boundary.
-struct FieldSample { Vec2 at; Vec2 displacement; Stress stress; };
-struct FieldPatch { std::array<int, 4> corner; };         ///< counter-clockwise, indices into samples
+/// Fields of one part for drawing. Patches of a cell: quadrilaterals by four sample points; those of boundary cells reach
+/// beyond the part and are to be clipped by its (deformed) boundary.
+struct FieldSample {
+    Vec2 at;
+    Vec2 displacement;
+    Stress stress;
+};
+struct FieldPatch {
+    std::array<int, 4> corner;
+};  ///< counter-clockwise, indices into samples
 struct PartField {
     std::vector<FieldSample> samples;
     std::vector<FieldPatch> patches;
@@ -49,19 +60,19 @@ struct PartField {
 };
 
 struct ContactProfile {
-    std::vector<std::string> edge;            ///< "part/edge" on the first part
+    std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
-    std::vector<std::string> edge2;           ///< the same points on the second part
+    std::vector<std::string> edge2;  ///< the same points on the second part
     std::vector<double> s2, x2, y2;
 };
 
 struct ContactResult {
-    std::array<int, 2> part{0, 0};            ///< indices into Result::parts
+    std::array<int, 2> part{0, 0};  ///< indices into Result::parts
     std::array<std::string, 2> parts, between;
     std::array<std::vector<std::string>, 2> edges;
-    std::string kind = "contact", interface, status;      ///< status: closed, partial, open
-    double gap_min = 0, gap_max = 0;          ///< initial
-    Vec2 force{0, 0};                         ///< on the first part, total over the thickness
+    std::string kind = "contact", interface, status;  ///< status: closed, partial, open
+    double gap_min = 0, gap_max = 0;                  ///< initial
+    Vec2 force{0, 0};                                 ///< on the first part, total over the thickness
     double moment = 0;
     double contact_length = 0;
     std::vector<Vec2> ends;
@@ -72,29 +83,52 @@ struct ContactResult {
 };
 
 struct Reaction {
-    int support = 0;                          ///< index into Scene::supports
-    std::string label;                        ///< "fix x, y on base/bottom"
-    std::string method;                       ///< "aligned", "nitsche", "rigid"
+    int support = 0;     ///< index into Scene::supports
+    std::string label;   ///< "fix x, y on base/bottom"
+    std::string method;  ///< "aligned", "nitsche", "rigid"
     Vec2 force{0, 0};
     double moment = 0;
 };
 
-struct ProbeResult { std::string part; Vec2 at; Vec2 displacement; Stress stress; };
+struct ProbeResult {
+    std::string part;
+    Vec2 at;
+    Vec2 displacement;
+    Stress stress;
+};
 
-struct SupportMark { Vec2 at; Vec2 normal; bool x, y; };  ///< for the picture: a point of a supported edge, outward normal
-struct LoadMark { Vec2 at; Vec2 direction; };             ///< for the picture: a point and the unit direction of the load there
+struct SupportMark {
+    Vec2 at;
+    Vec2 normal;
+    bool x, y;
+};  ///< for the picture: a point of a supported edge, outward normal
+struct LoadMark {
+    Vec2 at;
+    Vec2 direction;
+};  ///< for the picture: a point and the unit direction of the load there
 
 struct Result {
-    std::string title, status = "ok", message;            ///< status: ok, failed
+    std::string title, status = "ok", message;  ///< status: ok, failed
     std::string length_unit, force_unit;
     int unknowns = 0, degree = 2, multipliers = 0;
-    std::array<int, 3> cells{0, 0, 0};                    ///< inner, boundary, outer
-    struct { int grids = 0, factorizations = 0, contact_iterations = 0; double condition_estimate = 0; bool converged = true; } solver;
-    std::vector<std::pair<std::string, double>> timing;   ///< import, geometry, assembly, solve, recovery, output, total (seconds)
+    std::array<int, 3> cells{0, 0, 0};  ///< inner, boundary, outer
+    struct {
+        int grids = 0, factorizations = 0, contact_iterations = 0;
+        double condition_estimate = 0;
+        bool converged = true;
+    } solver;
+    std::vector<std::pair<std::string, double>>
+        timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)
     std::vector<Effect> effects;
     double strain_energy = 0;
-    struct { Vec2 applied{0, 0}, reaction{0, 0}; double relative_residual = 0, relative_moment_residual = 0; } equilibrium;
-    struct { std::optional<double> energy, contact_pressure; std::string method; } error_estimate;
+    struct {
+        Vec2 applied{0, 0}, reaction{0, 0};
+        double relative_residual = 0, relative_moment_residual = 0;
+    } equilibrium;
+    struct {
+        std::optional<double> energy, contact_pressure;
+        std::string method;
+    } error_estimate;
     std::vector<PartResult> parts;
     std::vector<ContactResult> contacts;
     std::vector<Reaction> reactions;
@@ -102,8 +136,8 @@ struct Result {
     std::vector<std::string> warnings;
 
     // For the pictures; not part of result.json.
-    std::vector<geometry::Part> geometry;                 ///< parallel to parts
-    std::vector<PartField> fields;                        ///< parallel to parts; empty where not analysed
+    std::vector<geometry::Part> geometry;  ///< parallel to parts
+    std::vector<PartField> fields;         ///< parallel to parts; empty where not analysed
     std::vector<SupportMark> support_marks;
     std::vector<LoadMark> load_marks;
 };

@@ -22,40 +22,40 @@ enum class Analysis { plane_stress, plane_strain };
 struct Material {
     std::string name;
     double E = 0, nu = 0;
-    double density = 0;            ///< 0: not given
+    double density = 0;  ///< 0: not given
     bool has_density = false;
     std::optional<double> yield;
-    bool rigid = false;            ///< the built-in "rigid"
+    bool rigid = false;  ///< the built-in "rigid"
 };
 
 /// Where a part came from, and what it is made of.
 struct ScenePart {
     std::string name;
-    geometry::Part part;           ///< in assembly coordinates and the scene's length unit, named
-    int material = -1;             ///< index into Scene::materials
+    geometry::Part part;  ///< in assembly coordinates and the scene's length unit, named
+    int material = -1;    ///< index into Scene::materials
     double thickness = 1;
-    std::string where;             ///< JSON pointer
+    std::string where;  ///< JSON pointer
 };
 
 /// One item of an "on": exactly one of the four ways is set.
 struct Selector {
-    std::string pattern;                                 ///< "jaw/left", "jaw/left#1", "jaw/*"; empty for the object forms
-    std::string part;                                    ///< of the object forms
+    std::string pattern;  ///< "jaw/left", "jaw/left#1", "jaw/*"; empty for the object forms
+    std::string part;     ///< of the object forms
     std::optional<Vec2> near;
-    std::optional<std::array<Vec2, 2>> box;              ///< min, max
+    std::optional<std::array<Vec2, 2>> box;  ///< min, max
     std::optional<Vec2> facing;
-    double within = 5;                                   ///< degrees
-    std::string where;                                   ///< JSON pointer
+    double within = 5;  ///< degrees
+    std::string where;  ///< JSON pointer
 };
 using Selection = std::vector<Selector>;
 
 struct Support {
     enum class Kind { fix, displacement, symmetry, rigid };
     Kind kind = Kind::fix;
-    Selection on;                                        ///< empty for rigid
-    bool x = false, y = false;                           ///< components that are prescribed (fix, displacement)
-    std::array<Expression, 2> value;                     ///< displacement
-    std::string part;                                    ///< rigid
+    Selection on;                                            ///< empty for rigid
+    bool x = false, y = false;                               ///< components that are prescribed (fix, displacement)
+    std::array<Expression, 2> value;                         ///< displacement
+    std::string part;                                        ///< rigid
     std::optional<double> rigid_x, rigid_y, rigid_rotation;  ///< rotation in radians; unset: free
     std::string where;
 };
@@ -64,8 +64,8 @@ struct Load {
     enum class Kind { pressure, traction, edge_force, part_force, body_force, gravity };
     Kind kind = Kind::pressure;
     Selection on;
-    std::string part;                                    ///< part_force; body_force ("*": all)
-    std::array<Expression, 2> value;                     ///< pressure: value[0]; the others x and y
+    std::string part;                 ///< part_force; body_force ("*": all)
+    std::array<Expression, 2> value;  ///< pressure: value[0]; the others x and y
     std::string where;
 };
 
@@ -79,33 +79,40 @@ struct PairRule {
 struct ContactOptions {
     bool detect = true;
     std::optional<double> search_distance;
-    std::string overlap = "report";                      ///< "report", "press_fit", "ignore"
+    std::string overlap = "report";  ///< "report", "press_fit", "ignore"
     std::vector<PairRule> pairs;
 };
 
 struct GridOptions {
-    std::vector<double> x, y;                            ///< knots (grid lines), assembly coordinates turned by -angle; empty: cells
-    std::array<int, 2> cells{0, 0};                      ///< over the part's bounding box (in the grid's own frame)
-    Vec2 offset{0, 0};                                   ///< moves the grid of `cells`, in the grid's own frame
-    double angle = 0;                                    ///< radians
+    std::vector<double> x, y;        ///< knots (grid lines), assembly coordinates turned by -angle; empty: cells
+    std::array<int, 2> cells{0, 0};  ///< over the part's bounding box (in the grid's own frame)
+    Vec2 offset{0, 0};               ///< moves the grid of `cells`, in the grid's own frame
+    double angle = 0;                ///< radians
     std::optional<std::array<int, 2>> degree;
     std::string where;
 };
 
-struct Refinement { Vec2 near; double radius, cell_size; };
+struct Refinement {
+    Vec2 near;
+    double radius, cell_size;
+};
 
 struct Accuracy {
-    std::string level = "standard";                      ///< "draft", "standard", "fine"
+    std::string level = "standard";  ///< "draft", "standard", "fine"
     int degree = 2;
     std::optional<double> cell_size;
     std::vector<Refinement> refine;
-    std::string basis = "auto";                          ///< "auto", "plain", "web"
-    std::string dirichlet = "auto";                      ///< "auto", "aligned", "nitsche"
-    std::map<std::string, GridOptions> grids;            ///< by part
+    std::string basis = "auto";                ///< "auto", "plain", "web"
+    std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche"
+    std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
 };
 
-struct Probe { std::string part; Vec2 at; std::string where; };
+struct Probe {
+    std::string part;
+    Vec2 at;
+    std::string where;
+};
 
 struct Output {
     std::vector<Probe> probes;
@@ -115,19 +122,19 @@ struct Output {
 /// What the import of a drawing found, repaired and left out (for the report and for `inspect`).
 struct ImportRecord {
     std::string file, format, unit;
-    double factor = 1;                                   ///< from the file's unit to the scene's
+    double factor = 1;  ///< from the file's unit to the scene's
     std::map<std::string, geometry::EntityCount> counts;
     std::vector<geometry::Ignored> ignored;
     std::vector<geometry::Repair> repairs;
 };
 
 struct Scene {
-    std::string file;                                    ///< as given
+    std::string file;  ///< as given
     std::string title;
-    std::string length_unit, force_unit;                 ///< labels, may be empty
+    std::string length_unit, force_unit;  ///< labels, may be empty
     Analysis analysis = Analysis::plane_stress;
     std::vector<Material> materials;
-    std::vector<ScenePart> parts;                        ///< in the scene's order, the assembly's parts after "parts"
+    std::vector<ScenePart> parts;  ///< in the scene's order, the assembly's parts after "parts"
     std::vector<Support> supports;
     std::vector<Load> loads;
     ContactOptions contacts;

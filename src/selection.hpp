@@ -9,9 +9,9 @@ namespace abut {
 
 /// A portion of a part's boundary.
 struct EdgePortion {
-    int part;        ///< index into Scene::parts
-    int edge;        ///< index into Part::edges
-    double t0, t1;   ///< parameters of the edge's curve, t0 < t1
+    int part;       ///< index into Scene::parts
+    int edge;       ///< index into Part::edges
+    double t0, t1;  ///< parameters of the edge's curve, t0 < t1
 };
 
 /// Portions selected, by part, edge and parameter, without overlaps. Throws InputError (JSON pointer of the selector) where a

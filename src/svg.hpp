@@ -16,7 +16,7 @@ struct View {
     Box2 box;
     double scale = 1;
     Vec2 offset{0, 0};
-    double width = 0, height = 0;   ///< of the picture, pixels
+    double width = 0, height = 0;  ///< of the picture, pixels
     Vec2 operator()(const Vec2& p) const { return {offset.x() + scale * p.x(), offset.y() - scale * p.y()}; }
 };
 /// Fits box into width x max_height with the margin (pixels) on all sides; the height follows the model.

@@ -54,7 +54,7 @@ protected:
 
 TEST_P(Assembly, StiffnessIsTheIntegralOfTheEnergy) {
     const MatrixXd k = test::dense(assemble_stiffness(part)), reference = stiffness_by_points(part);
-    EXPECT_LT(test::relative_difference(k, reference), 1e-12);   // both exact: rounding only
+    EXPECT_LT(test::relative_difference(k, reference), 1e-12);  // both exact: rounding only
     part.elasticity.d33 *= 1 + 1e-9;
     EXPECT_GT(test::relative_difference(test::dense(assemble_stiffness(part)), reference), 1e-12);
 }
@@ -77,7 +77,7 @@ TEST_P(Assembly, StiffnessOfAnExtendedBasisHasNoOtherMotionThanTheRigidOnes) {
     m = s.asDiagonal() * m * s.asDiagonal();
     const VectorXd energies = Eigen::SelfAdjointEigenSolver<MatrixXd>(m, Eigen::EigenvaluesOnly).eigenvalues();
     EXPECT_LT(energies[2], 1e-12);
-    EXPECT_GT(energies[3], 1e-6);   // condition numbers of degree 4 reach 1e5
+    EXPECT_GT(energies[3], 1e-6);  // condition numbers of degree 4 reach 1e5
 }
 
 TEST_P(Assembly, RigidMotionsCostNothing) {
@@ -130,7 +130,8 @@ TEST_P(Assembly, BodyLoadHasTheResultantOfItsField) {
 TEST_P(Assembly, BoundaryLoadHasTheResultantOfItsTractions) {
     // the right edge of the ell's foot, in cut cells
     const test::Box foot = test::ell_boxes(part)[0];
-    const auto points = test::traction_on(part.space, {foot.x1, foot.y0}, {foot.x1, foot.y1}, {1, 0}, [](const Vec2&) { return Vec2(4, 5); });
+    const auto points =
+        test::traction_on(part.space, {foot.x1, foot.y0}, {foot.x1, foot.y1}, {1, 0}, [](const Vec2&) { return Vec2(4, 5); });
     const Resultant r = resultant_of(part.space, boundary_load(part, points));
     const double length = (foot.y1 - foot.y0) * part.thickness;
     EXPECT_NEAR(r.force.x(), 4 * length, 1e-11 * length);

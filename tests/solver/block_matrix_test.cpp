@@ -67,8 +67,10 @@ TEST(BlockMatrix, RestrictsToTheRowsAndColumnsThatAreKept) {
     for (int c = 0; c < s.n; ++c)
         for (int k = s.first[static_cast<std::size_t>(c)]; k < s.first[static_cast<std::size_t>(c) + 1]; ++k) {
             const auto at = static_cast<std::size_t>(k);
-            if (k == s.first[static_cast<std::size_t>(c)]) EXPECT_EQ(s.row[at], c) << "the diagonal comes first";
-            else EXPECT_GT(s.row[at], s.row[at - 1]);
+            if (k == s.first[static_cast<std::size_t>(c)])
+                EXPECT_EQ(s.row[at], c) << "the diagonal comes first";
+            else
+                EXPECT_GT(s.row[at], s.row[at - 1]);
             lower(s.row[at], c) += s.value[at];
         }
     const Eigen::MatrixXd expected = d(kept, kept).triangularView<Eigen::Lower>();

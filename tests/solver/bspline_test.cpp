@@ -20,11 +20,14 @@ std::vector<KnotVector> all_knots() {
 }
 
 std::vector<double> points_of(const KnotVector& k, int interval) {
-    const double a = k.breakpoints[static_cast<std::size_t>(interval)], b = k.breakpoints[static_cast<std::size_t>(interval) + 1];
+    const double a = k.breakpoints[static_cast<std::size_t>(interval)],
+                 b = k.breakpoints[static_cast<std::size_t>(interval) + 1];
     return {a, a + 0.21 * (b - a), a + 0.5 * (b - a), a + 0.93 * (b - a), b};
 }
 
-double at(const LocalValues& v, int i) { return v[static_cast<std::size_t>(i)]; }
+double at(const LocalValues& v, int i) {
+    return v[static_cast<std::size_t>(i)];
+}
 
 /// Largest difference between derivatives and central differences with step d: truncation d^2/6 f''', rounding 1e-16/d.
 double derivative_error(const KnotVector& k, int interval, double x, double d, double scale = 1) {
@@ -33,7 +36,8 @@ double derivative_error(const KnotVector& k, int interval, double x, double d, d
     evaluate(k, interval, x - d, before);
     evaluate(k, interval, x + d, after);
     double worst = 0;
-    for (int i = 0; i <= k.degree; ++i) worst = std::max(worst, std::abs(scale * at(slope, i) - (at(after, i) - at(before, i)) / (2 * d)));
+    for (int i = 0; i <= k.degree; ++i)
+        worst = std::max(worst, std::abs(scale * at(slope, i) - (at(after, i) - at(before, i)) / (2 * d)));
     return worst;
 }
 
@@ -58,7 +62,56 @@ double extension_error(const KnotVector& k, int from, double perturbation = 0) {
     return worst;
 }
 
+/// Largest jump of the periodic functions' values and (from degree 2 on) slopes across the seam; function i + n is function i.
+double seam_error(const KnotVector& k, double perturbation = 0) {
+    const int n = k.n_intervals();
+    std::vector<double> value(static_cast<std::size_t>(n)), slope(value);
+    const auto add = [&](int interval, double x, double sign) {
+        LocalValues v, g;
+        evaluate(k, interval, x, v, g);
+        for (int a = 0; a <= k.degree; ++a) {
+            value[static_cast<std::size_t>((interval + a) % n)] += sign * at(v, a);
+            slope[static_cast<std::size_t>((interval + a) % n)] += sign * at(g, a);
+        }
+    };
+    add(0, k.breakpoints.front() + perturbation, 1);
+    add(n - 1, k.breakpoints.back(), -1);
+    double worst = 0;
+    for (double jump : value) worst = std::max(worst, std::abs(jump));
+    for (double jump : slope) worst = std::max(worst, k.degree > 1 ? std::abs(jump) : 0.0);
+    return worst;
+}
+
+void expect_periodic(int cells, bool uniform, int degree) {
+    SCOPED_TRACE("degree " + std::to_string(degree) + ", cells " + std::to_string(cells));
+    const KnotVector k = periodic_knots(test::grid_lines(-0.7, 1.6, cells, uniform), degree);
+    const auto n = static_cast<std::size_t>(cells), p = static_cast<std::size_t>(degree);
+    ASSERT_EQ(k.knots.size(), n + 1 + 2 * p);
+    for (std::size_t i = 0; i + 1 < k.knots.size(); ++i) EXPECT_LT(k.knots[i], k.knots[i + 1]);
+    for (std::size_t i = 0; i + n < k.knots.size(); ++i) EXPECT_NEAR(k.knots[i + n] - k.knots[i], 2.3, 1e-14);
+    for (int i = 0; i < cells; ++i)
+        for (double x : points_of(k, i)) {
+            LocalValues v;
+            evaluate(k, i, x, v);
+            EXPECT_NEAR(std::accumulate(v.begin(), v.begin() + degree + 1, 0.0), 1, 1e-14);
+        }
+    EXPECT_LT(seam_error(k), 1e-11);
+}
+
 }  // namespace
+
+TEST(BSpline, PeriodicKnotsHaveNoSeam) {
+    for (int degree = 1; degree <= 4; ++degree)
+        for (bool uniform : {true, false})
+            for (int cells : {degree + 1, degree + 2, 9}) expect_periodic(cells, uniform, degree);
+    EXPECT_GT(seam_error(periodic_knots(test::grid_lines(-0.7, 1.6, 5, false), 3), 1e-6), 1e-11);
+    EXPECT_GT(seam_error(clamped_knots(test::grid_lines(-0.7, 1.6, 5, false), 3)), 1e-11);
+}
+
+TEST(BSpline, PeriodicKnotsMayBeFewerThanTheDegree) {
+    for (int degree = 1; degree <= 4; ++degree)
+        for (int cells = 1; cells <= degree; ++cells) expect_periodic(cells, false, degree);
+}
 
 TEST(BSpline, KnotsAreClampedAndCounted) {
     const KnotVector k = clamped_knots({0, 1, 3}, 2);
@@ -118,7 +171,7 @@ TEST(BSpline, OnlyTheOutermostFunctionsReachTheEnds) {
 }
 
 TEST(BSpline, DerivativesAreThoseOfTheValues) {
-    constexpr double d = 1e-5, bound = 1e-5;   // third derivatives up to 6 7 8 / h^3 with h = 0.1: d^2/6 of that
+    constexpr double d = 1e-5, bound = 1e-5;  // third derivatives up to 6 7 8 / h^3 with h = 0.1: d^2/6 of that
     for (const KnotVector& k : all_knots())
         for (int i = 0; i < k.n_intervals(); ++i)
             for (double x : points_of(k, i)) EXPECT_LT(derivative_error(k, i, x, d), bound) << "degree " << k.degree;
@@ -126,7 +179,8 @@ TEST(BSpline, DerivativesAreThoseOfTheValues) {
 }
 
 TEST(BSpline, PiecesMeetWithAllButOneDerivative) {
-    // from degree 2 on the first derivative is continuous across an inner breakpoint; function a of the left is a - 1 of the right
+    // from degree 2 on the first derivative is continuous across an inner breakpoint; function a of the left is a - 1 of the
+    // right
     for (const KnotVector& k : all_knots())
         for (int i = 0; i + 1 < k.n_intervals(); ++i) {
             LocalValues left, right, left_slope, right_slope;
@@ -168,7 +222,7 @@ TEST(BSpline, BlossomsAreTheCoefficientsOfEveryMonomial) {
 }
 
 TEST(BSpline, ExtensionContinuesThePolynomialsOverTheWholeLine) {
-    constexpr double bound = 1e-12;   // rounding of up to six blossom steps, of terms that may cancel
+    constexpr double bound = 1e-12;  // rounding of up to six blossom steps, of terms that may cancel
     for (const KnotVector& k : all_knots())
         for (int from = 0; from < k.n_intervals(); ++from)
             EXPECT_LT(extension_error(k, from), bound) << "degree " << k.degree << " interval " << from;

@@ -17,7 +17,9 @@ using test::SpaceCase;
 const PartInput plate = test::rectangle(2, 1, 4, 3, 2);
 const VectorXd unloaded = VectorXd::Zero(2 * plate.space.n_functions);
 
-SupportSet held(GridSide side, int component) { return test::side_support(plate.space, side, component); }
+SupportSet held(GridSide side, int component) {
+    return test::side_support(plate.space, side, component);
+}
 
 /// Rollers along a circular arc inside the plate, normal to it.
 SupportSet round_rollers(const Vec2& center, double radius) {
@@ -53,13 +55,18 @@ std::vector<FreeCase> free_cases() {
             {"roller on a vertical side", {held(GridSide::right, 0)}, {y}},
             {"rollers on opposite sides", {held(GridSide::bottom, 1), held(GridSide::top, 1)}, {x}},
             {"rollers on perpendicular sides", {held(GridSide::bottom, 1), held(GridSide::left, 0)}, {}},
-            {"two symmetry lines, weakly", {test::by_nitsche(held(GridSide::bottom, 1)), test::by_nitsche(held(GridSide::left, 0))}, {}},
+            {"two symmetry lines, weakly",
+             {test::by_nitsche(held(GridSide::bottom, 1)), test::by_nitsche(held(GridSide::left, 0))},
+             {}},
             {"side held along itself", {held(GridSide::left, 1)}, {x, {{0, 0}, 1, {0, 0.5}}}},
             {"round rollers", {round_rollers({0.9, 0.55}, 0.3)}, {{{0, 0}, 1, {0.9, 0.55}}}},
             {"one point", {single_point({0.4, 0.6}, {1, 0})}, {y, {{0, 0}, 1, {0.4, 0.6}}}},
-            {"inclined roller", {single_point({0.4, 0.6}, {inclined, inclined}), single_point({0.7, 0.3}, {inclined, inclined})},
+            {"inclined roller",
+             {single_point({0.4, 0.6}, {inclined, inclined}), single_point({0.7, 0.3}, {inclined, inclined})},
              {{{inclined, -inclined}, 0, {0, 0}}}},
-            {"two hinged bars that meet", {single_point({0.4, 0.2}, {1, 0}), single_point({0.8, 0.6}, {0, 1})}, {{{0, 0}, 1, {0.8, 0.2}}}}};
+            {"two hinged bars that meet",
+             {single_point({0.4, 0.2}, {1, 0}), single_point({0.8, 0.6}, {0, 1})},
+             {{{0, 0}, 1, {0.8, 0.2}}}}};
 }
 
 /// Distance of a motion from the span of others, by its values at three points, relative to its own size.
@@ -135,12 +142,21 @@ TEST(PartSystem, PinsDoNotShowWhereTheLoadsBalance) {
     for (const SpaceCase& c : test::all_space_cases()) {
         if (c.basis == Basis::plain) continue;
         SCOPED_TRACE(test::name_of(c));
-        const PartInput part = test::part_of({{0, 0, 2, 1}}, test::grid_lines(-0.3, 2.1, 6, c.uniform), test::grid_lines(-0.01, 1.3, 5, c.uniform),
-                                             c.degree, c.basis);
-        VectorXd load = boundary_load(part, test::traction_on(part.space, {0, 0}, {0, 1}, {-1, 0}, [](const Vec2&) { return Vec2(-5, 0); }));
-        load += boundary_load(part, test::traction_on(part.space, {2, 0}, {2, 1}, {1, 0}, [](const Vec2&) { return Vec2(5, 0); }));
+        const PartInput part = test::part_of({{0, 0, 2, 1}}, test::grid_lines(-0.3, 2.1, 6, c.uniform),
+                                             test::grid_lines(-0.01, 1.3, 5, c.uniform), c.degree, c.basis);
+        VectorXd load = boundary_load(
+            part, test::traction_on(part.space, {0, 0}, {0, 1}, {-1, 0}, [](const Vec2&) { return Vec2(-5, 0); }));
+        load +=
+            boundary_load(part, test::traction_on(part.space, {2, 0}, {2, 1}, {1, 0}, [](const Vec2&) { return Vec2(5, 0); }));
         const PartSystem s = test::system_of(part, {}, load);
         ASSERT_EQ(s.failure, "");
+        VectorXd diagonal = test::dense(s.stiffness).diagonal();
+        std::vector<double> pinned;
+        for (std::size_t i = 0; i < s.number.size(); ++i)
+            if (s.number[i] < 0) pinned.push_back(diagonal[static_cast<Index>(i)]);
+        EXPECT_EQ(pinned.size(), 3u);
+        std::sort(diagonal.begin(), diagonal.end());
+        for (double stiffness : pinned) EXPECT_GE(stiffness, 0.499 * diagonal[diagonal.size() / 2]);  // no weak springs
         const VectorXd u = solve(s, s.load);
         EXPECT_LT((multiply(s.stiffness, u) - s.load).cwiseAbs().maxCoeff(), 1e-9);
         for (const Vec2& x : {Vec2(0.1, 0.1), Vec2(1.9, 0.9)}) {

@@ -39,8 +39,10 @@ TEST_P(Spaces, AreMadeWithoutFailure) {
     EXPECT_EQ(s.failure, "");
     EXPECT_EQ(s.tensor_of.size(), static_cast<std::size_t>(s.n_functions));
     EXPECT_EQ(s.first.size(), static_cast<std::size_t>(s.x.n_functions() * s.y.n_functions() + 1));
-    if (GetParam().basis == Basis::plain) EXPECT_EQ(s.n_extended, 0);
-    else EXPECT_GT(s.n_extended, 0);
+    if (GetParam().basis == Basis::plain)
+        EXPECT_EQ(s.n_extended, 0);
+    else
+        EXPECT_GT(s.n_extended, 0);
 }
 
 TEST_P(Spaces, SumToOneWithZeroGradient) {
@@ -63,11 +65,11 @@ TEST_P(Spaces, GradientsAreThoseOfTheValues) {
         worst = std::max(worst, (b.dy - (value(0, d) - value(0, -d)) / (2 * d)).cwiseAbs().maxCoeff());
         largest = std::max({largest, b.dx.cwiseAbs().maxCoeff(), b.dy.cwiseAbs().maxCoeff()});
     });
-    EXPECT_LT(worst, 1e-7 * largest);   // d^2/6 of a third derivative that is at most 1e3 of the first
+    EXPECT_LT(worst, 1e-7 * largest);  // d^2/6 of a third derivative that is at most 1e3 of the first
 }
 
 TEST_P(Spaces, ReproduceAllPolynomialsUpToTheDegree) {
-    constexpr double bound = 1e-9;   // rounding 1e-16 times coefficients up to 1e3 in each direction, values up to 30
+    constexpr double bound = 1e-9;  // rounding 1e-16 times coefficients up to 1e3 in each direction, values up to 30
     for (int a = 0; a <= GetParam().degree; ++a)
         for (int b = 0; b <= GetParam().degree; ++b) EXPECT_LT(monomial_error(part, a, b), bound) << "x^" << a << " y^" << b;
     EXPECT_GT(monomial_error(part, 1, 1, 1e-7), bound);
@@ -127,7 +129,7 @@ TEST(SplineSpace, CellsCountAsInnerFromAQuarterOn) {
     };
     EXPECT_EQ(extended(0.25), 0);
     EXPECT_EQ(extended(0.2499), 2);
-    EXPECT_EQ(extended(0), 0);   // the outer cell's own functions are absent, not extended
+    EXPECT_EQ(extended(0), 0);  // the outer cell's own functions are absent, not extended
     EXPECT_EQ(make_space({0, 1, 2}, {0, 1}, 1, 1, {1, 0}, Basis::web).n_functions, 4);
     EXPECT_EQ(make_space({0, 1, 2}, {0, 1}, 1, 1, {1, 1e-9}, Basis::plain).n_functions, 6);
 }
@@ -142,9 +144,9 @@ TEST(SplineSpace, WithoutAnInnerCellFails) {
 
 TEST(SplineSpace, DoesNotExtendAcrossASlot) {
     // two arms on a common foot; the left one is thin from the second row on, the right one, nearer by distance, is full
-    const std::vector<double> fraction{1,   1, 1,    // foot
-                                       0.1, 0, 1,    // arms
-                                       0.1, 0, 1,   0.1, 0, 1, 0.1, 0, 1};
+    const std::vector<double> fraction{1,   1, 1,  // foot
+                                       0.1, 0, 1,  // arms
+                                       0.1, 0, 1, 0.1, 0, 1, 0.1, 0, 1};
     const SplineSpace s = make_space({0, 1, 2, 3}, {0, 1, 2, 3, 4, 5}, 1, 1, fraction, Basis::web);
     ASSERT_EQ(s.failure, "");
     for (int f : extraction(s, 12).functions) EXPECT_LE(greville_point(s, f).y(), 1) << "cell 12 is made from function " << f;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small parts for the tests of the solver: unions of axis-parallel boxes on a grid, so that full and cut cells are integrated by
-// Gauss rules on rectangles and nothing of geometry/ is needed.
+// Small parts for the tests of the solver: unions of axis-parallel boxes on a grid, so that full and cut cells are integrated
+// by Gauss rules on rectangles and nothing of geometry/ is needed.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -55,7 +55,8 @@ struct SpaceCase {
     Basis basis;
 };
 inline std::string name_of(const SpaceCase& c) {
-    return "degree" + std::to_string(c.degree) + (c.uniform ? "_uniform" : "_graded") + (c.basis == Basis::web ? "_web" : "_plain");
+    return "degree" + std::to_string(c.degree) + (c.uniform ? "_uniform" : "_graded") +
+           (c.basis == Basis::web ? "_web" : "_plain");
 }
 inline std::vector<SpaceCase> all_space_cases() {
     std::vector<SpaceCase> cases;
@@ -83,7 +84,8 @@ inline Box in_cell(const Box& b, const std::vector<double>& x, const std::vector
 
 /// A part made of boxes that do not overlap, with rules of the given order (0: degree + 1) on its cells.
 inline PartInput part_of(const std::vector<Box>& boxes, const std::vector<double>& x, const std::vector<double>& y, int degree,
-                         Basis basis, const Elasticity& elasticity = plane_stress(1000, 0.3), double thickness = 1, int order = 0) {
+                         Basis basis, const Elasticity& elasticity = plane_stress(1000, 0.3), double thickness = 1,
+                         int order = 0) {
     const LineRule line = gauss(order > 0 ? order : degree + 1);
     std::vector<double> fraction;
     std::vector<CellRule> cut;
@@ -115,12 +117,14 @@ inline PartInput ell(const SpaceCase& c, const Elasticity& elasticity = plane_st
     const std::vector<double> x = grid_lines(-0.4, 1.7, 5, c.uniform), y = grid_lines(0.3, 1.9, 4, c.uniform);
     return part_of(ell_boxes(x, y), x, y, c.degree, c.basis, elasticity, thickness);
 }
-inline std::vector<Box> ell_boxes(const PartInput& part) { return ell_boxes(part.space.x.breakpoints, part.space.y.breakpoints); }
+inline std::vector<Box> ell_boxes(const PartInput& part) {
+    return ell_boxes(part.space.x.breakpoints, part.space.y.breakpoints);
+}
 
 inline PartInput rectangle(double width, double height, int nx, int ny, int degree, bool uniform = true,
                            const Elasticity& elasticity = plane_stress(1000, 0.3), double thickness = 1) {
-    return part_of({{0, 0, width, height}}, grid_lines(0, width, nx, uniform), grid_lines(0, height, ny, uniform), degree, Basis::web,
-                   elasticity, thickness);
+    return part_of({{0, 0, width, height}}, grid_lines(0, width, nx, uniform), grid_lines(0, height, ny, uniform), degree,
+                   Basis::web, elasticity, thickness);
 }
 
 /// Gauss points of every cell that holds a piece of the part: f(cell, point, weight).
@@ -145,8 +149,10 @@ struct EdgePoint {
     double weight;
 };
 
-/// Gauss points along an axis-parallel segment, cell by cell of the grid; cells are looked up slightly inside, against the normal.
-inline std::vector<EdgePoint> edge_points(const SplineSpace& s, const Vec2& from, const Vec2& to, const Vec2& normal, int order) {
+/// Gauss points along an axis-parallel segment, cell by cell of the grid; cells are looked up slightly inside, against the
+/// normal.
+inline std::vector<EdgePoint> edge_points(const SplineSpace& s, const Vec2& from, const Vec2& to, const Vec2& normal,
+                                          int order) {
     const int along = std::abs(to.x() - from.x()) > std::abs(to.y() - from.y()) ? 0 : 1;
     std::vector<double> cuts{from[along], to[along]};
     for (double line : (along == 0 ? s.x : s.y).breakpoints)
@@ -172,8 +178,9 @@ inline std::vector<TractionPoint> traction_on(const SplineSpace& s, const Vec2& 
 }
 
 /// Holds direction . u = value(x) along a segment, by Nitsche's method unless a side is set afterwards.
-inline SupportSet support_on(const SplineSpace& s, const Vec2& from, const Vec2& to, const Vec2& normal, const Vec2& direction,
-                             const std::function<double(const Vec2&)>& value = [](const Vec2&) { return 0.0; }) {
+inline SupportSet support_on(
+    const SplineSpace& s, const Vec2& from, const Vec2& to, const Vec2& normal, const Vec2& direction,
+    const std::function<double(const Vec2&)>& value = [](const Vec2&) { return 0.0; }) {
     SupportSet set;
     for (const EdgePoint& p : edge_points(s, from, to, normal, s.x.degree + 2))
         set.points.push_back({p.cell, p.x, normal, direction, p.weight, value(p.x)});
@@ -182,12 +189,15 @@ inline SupportSet support_on(const SplineSpace& s, const Vec2& from, const Vec2&
 
 /// One component of a rectangle's whole side, on the grid's outermost line.
 inline SupportSet side_support(const SplineSpace& s, GridSide side, int component, double value = 0) {
-    const double x0 = s.x.breakpoints.front(), x1 = s.x.breakpoints.back(), y0 = s.y.breakpoints.front(), y1 = s.y.breakpoints.back();
+    const double x0 = s.x.breakpoints.front(), x1 = s.x.breakpoints.back(), y0 = s.y.breakpoints.front(),
+                 y1 = s.y.breakpoints.back();
     const bool vertical = side == GridSide::left || side == GridSide::right;
     const bool low = side == GridSide::left || side == GridSide::bottom;
     const Vec2 normal = (low ? -1 : 1) * (vertical ? Vec2(1, 0) : Vec2(0, 1));
-    const Vec2 from(vertical && !low ? x1 : x0, !vertical && !low ? y1 : y0), to(vertical && low ? x0 : x1, !vertical && low ? y0 : y1);
-    SupportSet set = support_on(s, from, to, normal, component == 0 ? Vec2(1, 0) : Vec2(0, 1), [&](const Vec2&) { return value; });
+    const Vec2 from(vertical && !low ? x1 : x0, !vertical && !low ? y1 : y0),
+        to(vertical && low ? x0 : x1, !vertical && low ? y0 : y1);
+    SupportSet set =
+        support_on(s, from, to, normal, component == 0 ? Vec2(1, 0) : Vec2(0, 1), [&](const Vec2&) { return value; });
     set.side = side;
     set.component = component;
     set.value = value;
@@ -220,7 +230,7 @@ inline MatrixXd dense(const BlockMatrix& a) {
 
 /// Coefficients of the monomial t^power: blossoms at the inner knots, mean products of `power` of them.
 inline double monomial_coefficient(const KnotVector& knots, int function, int power) {
-    std::vector<double> symmetric{1};   // elementary symmetric polynomials of the knots so far
+    std::vector<double> symmetric{1};  // elementary symmetric polynomials of the knots so far
     double choose = 1;
     for (int k = 1; k <= knots.degree; ++k) {
         const double t = knots.knots[static_cast<std::size_t>(function + k)];

@@ -77,7 +77,9 @@ TEST(Dissertation, Vise) {
 /// Two blocks of equal width on grids that match nowhere, turned by an angle; E2 of the upper one.
 std::string patch_scene(double E2, double angle_upper, double turn) {
     const double a = turn * M_PI / 180;
-    const auto p = [&](double x, double y) { return test::pair_text(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y); };
+    const auto p = [&](double x, double y) {
+        return test::pair_text(std::cos(a) * x - std::sin(a) * y, std::sin(a) * x + std::cos(a) * y);
+    };
     const std::string down = test::pair_text(100 * std::sin(a), -100 * std::cos(a));
     return R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}, "n": {"E": )" + test::number(E2) + R"(, "nu": 0.3}},
       "parts": [{"name": "lower", "material": "m", "geometry": {"polygon": [)" +
@@ -110,20 +112,27 @@ TEST(ContactPatch, NonMatchingGridsCarryAConstantPressure) {
 std::string vise(double length, double force, double dx, double dy) {
     const auto p = [&](double x, double y) { return test::pair_text(length * x + dx, length * y + dy); };
     const auto E = [&](double e) { return test::number(e * force / (length * length)); };
-    return R"({"abut": 1, "thickness": )" + test::number(length) + R"(, "materials": {"soft": {"E": )" + E(1e5) + R"(, "nu": 0.3}, "hard": {"E": )" + E(1e6) + R"(, "nu": 0.3}},
-      "parts": [{"name": "workpiece", "material": "soft", "geometry": {"rectangle": {"min": )" + p(0, 0) + R"(, "max": )" + p(0.6, 1.1) + R"(}}},
-                {"name": "jaw", "material": "hard", "geometry": {"polygon": [)" + p(0.6, -0.9) + "," + p(2.2, -0.9) + "," + p(2.2, -0.4) + "," + p(1, 0) + "," + p(1, 1.1) + "," + p(0.6, 1.1) + R"(]}}],
+    return R"({"abut": 1, "thickness": )" + test::number(length) + R"(, "materials": {"soft": {"E": )" + E(1e5) +
+           R"(, "nu": 0.3}, "hard": {"E": )" + E(1e6) + R"(, "nu": 0.3}},
+      "parts": [{"name": "workpiece", "material": "soft", "geometry": {"rectangle": {"min": )" +
+           p(0, 0) + R"(, "max": )" + p(0.6, 1.1) + R"(}}},
+                {"name": "jaw", "material": "hard", "geometry": {"polygon": [)" +
+           p(0.6, -0.9) + "," + p(2.2, -0.9) + "," + p(2.2, -0.4) + "," + p(1, 0) + "," + p(1, 1.1) + "," + p(0.6, 1.1) +
+           R"(]}}],
       "supports": [{"on": ["workpiece/left", "workpiece/bottom"], "symmetry": true}, {"on": "jaw/e0", "fix": ["y"]},
-                   {"on": "jaw/e1", "displacement": {"x": )" + test::number(-0.01 * length) + "}}]}";
+                   {"on": "jaw/e1", "displacement": {"x": )" +
+           test::number(-0.01 * length) + "}}]}";
 }
 
 TEST(Invariance, UnitsAndPlaceDoNotMatter) {
     const Result base = test::answer(vise(1, 1, 0, 0));
-    const double f0 = base.contacts.at(0).force.x(), p0 = base.contacts[0].max_pressure.value, u0 = base.parts[1].max_displacement.value;
+    const double f0 = base.contacts.at(0).force.x(), p0 = base.contacts[0].max_pressure.value,
+                 u0 = base.parts[1].max_displacement.value;
     struct Variant {
         double length, force, dx, dy;
     };
-    for (const Variant& v : {Variant{1e-3, 1, 0, 0}, {1000, 1e3, 0, 0}, {1, 1, 7.3, -2.1}, {1, 1, 1e4, 3e4}, {25.4, 4.448, 0.1, 0.2}}) {
+    for (const Variant& v :
+         {Variant{1e-3, 1, 0, 0}, {1000, 1e3, 0, 0}, {1, 1, 7.3, -2.1}, {1, 1, 1e4, 3e4}, {25.4, 4.448, 0.1, 0.2}}) {
         const Result r = test::answer(vise(v.length, v.force, v.dx, v.dy));
         ASSERT_EQ(r.status, "ok") << r.message;
         ASSERT_EQ(r.contacts.size(), 1u);

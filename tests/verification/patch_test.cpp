@@ -18,8 +18,8 @@ constexpr Exact plane_stress_field{43.956043956043956, -186.81318681318681, 57.6
 constexpr Exact plane_strain_field{19.230769230769230, -211.53846153846155, 57.69230769230769};
 
 struct Shape {
-    std::string geometry;                     // a node of the scene format
-    std::vector<std::string> tractions;       // loads that carry the exact stress
+    std::string geometry;                // a node of the scene format
+    std::vector<std::string> tractions;  // loads that carry the exact stress
     Vec2 centroid;
     std::vector<Vec2> probes;
 };
@@ -47,7 +47,9 @@ Vec2 moved(double x, double y) {
     return {std::cos(a) * x - std::sin(a) * y + 0.137, std::sin(a) * x + std::cos(a) * y - 0.211};
 }
 
-Shape square(const Exact& s) { return polygon({moved(0, 0), moved(1, 0), moved(1, 1), moved(0, 1)}, moved(0.5, 0.5), s); }
+Shape square(const Exact& s) {
+    return polygon({moved(0, 0), moved(1, 0), moved(1, 1), moved(0, 1)}, moved(0.5, 0.5), s);
+}
 
 Shape ell(const Exact& s) {
     Shape shape = polygon({moved(0, 0), moved(1, 0), moved(1, 0.5), moved(0.5, 0.5), moved(0.5, 1), moved(0, 1)},
@@ -58,23 +60,29 @@ Shape ell(const Exact& s) {
 Shape disc(const Exact& s) {
     Shape shape{R"({"circle": {"center": [0.3, 0.2], "radius": 0.5}})", {}, {0.3, 0.2}, {}};
     const std::string nx = "(x-0.3)/0.5", ny = "(y-0.2)/0.5";
-    const auto component = [&](double a, double b) { return "\"" + test::number(a) + "*" + nx + " + (" + test::number(b) + ")*" + ny + "\""; };
+    const auto component = [&](double a, double b) {
+        return "\"" + test::number(a) + "*" + nx + " + (" + test::number(b) + ")*" + ny + "\"";
+    };
     shape.tractions = {R"({"on": "part/circle", "traction": [)" + component(s.xx, s.xy) + ", " + component(s.xy, s.yy) + "]}"};
     for (int k = 0; k < 8; ++k) shape.probes.push_back(shape.centroid + 0.4999 * Vec2(std::cos(0.7 * k), std::sin(0.7 * k)));
     return shape;
 }
 
-std::string scene_text(const Shape& shape, const std::string& analysis, const std::string& conditions, const std::string& grid, int degree) {
+std::string scene_text(const Shape& shape, const std::string& analysis, const std::string& conditions, const std::string& grid,
+                       int degree) {
     std::string probes;
     for (const Vec2& p : shape.probes)
-        probes += (probes.empty() ? "" : ", ") + std::string(R"({"part": "part", "at": )") + test::pair_text(p.x(), p.y()) + "}";
-    return R"({"abut": 1, "analysis": ")" + analysis + R"(", "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [{"name": "part", "material": "m", "geometry": )" +
+        probes +=
+            (probes.empty() ? "" : ", ") + std::string(R"({"part": "part", "at": )") + test::pair_text(p.x(), p.y()) + "}";
+    return R"({"abut": 1, "analysis": ")" + analysis +
+           R"(", "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [{"name": "part", "material": "m", "geometry": )" +
            shape.geometry + "}], " + conditions + R"(, "accuracy": {"degree": )" + std::to_string(degree) +
            R"(, "grids": {"part": )" + grid + R"(}}, "output": {"probes": [)" + probes + "]}}";
 }
 
 std::string grid_text(double offset, double angle) {
-    return R"({"cells": [7, 6], "offset": )" + test::pair_text(offset, 0.6 * offset) + R"(, "angle": )" + test::number(angle) + "}";
+    return R"({"cells": [7, 6], "offset": )" + test::pair_text(offset, 0.6 * offset) + R"(, "angle": )" + test::number(angle) +
+           "}";
 }
 
 std::string by_tractions(const Shape& shape) {
@@ -105,28 +113,34 @@ void expect_field(const Result& r, const Exact& s, const Vec2& origin, double to
 const std::vector<double> offsets{0.0, 0.05, 0.0713, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, -1e-3, -1e-8};
 
 TEST(Patch, TractionsAndRigidHoldGiveTheExactField) {
-    for (const auto& [name, shape] : {std::pair{"square", square(plane_stress_field)}, {"L", ell(plane_stress_field)}, {"disc", disc(plane_stress_field)}})
+    for (const auto& [name, shape] :
+         {std::pair{"square", square(plane_stress_field)}, {"L", ell(plane_stress_field)}, {"disc", disc(plane_stress_field)}})
         for (int degree : {1, 2, 3})
             for (double offset : offsets)
                 for (double angle : {0.0, 31.0}) {
-                    const std::string what = std::string(name) + " degree " + std::to_string(degree) + " offset " + test::number(offset);
-                    const Result r = test::answer(scene_text(shape, "plane_stress", by_tractions(shape), grid_text(offset, angle), degree));
+                    const std::string what =
+                        std::string(name) + " degree " + std::to_string(degree) + " offset " + test::number(offset);
+                    const Result r =
+                        test::answer(scene_text(shape, "plane_stress", by_tractions(shape), grid_text(offset, angle), degree));
                     expect_field(r, plane_stress_field, shape.centroid, 1e-9, what);
                 }
 }
 
 TEST(Patch, PlaneStrain) {
     const Shape shape = square(plane_strain_field);
-    expect_field(test::answer(scene_text(shape, "plane_strain", by_tractions(shape), grid_text(0.03, 10), 2)), plane_strain_field,
-                 shape.centroid, 1e-9, "plane strain");
+    expect_field(test::answer(scene_text(shape, "plane_strain", by_tractions(shape), grid_text(0.03, 10), 2)),
+                 plane_strain_field, shape.centroid, 1e-9, "plane strain");
 }
 
 TEST(Patch, NitscheGivesTheExactField) {
-    for (const auto& [name, shape] : {std::pair{"square", square(plane_stress_field)}, {"L", ell(plane_stress_field)}, {"disc", disc(plane_stress_field)}})
+    for (const auto& [name, shape] :
+         {std::pair{"square", square(plane_stress_field)}, {"L", ell(plane_stress_field)}, {"disc", disc(plane_stress_field)}})
         for (int degree : {1, 2, 3})
             for (double offset : offsets) {
-                const std::string what = std::string(name) + " degree " + std::to_string(degree) + " offset " + test::number(offset);
-                const Result r = test::answer(scene_text(shape, "plane_stress", by_displacements(), grid_text(offset, 12), degree));
+                const std::string what =
+                    std::string(name) + " degree " + std::to_string(degree) + " offset " + test::number(offset);
+                const Result r =
+                    test::answer(scene_text(shape, "plane_stress", by_displacements(), grid_text(offset, 12), degree));
                 expect_field(r, plane_stress_field, {0, 0}, 1e-6, what);
             }
 }
@@ -134,7 +148,8 @@ TEST(Patch, NitscheGivesTheExactField) {
 /// A wrong load must be seen: the checks above can fail.
 TEST(Patch, AWrongTractionIsSeen) {
     Shape shape = square(plane_stress_field);
-    shape.tractions[0] = traction("e0", {plane_stress_field.xx, plane_stress_field.yy, 1.001 * plane_stress_field.xy}, 0.3, -0.95);
+    shape.tractions[0] =
+        traction("e0", {plane_stress_field.xx, plane_stress_field.yy, 1.001 * plane_stress_field.xy}, 0.3, -0.95);
     const Result r = test::answer(scene_text(shape, "plane_stress", by_tractions(shape), grid_text(0.03, 10), 2));
     double worst = 0;
     for (const ProbeResult& p : r.probes) worst = std::max(worst, std::abs(p.stress.xy - plane_stress_field.xy));

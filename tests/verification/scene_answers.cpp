@@ -18,7 +18,9 @@ Result answer(const std::string& json) {
     return analyze(scene, {});
 }
 
-Result answer_file(const std::string& path) { return analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/" + path), {}); }
+Result answer_file(const std::string& path) {
+    return analyze(read_scene(std::string(ABUT_SOURCE_DIR) + "/" + path), {});
+}
 
 std::string number(double v) {
     char text[40];
@@ -26,6 +28,8 @@ std::string number(double v) {
     return text;
 }
 
-std::string pair_text(double x, double y) { return "[" + number(x) + ", " + number(y) + "]"; }
+std::string pair_text(double x, double y) {
+    return "[" + number(x) + ", " + number(y) + "]";
+}
 
 }  // namespace abut::test
