@@ -206,7 +206,11 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
         for (Index k = 0; k < gap.size(); ++k)
             if (!active[static_cast<std::size_t>(k)] && gap[k] < -gap_rounding(qp, state) && (worst < 0 || gap[k] < gap[worst]))
                 worst = k;
-        if (worst < 0) return equilibrium_error(qp, state) <= feasibility_tolerance * force_scale(qp, state.multipliers);
+        if (worst < 0) {
+            // a set that was empty on the way leaves a far anchor: the steps that follow, on the same set, bring it back
+            if (equilibrium_error(qp, state) <= feasibility_tolerance * force_scale(qp, state.multipliers)) return true;
+            continue;
+        }
         active[static_cast<std::size_t>(worst)] = 1;
     }
     return false;
