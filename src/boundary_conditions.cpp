@@ -319,14 +319,19 @@ std::string support_label(const Scene& scene, int support) {
 
 namespace {
 
-constexpr int marks_per_portion = 9;
+constexpr double marks_over_model = 40;  // marks of an edge as long as the whole model
+constexpr int least_marks = 3;
 
 template <class Add>
 void along_portions(const Scene& scene, const std::vector<EdgePortion>& portions, Add add) {
+    geometry::Box2 model;
+    for (const ScenePart& part : scene.parts) model.extend(bounding_box(part.part));
     for (const EdgePortion& p : portions) {
         const geometry::Curve& curve = scene.parts[at(p.part)].part.edges[at(p.edge)].curve;
-        for (int k = 0; k < marks_per_portion; ++k) {
-            const double t = p.t0 + (k + 0.5) / marks_per_portion * (p.t1 - p.t0);
+        const double share = length(curve, p.t0, p.t1) / model.diagonal();
+        const int n = std::max(least_marks, static_cast<int>(std::lround(marks_over_model * share)));
+        for (int k = 0; k < n; ++k) {
+            const double t = p.t0 + (k + 0.5) / n * (p.t1 - p.t0);
             add(point(curve, t), outward_normal(curve, t));
         }
     }
