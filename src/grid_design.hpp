@@ -16,7 +16,7 @@ struct SizeFeature {
 };
 
 /// How much cells may grow per distance from where a size is wanted.
-inline constexpr double size_growth = 0.6;
+inline constexpr double size_growth = 0.45;
 
 /// Lines from low to high whose spacing follows min over features (size + size_growth * distance), at most `largest`; axis 0 is
 /// x.
