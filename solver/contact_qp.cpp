@@ -19,6 +19,7 @@ using Set = std::vector<char>;
 
 constexpr int max_pdas_iterations = 30;
 constexpr int max_proximal_passes = 7;
+constexpr int max_anchor_returns = 20;            // of the monotone method, on one set
 constexpr double first_proximal_fraction = 1e-6;  // of the Winkler stiffness; tenfold less each pass
 constexpr double equilibrium_tolerance = 1e-10;   // relative to the loads
 constexpr double feasibility_tolerance = 1e-8;    // relative to the loads: below, the residual is rounding, not a mechanism
@@ -181,6 +182,7 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
     const double proximal = 1e-12 * stiffness;
     VectorXd anchor = VectorXd::Zero(qp.modes.cols());
     const int limit = 50 + 10 * static_cast<int>(l.size());
+    int returns = 0;
     for (int step = 0; step < limit; ++step) {
         ++iterations;
         if (!solve_on(qp, active, proximal, anchor, state)) return false;
@@ -202,13 +204,14 @@ bool monotone(const ContactQp& qp, const VectorXd& feasible, double stiffness, S
             continue;
         }
         const VectorXd gap = gap_of(qp, state);
+        const double rounding = gap_rounding(qp, state);
         Index worst = -1;
         for (Index k = 0; k < gap.size(); ++k)
-            if (!active[static_cast<std::size_t>(k)] && gap[k] < -gap_rounding(qp, state) && (worst < 0 || gap[k] < gap[worst]))
-                worst = k;
+            if (!active[static_cast<std::size_t>(k)] && gap[k] < -rounding && (worst < 0 || gap[k] < gap[worst])) worst = k;
         if (worst < 0) {
             // a set that was empty on the way leaves a far anchor: the steps that follow, on the same set, bring it back
             if (equilibrium_error(qp, state) <= feasibility_tolerance * force_scale(qp, state.multipliers)) return true;
+            if (++returns > max_anchor_returns) return false;
             continue;
         }
         active[static_cast<std::size_t>(worst)] = 1;
