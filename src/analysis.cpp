@@ -199,7 +199,7 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
     int widenings = 0;
     for (;;) {
         if (options.progress) options.progress("pass " + std::to_string(out.passes + 1));
-        const std::vector<bool> solve = parts_to_solve(scene, touching_pairs(out.candidates));
+        const std::vector<bool> solve = parts_to_solve(scene, conditions, touching_pairs(out.candidates));
         SolvedAssembly now = solve_pass(scene, conditions, out.candidates, solve, wanted, coarseness, seconds);
         ++out.passes;
         out.factorizations += static_cast<int>(now.problem.parts.size());

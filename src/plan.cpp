@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "src/boundary_conditions.hpp"
-
 namespace abut {
 
 namespace {
@@ -49,8 +47,8 @@ std::vector<Effect> plan_effects(const Scene& scene) {
     };
 }
 
-std::vector<bool> parts_to_solve(const Scene& scene, const std::vector<std::pair<int, int>>& touching) {
-    const ResolvedConditions conditions = resolve_conditions(scene);
+std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,
+                                 const std::vector<std::pair<int, int>>& touching) {
     std::vector<bool> solve(scene.parts.size());
     for (std::size_t i = 0; i < solve.size(); ++i) solve[i] = is_driven(scene, conditions, static_cast<int>(i));
     const bool closes =

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "src/boundary_conditions.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
 
@@ -12,6 +13,7 @@ namespace abut {
 std::vector<Effect> plan_effects(const Scene& scene);
 
 /// Parts that need no solution: they carry no load, and touch nothing that does. touching: pairs of part indices.
-std::vector<bool> parts_to_solve(const Scene& scene, const std::vector<std::pair<int, int>>& touching);
+std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,
+                                 const std::vector<std::pair<int, int>>& touching);
 
 }  // namespace abut

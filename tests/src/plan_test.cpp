@@ -112,14 +112,18 @@ TEST(Plan, ALoadReachesWhatItsPartTouches) {
                           R"(, {"name": "c", "material": "m", "geometry": {"rectangle": {"min": [200, 0], "max": [201, 1]}}},
                                                    {"name": "d", "material": "m", "geometry": {"rectangle": {"min": [300, 0], "max": [301, 1]}}})"};
     const Scene scene = scene_of(v);
-    EXPECT_EQ(parts_to_solve(scene, {}), (std::vector<bool>{true, false, false, false}));
-    EXPECT_EQ(parts_to_solve(scene, {{0, 1}}), (std::vector<bool>{true, true, false, false}));
-    EXPECT_EQ(parts_to_solve(scene, {{1, 2}, {0, 1}}), (std::vector<bool>{true, true, true, false}));
-    EXPECT_EQ(parts_to_solve(scene, {{1, 2}, {2, 3}}), (std::vector<bool>{true, false, false, false}));
+    EXPECT_EQ(parts_to_solve(scene, resolve_conditions(scene), {}), (std::vector<bool>{true, false, false, false}));
+    EXPECT_EQ(parts_to_solve(scene, resolve_conditions(scene), {{0, 1}}), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(parts_to_solve(scene, resolve_conditions(scene), {{1, 2}, {0, 1}}), (std::vector<bool>{true, true, true, false}));
+    EXPECT_EQ(parts_to_solve(scene, resolve_conditions(scene), {{1, 2}, {2, 3}}),
+              (std::vector<bool>{true, false, false, false}));
 }
 
 TEST(Plan, WhatActsOnAPartMakesItSolved) {
-    const auto solved = [](const Variation& v) { return parts_to_solve(scene_of(v), {}); };
+    const auto solved = [](const Variation& v) {
+        const Scene varied = scene_of(v);
+        return parts_to_solve(varied, resolve_conditions(varied), {});
+    };
     const std::vector<bool> both{true, true};
     EXPECT_EQ(solved({.more_parts = far_block, .more_loads = R"(, {"part": "block", "body_force": [1, 0]})"}), both);
     EXPECT_EQ(solved({.more_parts = far_block, .more_loads = R"(, {"part": "*", "body_force": [1, 0]})"}), both);
