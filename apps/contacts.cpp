@@ -16,15 +16,10 @@ namespace abut {
 
 namespace {
 
-/// A drawing with problems is refused: parts that could not be read would be missing from the pairs without notice.
 Scene read_model(const Arguments& arguments) {
-    const DrawingOptions options = drawing_options(arguments);
-    if (kind_of_file(arguments.operand) == FileKind::scene) return read_scene(arguments.operand);
-    SketchReading reading = read_sketch(arguments.operand, options.tolerance, options.units);
-    std::vector<geometry::SketchProblem> problems = reading.drawing.problems;
-    problems.insert(problems.end(), reading.sketch.problems.begin(), reading.sketch.problems.end());
-    throw_if_any(arguments.operand, problems);
-    return std::move(reading.scene);
+    if (kind_of_file(arguments.operand) != FileKind::scene) return read_whole_sketch(arguments).scene;
+    drawing_options(arguments);
+    return read_scene(arguments.operand);
 }
 
 int report_differences(const Detection& detection, const std::string& expectation_file) {
@@ -36,8 +31,11 @@ int report_differences(const Detection& detection, const std::string& expectatio
 }  // namespace
 
 CommandSpec contacts_spec() {
-    CommandSpec spec{
-        "contacts", "FILE", "Finds the pairs of parts that touch, overlap or nearly touch in a scene or drawing.", {}, {}};
+    CommandSpec spec{"contacts",
+                     "FILE",
+                     "Finds the pairs of parts that touch, overlap or nearly touch in a scene, drawing or mesh.",
+                     {},
+                     {}};
     spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's diagonal)"},
                     {"--expect", "FILE", "compare with the pairs of this file; exit status 1 on any difference"},
                     {"-o", "DIR", "folder for contacts.json and contacts.svg (default: out)"}};

@@ -14,12 +14,13 @@ namespace abut {
 namespace {
 
 const std::vector<std::string> known_units{"mm", "cm", "m", "in", "ft", "um"};
+const std::vector<std::string> known_ways{"auto", "layer", "block", "loop", "color", "node"};
 
 void check_no_drawing_options(const Arguments& arguments) {
     std::vector<Problem> problems;
     for (const OptionSpec& option : drawing_option_specs()) {
         if (!has(arguments, option.name)) continue;
-        problems.push_back({arguments.operand, "option " + option.name + " is for drawings, and this is a scene",
+        problems.push_back({arguments.operand, "option " + option.name + " is for drawings and meshes, and this is a scene",
                             "set it in the scene instead, and leave the option out"});
     }
     if (!problems.empty()) throw InputError(std::move(problems));
@@ -32,38 +33,52 @@ void check_choice(const Arguments& arguments, const std::string& name, const std
     throw InputError(name, "'" + shortened(value) + "' is not supported", "use " + listed(known));
 }
 
-std::string lower_case_extension(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return extension;
+/// "z", or "z=5".
+void read_section(const std::string& text, ImportOptions& options) {
+    const std::size_t equals = text.find('=');
+    const std::string axis = text.substr(0, equals);
+    const std::optional<double> at = equals == std::string::npos ? std::nullopt : to_number(text.substr(equals + 1));
+    const std::size_t index = std::string("xyz").find(axis);
+    if (axis.size() != 1 || index == std::string::npos || (equals != std::string::npos && !at))
+        throw InputError("--section", "'" + shortened(text) + "' is no plane", "write an axis, or an axis and a place: z=5");
+    options.section_axis = static_cast<int>(index);
+    options.section_at = at;
 }
 
 }  // namespace
 
 std::vector<OptionSpec> drawing_option_specs() {
-    return {{"--units", "UNIT", "the drawing's length unit: " + listed(known_units) + " (default: as the file states)"},
+    return {{"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
             {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
-            {"--parts-by", "WAY", "what separates the drawing's parts: layer (the default)"}};
+            {"--parts-by", "WAY", "what separates the parts: " + listed(known_ways) + " (default: auto)"},
+            {"--section", "PLANE",
+             "where a mesh is cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"}};
 }
 
-DrawingOptions drawing_options(const Arguments& arguments) {
+ImportOptions drawing_options(const Arguments& arguments) {
     if (kind_of_file(arguments.operand) == FileKind::scene) {
         check_no_drawing_options(arguments);
         return {};
     }
     check_choice(arguments, "--units", known_units);
-    check_choice(arguments, "--parts-by", {"layer"});
-    return {positive_number(arguments, "--tolerance").value_or(0), value_or(arguments, "--units", "")};
+    check_choice(arguments, "--parts-by", known_ways);
+    ImportOptions options;
+    options.tolerance = positive_number(arguments, "--tolerance").value_or(0);
+    options.units = value_or(arguments, "--units", "");
+    options.parts_by = *parts_by_of(value_or(arguments, "--parts-by", "auto"));
+    if (has(arguments, "--section")) read_section(arguments.options.at("--section"), options);
+    return options;
 }
 
 FileKind kind_of_file(const std::string& path) {
     if (!std::filesystem::exists(path)) throw InputError(path, "there is no such file", "check the name and the folder");
-    const std::string extension = lower_case_extension(path);
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     if (extension == ".json") return FileKind::scene;
-    if (extension == ".dxf") return FileKind::drawing;
+    if (is_importable(path)) return FileKind::drawing;
     throw InputError(path,
                      extension.empty() ? "the name has no extension" : "files of the kind '" + extension + "' cannot be read",
-                     "give a scene (.json) or a drawing (.dxf)");
+                     "give a scene (.json), " + importable_kinds());
 }
 
 }  // namespace abut

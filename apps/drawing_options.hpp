@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options --units, --tolerance and --parts-by, which stand for a scene's keys where a command is given a bare drawing.
+// The options --units, --tolerance, --parts-by and --section, which stand for a scene's keys where a command is given a bare
+// drawing or mesh.
 #pragma once
 #include <string>
 #include <vector>
 
 #include "apps/arguments.hpp"
+#include "src/read_drawing.hpp"
 
 namespace abut {
-
-struct DrawingOptions {
-    double tolerance = 0;  ///< 0: the default
-    std::string units;     ///< empty: the file's own
-};
 
 std::vector<OptionSpec> drawing_option_specs();
 
 /// Throws InputError where a value is wrong, or where the options are given beside a scene, which states them itself.
-DrawingOptions drawing_options(const Arguments& arguments);
+ImportOptions drawing_options(const Arguments& arguments);
 
-enum class FileKind { scene, drawing };
+enum class FileKind { scene, drawing };  ///< meshes count as drawings
 /// By the file's extension, in either case. Throws InputError where the file is missing, or of a kind that cannot be read.
 FileKind kind_of_file(const std::string& path);
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "apps/drawing_options.hpp"
 #include "geometry/input_error.hpp"
 
 namespace abut {
@@ -23,6 +24,14 @@ void throw_if_any(const std::string& file, const std::vector<geometry::SketchPro
     lines.reserve(problems.size());
     for (const geometry::SketchProblem& problem : problems) lines.push_back(as_problem(file, problem));
     if (!lines.empty()) throw InputError(std::move(lines));
+}
+
+SketchReading read_whole_sketch(const Arguments& arguments) {
+    SketchReading reading = read_sketch(arguments.operand, drawing_options(arguments));
+    std::vector<geometry::SketchProblem> problems = reading.drawing.problems;
+    problems.insert(problems.end(), reading.sketch.problems.begin(), reading.sketch.problems.end());
+    throw_if_any(arguments.operand, problems);
+    return reading;
 }
 
 }  // namespace abut

@@ -3,11 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "apps/arguments.hpp"
 #include "geometry/sketch.hpp"
+#include "src/scene.hpp"
 
 namespace abut {
 
 /// Throws them as an InputError, each with file, line, entity and place; returns where there are none.
 void throw_if_any(const std::string& file, const std::vector<geometry::SketchProblem>& problems);
+
+/// The drawing or mesh that the operand names. One with problems is refused: parts that could not be read would be missing
+/// without notice.
+SketchReading read_whole_sketch(const Arguments& arguments);
 
 }  // namespace abut

@@ -4,7 +4,7 @@
 # name that messages begin with. Everything that fails prints one line (a failed build: the end of its log) and exits with status 1.
 
 build_packages=(
-    libcgal-dev libeigen3-dev libsuitesparse-dev libassimp-dev nlohmann-json3-dev libdxflib-dev libboost-dev libgmp-dev libmpfr-dev
+    libcgal-dev libeigen3-dev libsuitesparse-dev libassimp-dev lib3mf-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
     "libopenblas-serial-dev|libopenblas-pthread-dev|libopenblas-openmp-dev|libatlas-base-dev|liblapack-dev"
 )
 test_packages=(libgtest-dev libbenchmark-dev)

@@ -38,6 +38,15 @@ Chain chain_from(const Part& part, const Loop& loop, std::size_t first, std::siz
     return chain;
 }
 
+/// Parameter at arc length s of a curve of the given length. That of segments and arcs is proportional to arc length.
+double parameter_on(const Curve& curve, double s, double length) {
+    if (s >= length) return 1;
+    const bool proportional = std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve);
+    if (proportional) return std::clamp(s / length, 0.0, 1.0);
+    const double rounding = std::numeric_limits<double>::epsilon() * length;  // of a quadrature
+    return s <= rounding ? 0.0 : parameter_at_length(curve, s);
+}
+
 double wrapped(double s, double period) {
     const double r = s - period * std::floor(s / period);
     return r < period ? r : 0;  // rounding may return the period itself for s just below 0
@@ -71,8 +80,7 @@ ChainPoint at(const Part& part, const Chain& chain, double s) {
     ChainPoint p;
     p.edge = chain.edges[i];
     const Curve& curve = curve_of(part, p.edge);
-    // The parameter of segments and arcs is proportional to arc length.
-    p.t = std::clamp((s - chain.begin[i]) / (end - chain.begin[i]), 0.0, 1.0);
+    p.t = parameter_on(curve, s - chain.begin[i], end - chain.begin[i]);
     p.x = point(curve, p.t);
     p.tangent = unit_tangent(curve, p.t);
     p.normal = right_of(p.tangent);

@@ -7,10 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/arc_spline.hpp"
 #include "geometry/boolean.hpp"
+#include "geometry/carriers.hpp"
 #include "geometry/csg_names.hpp"
 #include "geometry/merge_pieces.hpp"
+#include "geometry/pinches.hpp"
 #include "geometry/primitives.hpp"
+#include "geometry/touching_loops.hpp"
 
 namespace abut::geometry {
 
@@ -43,7 +47,8 @@ std::vector<std::vector<Piece>> boundary_of_primitive(const Primitive& primitive
     std::vector<std::vector<Piece>> loops;
     for (const BoundaryLoop& loop : primitive.loops) {
         std::vector<Piece> pieces;
-        for (const OrientedEdge& edge : loop.edges) pieces.push_back({along_boundary(edge, sources), edge.edge});
+        for (const OrientedEdge& edge : loop.edges)
+            pieces.push_back({along_boundary(edge, sources), edge.edge, edge.along ? 0.0 : 1.0, edge.along ? 1.0 : 0.0});
         loops.push_back(std::move(pieces));
     }
     return loops;
@@ -58,8 +63,14 @@ const Imported& imported_leaf(const CsgNode& node) {
 Part placed_import(const Imported& imported, const Primitive& primitive) {
     Part part = imported.part;
     part.name.clear();
+    const double scale = scale_of(primitive.moves);
+    const bool mirrored = is_mirrored(primitive.moves);
+    if (mirrored)
+        for (Loop& loop : part.loops) std::reverse(loop.edges.begin(), loop.edges.end());
     for (Edge& edge : part.edges) {
-        edge.curve = placed(edge.curve, primitive.moves);
+        edge.curve = placed(mirrored ? reversed(edge.curve) : edge.curve, primitive.moves);
+        edge.along_source = edge.along_source != mirrored;
+        edge.source_begin *= scale;
         if (primitive.name.empty()) continue;
         edge.name = primitive.name + "/" + edge.name;
         edge.source = primitive.name + "/" + edge.source;
@@ -94,12 +105,53 @@ bool reaches_far(const std::vector<std::vector<RawPiece>>& loops) {
     });
 }
 
+/// How fine the arc splines are, as fractions of each curve's size: finer ones are tried where the first do not show how the
+/// curves meet (they nearly touch).
+constexpr double arc_fractions[] = {arc_spline_fraction, 1e-2 * arc_spline_fraction, 1e-4 * arc_spline_fraction};
+
+/// Sources that are one within this length share their arcs.
+double same_length(const std::vector<Primitive>& primitives, const std::vector<PlacedSource>& sources) {
+    Box2 box;
+    for (const PlacedSource& source : sources)
+        if (!primitives[static_cast<std::size_t>(source.primitive)].half_plane) box.extend(bounding_box(source.curve));
+    if (box.empty()) return 0;
+    return sliver_width_fraction * (box.diagonal() + box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff());
+}
+
+std::vector<double> arc_tolerances(const Carriers& carriers) {
+    std::vector<double> tolerance;
+    for (const CarrierRun& run : carriers.of_source)
+        tolerance.push_back(run.carrier < 0 ? 0 : carriers.carriers[static_cast<std::size_t>(run.carrier)].tolerance);
+    return tolerance;
+}
+
+/// The Boolean and its restored boundary, with arcs as fine as it takes. Problems go to the result.
+MergedBoundary merged_boundary(const CsgNode& tree, const std::vector<Primitive>& primitives,
+                               const std::vector<PlacedSource>& sources, std::vector<GeometryProblem>& problems) {
+    const double same = same_length(primitives, sources);
+    const Reach reach = reach_of(primitives, sources);
+    MergedBoundary merged;
+    for (const double fraction : arc_fractions) {
+        const Carriers carriers = carriers_of(sources, same, fraction);
+        BooleanBoundary boundary = boolean_boundary(tree, primitives, sources, carriers, reach);
+        problems = std::move(boundary.problems);
+        if (problems.empty() && reaches_far(boundary.loops)) problems.push_back(unbounded(tree));
+        if (!problems.empty()) return {};
+        merged = merge_pieces(boundary.loops, sources, arc_tolerances(carriers));
+        if (!merged.uncertain) break;
+    }
+    problems = merged.unsolved;
+    return merged;
+}
+
 }  // namespace
 
 CsgResult evaluate(const CsgNode& tree) {
     CsgResult result;
     const std::vector<Primitive> primitives = primitives_of(tree, result.problems);
     if (!result.problems.empty()) return result;
+    for (const Primitive& primitive : primitives)
+        result.repairs.insert(result.repairs.end(), primitive.repairs.begin(), primitive.repairs.end());
     const std::vector<PlacedSource> sources = placed_sources(primitives);
 
     if (!is_boolean(tree)) {
@@ -113,14 +165,12 @@ CsgResult evaluate(const CsgNode& tree) {
         return result;
     }
 
-    BooleanBoundary boundary = boolean_boundary(tree, primitives, reach_of(primitives, sources));
-    result.problems = std::move(boundary.problems);
+    MergedBoundary merged = merged_boundary(tree, primitives, sources, result.problems);
     if (!result.problems.empty()) return result;
-    if (reaches_far(boundary.loops)) {
-        result.problems.push_back(unbounded(tree));
-        return result;
-    }
-    result.part = named_part(sources, merge_pieces(boundary.loops, sources));
+    result.part = named_part(sources, cut_pinches(std::move(merged.loops), sources));
+    result.repairs.insert(result.repairs.end(), merged.repairs.begin(), merged.repairs.end());
+    const std::vector<Repair> touches = touching_loops(result.part);
+    result.repairs.insert(result.repairs.end(), touches.begin(), touches.end());
     if (result.part.loops.empty())
         result.problems.push_back({tree.where,
                                    "the part is empty: nothing is left of it",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/part.hpp"
+#include "geometry/repair.hpp"
 
 namespace abut::geometry {
 
@@ -18,6 +19,14 @@ struct Circle {
     Vec2 center;
     double radius;
 };  ///< edge circle, from angle 0 counter-clockwise
+struct Ellipse {
+    Vec2 center, radii;
+    double angle = 0;
+};  ///< edge ellipse, from the end of the first half axis counter-clockwise; angle of that axis in degrees
+struct Slot {
+    Vec2 from, to;
+    double radius;
+};  ///< edges side0 (right of from->to) end1 side1 end0, counter-clockwise
 struct Polygon {
     std::vector<Vec2> points;
 };  ///< edges e0 e1 ..., in either orientation
@@ -32,13 +41,16 @@ struct Intersection {
 };
 struct Difference {
     std::vector<CsgNode> of;
-};  ///< the first less all others
-/// Applied in the order rotate (degrees, about `about`), translate. (scale and mirror: a later version)
+};                                 ///< the first less all others
+enum class Mirror { none, x, y };  ///< x: negates x
+/// Applied in the order scale, mirror, rotate (degrees), translate; the first three about `about`.
 struct Placed {
     std::vector<CsgNode> of;
     double rotate = 0;
     Vec2 translate{0, 0};
     Vec2 about{0, 0};
+    double scale = 1;  ///< positive
+    Mirror mirror = Mirror::none;
 };  ///< one child
 
 /// One edge of `loops`, in the file's own direction.
@@ -56,7 +68,8 @@ struct Imported {
 };
 
 struct CsgNode {
-    std::variant<Rectangle, Circle, Polygon, HalfPlane, Union, Intersection, Difference, Placed, Loops, Imported> shape;
+    std::variant<Rectangle, Circle, Ellipse, Slot, Polygon, HalfPlane, Union, Intersection, Difference, Placed, Loops, Imported>
+        shape;
     std::string name;   ///< prefix of the edges' names, may be empty
     std::string where;  ///< JSON pointer of the node, for errors
 };
@@ -72,6 +85,7 @@ struct GeometryProblem {
 struct CsgResult {
     Part part;                              ///< one part; several disjoint regions are allowed (name left empty)
     std::vector<GeometryProblem> problems;  ///< not empty: the part must not be used
+    std::vector<Repair> repairs;            ///< slivers and tiny edges left out; where loops touch each other (size 0)
 };
 
 /// Evaluates the tree exactly. Every edge of the result knows the primitive's edge it came from; adjacent pieces of one

@@ -2,9 +2,7 @@
 #include "geometry/csg_names.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -12,35 +10,6 @@
 namespace abut::geometry {
 
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
-/// Turns within this of a full one, radians, are the start itself: rounding of atan2.
-constexpr double turn_rounding = 1e-12;
-
-bool runs_along(const Curve& piece, const Curve& source) {
-    if (const auto* arc = std::get_if<Arc>(&piece)) return (arc->sweep > 0) == (std::get<Arc>(source).sweep > 0);
-    const auto direction = [](const Curve& curve) -> Vec2 {
-        return std::get<Segment>(curve).to - std::get<Segment>(curve).from;
-    };
-    return direction(piece).dot(direction(source)) > 0;
-}
-
-/// Arc length on the source's curve of the end of the piece that comes first. Negative on the line of a half plane behind its
-/// point.
-double begin_on_source(const Curve& piece, const Curve& source, bool along) {
-    if (const auto* line = std::get_if<Segment>(&source)) {
-        const Vec2 first = point(piece, along ? 0 : 1);
-        return (first - line->from).dot((line->to - line->from).normalized());
-    }
-    const Arc& own = std::get<Arc>(source);
-    const Arc& arc = std::get<Arc>(piece);
-    const double first = along ? arc.start : arc.start + arc.sweep;
-    double turn = std::fmod((first - own.start) * (own.sweep > 0 ? 1 : -1), two_pi);
-    if (turn < 0) turn += two_pi;
-    const double behind = two_pi - std::abs(own.sweep);  // the part of the circle that the source leaves out
-    if (turn > two_pi - std::max(turn_rounding, behind / 2)) turn = 0;
-    return own.radius * turn;
-}
 
 /// A piece and where it lies on its source.
 struct PlacedPiece {
@@ -56,8 +25,8 @@ PieceLoop place(const std::vector<PlacedSource>& sources, const std::vector<Piec
     PieceLoop placed;
     for (const Piece& piece : loop) {
         const PlacedSource& source = sources[static_cast<std::size_t>(piece.source)];
-        const bool along = runs_along(piece.curve, source.curve);
-        placed.push_back({piece, along, source.begin + begin_on_source(piece.curve, source.curve, along)});
+        const double first = std::min(piece.t_begin, piece.t_end);
+        placed.push_back({piece, piece.t_begin < piece.t_end, source.begin + length(source.curve, 0, first)});
     }
     const auto first = std::min_element(placed.begin(), placed.end(),
                                         [](const PlacedPiece& a, const PlacedPiece& b) { return a.rank() < b.rank(); });
@@ -119,8 +88,8 @@ std::vector<PlacedSource> placed_sources(const std::vector<Primitive>& primitive
     std::vector<PlacedSource> sources;
     for (std::size_t k = 0; k < primitives.size(); ++k)
         for (const SourceEdge& edge : primitives[k].edges)
-            sources.push_back(
-                {placed(edge.curve, primitives[k].moves), edge.name, primitives[k].name, static_cast<int>(k), edge.begin});
+            sources.push_back({placed(edge.curve, primitives[k].moves), edge.name, primitives[k].name, static_cast<int>(k),
+                               edge.begin * scale_of(primitives[k].moves)});
     return sources;
 }
 

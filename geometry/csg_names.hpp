@@ -23,6 +23,9 @@ std::vector<PlacedSource> placed_sources(const std::vector<Primitive>& primitive
 struct Piece {
     Curve curve;
     int source = -1;
+    double t_begin = 0,
+           t_end = 1;  ///< its portion of the source: t_begin > t_end where it runs against the source's direction.
+                       ///< Beyond 1 behind the seam of a circle or ellipse; anything on the line of a half plane
 };
 
 /// Names the pieces as csg.hpp says, fills in where each lies on its source, and puts everything into a lasting order: outer

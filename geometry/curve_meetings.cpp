@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The closest approach of two curves is a crossing of the lines or circles that carry them, the point where these come
-// closest without crossing, or an end of one of the curves. All of these are tried; those that lie on both curves are kept.
+// Lines and circles. The closest approach of two curves is a crossing of the lines or circles that carry them, the point where
+// these come closest without crossing, or an end of one of the curves. All of these are tried; those that lie on both curves
+// are kept.
 #include "geometry/curve_meetings.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "geometry/general_meetings.hpp"
 
 namespace abut::geometry {
 
@@ -34,9 +37,14 @@ void add_circle_circle(const Arc& a, const Arc& b, std::vector<Vec2>& found) {
     for (double side : {1.0, -1.0}) found.push_back(a.center + along * u + side * half * left_of(u));
 }
 
+bool is_line_or_circle(const Curve& curve) {
+    return std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve);
+}
+
 }  // namespace
 
 std::vector<Vec2> meeting_points(const Curve& a, const Curve& b, double tolerance) {
+    if (!is_line_or_circle(a) || !is_line_or_circle(b)) return general_meeting_points(a, b, tolerance);
     std::vector<Vec2> tried{point(a, 0), point(a, 1), point(b, 0), point(b, 1)};
     const auto* line_a = std::get_if<Segment>(&a);
     const auto* line_b = std::get_if<Segment>(&b);

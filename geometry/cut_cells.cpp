@@ -3,95 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "geometry/monotone.hpp"
+#include "geometry/curve_moments.hpp"
+#include "geometry/grid_walk.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-/// Where the boundary passes from one side of a vertical grid line to the other. Material lies above a crossing to the right.
-struct Crossing {
-    double y;
-    int turn;  // +1: to the right (material begins above), -1: to the left (material ends)
-};
-
-/// One step of the walk along a monotone piece: the point where it enters the next column or row.
-struct Step {
-    Vec2 at;
-    int d_column, d_row;
-    double progress;  // from the start of the piece: grows along it, since it is monotone in x and in y
-};
-
-struct Walk {
-    const Part& part;
-    const Grid& grid;
-    std::vector<std::vector<Crossing>> crossings;  // by vertical line
-    std::vector<ContourPiece> contours;
-    std::vector<BoundaryPiece> pieces;
-};
-
-template <class At>
-void append_steps(std::vector<Step>& steps, const std::vector<double>& lines, double from, double to, const Vec2& start,
-                  At at) {
-    const int a = interval_of(lines, from), b = interval_of(lines, to);
-    for (int i = a; i != b; i += b > a ? 1 : -1) {
-        const int line = b > a ? i + 1 : i;
-        const auto [p, dc, dr] = at(lines[static_cast<std::size_t>(line)], b > a ? 1 : -1);
-        steps.push_back({p, dc, dr, (p - start).cwiseAbs().sum()});
-    }
+/// Items sorted by a key in 0 ... n_keys - 1, those of one key in the order they came in. Returns n_keys + 1 offsets. Linear.
+template <class Item, class Key>
+std::vector<int> sort_by_counting(std::vector<Item>& items, std::size_t n_keys, Key key) {
+    std::vector<int> first(n_keys + 1, 0);
+    for (const Item& item : items) ++first[static_cast<std::size_t>(key(item)) + 1];
+    for (std::size_t k = 0; k < n_keys; ++k) first[k + 1] += first[k];
+    if (std::is_sorted(items.begin(), items.end(), [&](const Item& a, const Item& b) { return key(a) < key(b); })) return first;
+    std::vector<Item> sorted(items.size());
+    std::vector<int> next = first;
+    for (const Item& item : items) sorted[static_cast<std::size_t>(next[static_cast<std::size_t>(key(item))]++)] = item;
+    items = std::move(sorted);
+    return first;
 }
 
-std::vector<Step> steps_along(const MonotonePiece& piece, const Grid& grid) {
-    struct To {
-        Vec2 p;
-        int dc, dr;
-    };
-    std::vector<Step> steps;
-    append_steps(steps, grid.x, piece.from.x(), piece.to.x(), piece.from, [&](double x, int d) {
-        return To{Vec2(x, y_at(piece, x)), d, 0};
-    });
-    append_steps(steps, grid.y, piece.from.y(), piece.to.y(), piece.from, [&](double y, int d) {
-        return To{Vec2(x_at(piece, y), y), 0, d};
-    });
-    std::stable_sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.progress < b.progress; });
-    return steps;
-}
-
-bool inside(const Grid& grid, int column, int row) {
-    return column >= 0 && column < grid.columns() && row >= 0 && row < grid.rows();
-}
-
-void walk_piece(Walk& walk, const MonotonePiece& piece) {
-    const Curve& curve = walk.part.edges[static_cast<std::size_t>(piece.edge)].curve;
-    int column = interval_of(walk.grid.x, piece.from.x()), row = interval_of(walk.grid.y, piece.from.y());
-    double t = piece.t0;
-    const auto record = [&](double until) {
-        if (until <= t) return;
-        if (inside(walk.grid, column, row)) walk.contours.push_back({walk.grid.cell(column, row), piece.edge, t, until});
-        walk.pieces.push_back({piece.edge, t, until, -1});
-        t = until;
-    };
-    for (const Step& step : steps_along(piece, walk.grid)) {
-        record(parameter_at(piece, step.at, curve));
-        if (step.d_column != 0) {
-            const int line = step.d_column > 0 ? column + 1 : column;
-            walk.crossings[static_cast<std::size_t>(line)].push_back({step.at.y(), step.d_column});
-        }
-        column += step.d_column;
-        row += step.d_row;
-    }
-    record(piece.t1);
-}
-
-/// Intervals of one vertical line just left of which there is material, handed out cell side by cell side.
-template <class OnSide>
-void right_sides(std::vector<Crossing>& crossings, const Grid& grid, OnSide on_side) {
-    std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.y < b.y; });
+/// Intervals of one vertical line just left of which there is material, handed out cell side by cell side. `begin` to `end`:
+/// the line's crossings.
+template <class It, class OnSide>
+void right_sides(It begin, It end, const Grid& grid, OnSide on_side) {
+    std::sort(begin, end, [](const LineCrossing& a, const LineCrossing& b) { return a.y < b.y; });
     int winding = 0;
-    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-        winding += crossings[i].turn;
-        const double low = crossings[i].y, high = crossings[i + 1].y;
+    for (It it = begin; it != end && it + 1 != end; ++it) {
+        winding += it->turn;
+        const double low = it->y, high = (it + 1)->y;
         if (winding <= 0 || high <= low) continue;
         for (int row = std::max(0, interval_of(grid.y, low)); row < grid.rows(); ++row) {
             const double a = std::max(low, grid.y[static_cast<std::size_t>(row)]);
@@ -102,90 +45,149 @@ void right_sides(std::vector<Crossing>& crossings, const Grid& grid, OnSide on_s
     }
 }
 
-/// Contribution of a contour piece to the area of its cell: the integral of (x - x0) dy, x0 the cell's left side.
-double area_share(const Part& part, const Grid& grid, const ContourPiece& c) {
-    const double x0 = grid.x[static_cast<std::size_t>(grid.column_of(c.cell))];
-    if (c.edge < 0) return (grid.x[static_cast<std::size_t>(grid.column_of(c.cell)) + 1] - x0) * (c.t1 - c.t0);
-    const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;
-    const Vec2 a = point(curve, c.t0), b = point(curve, c.t1);
-    double share = (0.5 * (a.x() + b.x()) - x0) * (b.y() - a.y());
-    if (const auto* arc = std::get_if<Arc>(&curve)) {
-        const double half = 0.5 * (c.t1 - c.t0) * arc->sweep;
-        share += arc->radius * arc->radius * (half - std::sin(half) * std::cos(half));
+/// The cells' right sides as contours. A cell that no edge enters has all of its side or nothing of it: full ones become inner
+/// cells at once and need no contour, which keeps memory and time of large grids small.
+void append_right_sides(CutCells& cells, std::vector<LineCrossing>& crossings) {
+    const Grid& grid = cells.grid;
+    std::vector<bool> has_edges(cells.cell_class.size(), false);
+    for (const ContourPiece& c : cells.contours) has_edges[static_cast<std::size_t>(c.cell)] = true;
+    std::erase_if(crossings, [&](const LineCrossing& c) { return c.line < 1 || c.line > grid.columns(); });
+    const std::vector<int> first = sort_by_counting(crossings, grid.x.size(), [](const LineCrossing& c) { return c.line; });
+    for (int line = 1; line <= grid.columns(); ++line) {
+        const auto k = static_cast<std::size_t>(line);
+        right_sides(crossings.begin() + first[k], crossings.begin() + first[k + 1], grid, [&](int row, double a, double b) {
+            const int cell = grid.cell(line - 1, row);
+            const auto c = static_cast<std::size_t>(cell), j = static_cast<std::size_t>(row);
+            if (!has_edges[c] && a == grid.y[j] && b == grid.y[j + 1])
+                cells.cell_class[c] = CellClass::inner;
+            else
+                cells.contours.push_back({cell, -1, a, b});
+        });
     }
-    return share;
 }
 
-void sort_contours(CutCells& cells, std::size_t n_cells) {
-    std::stable_sort(cells.contours.begin(), cells.contours.end(),
-                     [](const ContourPiece& a, const ContourPiece& b) { return a.cell < b.cell; });
-    cells.first_contour.assign(n_cells + 1, 0);
-    for (const ContourPiece& c : cells.contours) ++cells.first_contour[static_cast<std::size_t>(c.cell) + 1];
-    for (std::size_t i = 0; i < n_cells; ++i) cells.first_contour[i + 1] += cells.first_contour[i];
+/// Contribution of a contour piece to the area of its cell: the integral of (x - x0) dy, x0 the cell's left side.
+double area_share(const Part& part, const ContourPiece& c, double x0, double x1) {
+    if (c.edge < 0) return (x1 - x0) * (c.t1 - c.t0);
+    const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;
+    const Vec2 a = point(curve, c.t0), b = point(curve, c.t1);
+    const double share = (0.5 * (a.x() + b.x()) - x0) * (b.y() - a.y());
+    return std::holds_alternative<Segment>(curve) ? share : share + bulge(curve, c.t0, c.t1, a).area;
 }
+
+CellClass class_by(double fraction) {
+    if (fraction < sliver_fraction) return CellClass::outer;
+    return fraction > 1 - sliver_fraction ? CellClass::inner : CellClass::boundary;
+}
+
+/// Sum that loses nothing to the number of terms [Neumaier 1974]: a million equal cells added one by one would drift by 1e-11.
+class CompensatedSum {
+public:
+    void add(double v) {
+        const double next = sum_ + v;
+        lost_ += std::abs(sum_) >= std::abs(v) ? (sum_ - next) + v : (v - next) + sum_;
+        sum_ = next;
+    }
+    double value() const { return sum_ + lost_; }
+
+private:
+    double sum_ = 0, lost_ = 0;
+};
 
 void classify(CutCells& cells, const Part& part) {
     const Grid& grid = cells.grid;
-    for (std::size_t c = 0; c < cells.cell_class.size(); ++c) {
-        const auto column = static_cast<std::size_t>(grid.column_of(static_cast<int>(c)));
-        const auto row = static_cast<std::size_t>(grid.row_of(static_cast<int>(c)));
-        const double full = (grid.x[column + 1] - grid.x[column]) * (grid.y[row + 1] - grid.y[row]);
-        double sum = 0;
-        for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
-            sum += area_share(part, grid, cells.contours[static_cast<std::size_t>(k)]);
-        const double fraction = sum / full;
-        if (fraction < sliver_fraction)
-            cells.cell_class[c] = CellClass::outer;
-        else if (fraction > 1 - sliver_fraction)
-            cells.cell_class[c] = CellClass::inner;
-        else
-            cells.cell_class[c] = CellClass::boundary;
-        cells.fraction[c] = cells.cell_class[c] == CellClass::boundary ? fraction : (fraction > 0.5 ? 1.0 : 0.0);
-        cells.area += cells.fraction[c] * full;
-    }
+    CompensatedSum area;
+    std::size_t c = 0;
+    for (std::size_t row = 0; row + 1 < grid.y.size(); ++row)
+        for (std::size_t column = 0; column + 1 < grid.x.size(); ++column, ++c) {
+            const double x0 = grid.x[column], x1 = grid.x[column + 1];
+            const double full = (x1 - x0) * (grid.y[row + 1] - grid.y[row]);
+            if (cells.first_contour[c] < cells.first_contour[c + 1]) {
+                double sum = 0;
+                for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
+                    sum += area_share(part, cells.contours[static_cast<std::size_t>(k)], x0, x1);
+                cells.fraction[c] = sum / full;
+                cells.cell_class[c] = class_by(cells.fraction[c]);
+            }
+            if (cells.cell_class[c] != CellClass::boundary) cells.fraction[c] = cells.cell_class[c] == CellClass::inner;
+            area.add(cells.fraction[c] * full);
+        }
+    cells.area = area.value();
 }
 
-double distance(const Grid& grid, int column, int row, const Vec2& p) {
-    const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row);
+double distance(const Grid& grid, int cell, const Vec2& p) {
+    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
     return (p - p.cwiseMax(Vec2(grid.x[i], grid.y[j])).cwiseMin(Vec2(grid.x[i + 1], grid.y[j + 1]))).norm();
 }
 
-/// The cell that holds the point just inside the part; where that is an outer one (a tip cut off by a grid line, rounding), the
-/// nearest of the cells around it that is not.
-int cell_inside(const CutCells& cells, const Curve& curve, double t, double merge) {
+/// The cell that holds p; where that is an outer one (a tip cut off by a grid line, rounding), the nearest of the eight around
+/// it that is not; -1 where all are.
+int cell_near(const CutCells& cells, const Vec2& p) {
     const Grid& grid = cells.grid;
-    const Vec2 p = point(curve, t), q = p - merge * outward_normal(curve, t);
-    const int column = std::clamp(interval_of(grid.x, q.x()), 0, grid.columns() - 1);
-    const int row = std::clamp(interval_of(grid.y, q.y()), 0, grid.rows() - 1);
+    const int column = std::clamp(interval_of(grid.x, p.x()), 0, grid.columns() - 1);
+    const int row = std::clamp(interval_of(grid.y, p.y()), 0, grid.rows() - 1);
+    const auto has_material = [&](int cell) { return cells.cell_class[static_cast<std::size_t>(cell)] != CellClass::outer; };
+    if (has_material(grid.cell(column, row))) return grid.cell(column, row);
     int nearest = -1;
-    for (int ring = 0; nearest < 0 && ring < std::max(grid.columns(), grid.rows()); ++ring) {
-        double least = std::numeric_limits<double>::infinity();
-        for (int j = std::max(row - ring, 0); j <= std::min(row + ring, grid.rows() - 1); ++j)
-            for (int i = std::max(column - ring, 0); i <= std::min(column + ring, grid.columns() - 1); ++i) {
-                const int cell = grid.cell(i, j);
-                if (cells.cell_class[static_cast<std::size_t>(cell)] == CellClass::outer) continue;
-                const double d = distance(grid, i, j, q);
-                if (d < least) {
-                    least = d;
-                    nearest = cell;
-                }
-            }
-    }
+    double least = std::numeric_limits<double>::infinity();
+    for (int j = std::max(row - 1, 0); j <= std::min(row + 1, grid.rows() - 1); ++j)
+        for (int i = std::max(column - 1, 0); i <= std::min(column + 1, grid.columns() - 1); ++i) {
+            const int cell = grid.cell(i, j);
+            if (!has_material(cell) || distance(grid, cell, p) >= least) continue;
+            least = distance(grid, cell, p);
+            nearest = cell;
+        }
     return nearest;
+}
+
+/// Pieces without a cell take the one of their nearest neighbour along the boundary that has the same key. Pieces are in the
+/// order of the walk.
+template <class Key>
+void inherit_cells(std::vector<BoundaryPiece>& pieces, Key key) {
+    const std::size_t n = pieces.size();
+    constexpr std::size_t far = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> distance(n, far);
+    std::vector<int> found(n, -1);
+    const auto sweep = [&](auto at) {
+        std::size_t last = far;  // the number in the sweep, and the piece, that had a cell last
+        int cell = -1;
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::size_t i = at(k);
+            if (k > 0 && key(pieces[i]) != key(pieces[at(k - 1)])) last = far;
+            if (pieces[i].cell >= 0) {
+                last = k;
+                cell = pieces[i].cell;
+            }
+            if (last == far || k - last >= distance[i]) continue;
+            distance[i] = k - last;
+            found[i] = cell;
+        }
+    };
+    sweep([](std::size_t k) { return k; });
+    sweep([n](std::size_t k) { return n - 1 - k; });
+    for (std::size_t i = 0; i < n; ++i) pieces[i].cell = found[i];
+}
+
+/// For needles whose area is a rounding in cell after cell: within their loop, or else (a loop of no area) in the whole part.
+void inherit_cells(std::vector<BoundaryPiece>& pieces, const Part& part) {
+    std::vector<int> loop_of(part.edges.size(), -1);
+    for (std::size_t l = 0; l < part.loops.size(); ++l)
+        for (int e : part.loops[l].edges) loop_of[static_cast<std::size_t>(e)] = static_cast<int>(l);
+    inherit_cells(pieces, [&](const BoundaryPiece& p) { return loop_of[static_cast<std::size_t>(p.edge)]; });
+    inherit_cells(pieces, [](const BoundaryPiece&) { return 0; });
 }
 
 void locate_pieces(CutCells& cells, const Part& part) {
     const double merge = merge_length(part);
-    std::stable_sort(cells.pieces.begin(), cells.pieces.end(), [](const BoundaryPiece& a, const BoundaryPiece& b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.t0 < b.t0;
-    });
-    cells.first_piece.assign(part.edges.size() + 1, 0);
+    bool all_found = true;
     for (BoundaryPiece& piece : cells.pieces) {
-        piece.cell =
-            cell_inside(cells, part.edges[static_cast<std::size_t>(piece.edge)].curve, 0.5 * (piece.t0 + piece.t1), merge);
-        ++cells.first_piece[static_cast<std::size_t>(piece.edge) + 1];
+        const Curve& curve = part.edges[static_cast<std::size_t>(piece.edge)].curve;
+        const double middle = 0.5 * (piece.t0 + piece.t1);
+        piece.cell = cell_near(cells, point(curve, middle) - merge * outward_normal(curve, middle));
+        all_found = all_found && piece.cell >= 0;
     }
-    for (std::size_t e = 0; e < part.edges.size(); ++e) cells.first_piece[e + 1] += cells.first_piece[e];
+    if (!all_found) inherit_cells(cells.pieces, part);
+    cells.first_piece = sort_by_counting(cells.pieces, part.edges.size(), [](const BoundaryPiece& p) { return p.edge; });
 }
 
 }  // namespace
@@ -195,13 +197,7 @@ int interval_of(const std::vector<double>& lines, double v) {
 }
 
 CutCells cut_cells(const Part& part, const Grid& grid) {
-    Walk walk{part, grid, std::vector<std::vector<Crossing>>(grid.x.size()), {}, {}};
-    for (const MonotonePiece& piece : monotone_pieces(part)) walk_piece(walk, piece);
-    for (int line = 1; line <= grid.columns(); ++line)
-        right_sides(walk.crossings[static_cast<std::size_t>(line)], grid, [&](int row, double a, double b) {
-            walk.contours.push_back({grid.cell(line - 1, row), -1, a, b});
-        });
-
+    GridWalk walk = walk_boundary(part, grid);
     CutCells cells;
     cells.grid = grid;
     const auto n_cells = static_cast<std::size_t>(grid.columns()) * static_cast<std::size_t>(grid.rows());
@@ -209,7 +205,8 @@ CutCells cut_cells(const Part& part, const Grid& grid) {
     cells.fraction.assign(n_cells, 0.0);
     cells.contours = std::move(walk.contours);
     cells.pieces = std::move(walk.pieces);
-    sort_contours(cells, n_cells);
+    append_right_sides(cells, walk.crossings);
+    cells.first_contour = sort_by_counting(cells.contours, n_cells, [](const ContourPiece& c) { return c.cell; });
     classify(cells, part);
     locate_pieces(cells, part);
     return cells;

@@ -2,12 +2,9 @@
 #include "geometry/dxf_prepass.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <optional>
 
 #include "geometry/input_error.hpp"
 
@@ -15,250 +12,156 @@ namespace abut::geometry::dxf {
 
 namespace {
 
-constexpr const char* save_as_ascii = "save it as ASCII DXF";
-
-std::string place(const std::string& path, int line) {
-    return path + ":" + std::to_string(line);
-}
-
-bool starts_with(const std::string& text, const char* beginning) {
-    return text.rfind(beginning, 0) == 0;
-}
-
 std::string load(const std::string& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) throw InputError(path, "is a folder, not a file", "name a DXF file");
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file) throw InputError(path, "cannot be opened", "check the name and the folder");
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (bytes.empty()) throw InputError(path, "the file is empty", "export the drawing again");
+    const std::streamoff size = file.tellg();
+    std::string bytes(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+    file.seekg(0);
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!file) throw InputError(path, "cannot be read", "copy it again");
     return bytes;
 }
 
-void refuse_binary(const std::string& path, const std::string& bytes) {
-    if (starts_with(bytes, "AutoCAD Binary DXF")) throw InputError(path, "binary DXF is not read yet", save_as_ascii);
-    if (starts_with(bytes, "AC10")) throw InputError(path, "this is a DWG drawing, not a DXF file", save_as_ascii);
-    if (bytes.find('\0') != std::string::npos) throw InputError(path, "this is a binary file, not a DXF file", save_as_ascii);
+bool is_mark(const Group& group, std::string_view mark) {
+    return group.code == 0 && group.value == mark;
 }
 
-bool is_continuation(unsigned char byte) {
-    return (byte & 0xC0) == 0x80;
-}
-
-/// Bytes that the UTF-8 lead byte asks for, 0 where it is no lead byte.
-std::size_t sequence_length(unsigned char lead) {
-    if (lead < 0x80) return 1;
-    if (lead >= 0xC2 && lead < 0xE0) return 2;
-    if (lead >= 0xE0 && lead < 0xF0) return 3;
-    if (lead >= 0xF0 && lead < 0xF5) return 4;
-    return 0;
-}
-
-/// Overlong three- and four-byte forms, surrogates and values beyond U+10FFFF, all seen in the second byte.
-bool is_forbidden_pair(unsigned char lead, unsigned char second) {
-    return (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) || (lead == 0xF0 && second < 0x90) ||
-           (lead == 0xF4 && second > 0x8F);
-}
-
-bool is_utf8(const std::string& bytes) {
-    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    for (std::size_t i = 0; i < bytes.size();) {
-        const std::size_t n = sequence_length(at(i));
-        if (n == 0 || i + n > bytes.size()) return false;
-        if (n > 1 && is_forbidden_pair(at(i), at(i + 1))) return false;
-        for (std::size_t k = 1; k < n; ++k)
-            if (!is_continuation(at(i + k))) return false;
-        i += n;
-    }
-    return true;
-}
-
-void append_utf8(std::string& text, unsigned code) {
-    const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
-    if (code < 0x80) {
-        add(code);
-    } else if (code < 0x800) {
-        add(0xC0 | (code >> 6));
-        add(0x80 | (code & 0x3F));
-    } else {
-        add(0xE0 | (code >> 12));
-        add(0x80 | ((code >> 6) & 0x3F));
-        add(0x80 | (code & 0x3F));
-    }
-}
-
-std::string latin1_to_utf8(const std::string& bytes) {
-    std::string text;
-    for (char c : bytes) append_utf8(text, static_cast<unsigned char>(c));
-    return text;
-}
-
-std::string trimmed(const std::string& text) {
-    const char* blanks = " \t";
-    const auto begin = text.find_first_not_of(blanks);
-    if (begin == std::string::npos) return {};
-    return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-/// Files before R2007 write characters beyond their code page as \U+00E4.
-std::string unescaped(const std::string& value) {
-    std::string text;
-    for (std::size_t i = 0; i < value.size();) {
-        unsigned code = 0;
-        const char* digits = value.data() + i + 3;
-        if (value.compare(i, 3, "\\U+") == 0 && i + 7 <= value.size() &&
-            std::from_chars(digits, digits + 4, code, 16).ptr == digits + 4 && code != 0 && (code < 0xD800 || code > 0xDFFF)) {
-            append_utf8(text, code);
-            i += 7;
-        } else {
-            text += value[i++];
-        }
-    }
-    return text;
-}
-
-std::vector<std::string> split_lines(const std::string& text) {
-    std::vector<std::string> lines;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
-        lines.push_back(trimmed(text.substr(begin, end - begin)));
-        const bool is_crlf = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
-        begin = end + (is_crlf ? 2 : 1);
-    }
-    return lines;
-}
-
-std::optional<int> parse_integer(const std::string& text) {
-    int value = 0;
-    const char* end = text.data() + text.size();
-    const auto [ptr, error] = std::from_chars(text.data(), end, value);
-    if (text.empty() || error != std::errc() || ptr != end) return std::nullopt;
-    return value;
-}
-
-/// Hands out the groups one by one and knows where it is; comments (code 999) are passed over.
+/// Walks over the groups and knows where it is.
 class GroupReader {
 public:
-    GroupReader(std::string path, const std::string& text) : path_(std::move(path)), lines_(split_lines(text)) {}
+    explicit GroupReader(const Groups& groups) : groups_(groups) {}
 
-    Group next() {
-        Group group = take();
-        while (group.code == 999) group = take();
-        return group;
+    const Group& next() {
+        if (next_ >= groups_.groups.size()) throw_truncated();
+        return groups_.groups[next_++];
     }
-
-    std::string where(int line) const { return place(path_, line); }
+    /// Index of the group that next() gives.
+    std::size_t position() const { return next_; }
+    std::span<const Group> between(std::size_t begin, std::size_t end) const {
+        return std::span(groups_.groups).subspan(begin, end - begin);
+    }
+    std::string where(int place) const { return groups_.where(place); }
+    /// "line 12" or "byte 345"
+    std::string place_name(int place) const { return (groups_.is_binary ? "byte " : "line ") + std::to_string(place); }
 
     /// The section that is being read, for the message about a file that ends too early.
     void enter(const Group& name) {
-        section_ = " within section " + name.value + " (begun at line " + std::to_string(name.line) + ")";
+        section_ = " within section " + std::string(name.value.substr(0, 40)) + " (begun at " + place_name(name.place) + ")";
     }
     void leave() { section_.clear(); }
 
 private:
-    Group take() {
-        if (next_ + 1 >= lines_.size()) throw_truncated();
-        const int line = static_cast<int>(next_) + 1;
-        const auto code = parse_integer(lines_[next_]);
-        if (!code) throw_no_code(line);
-        Group group{*code, unescaped(lines_[next_ + 1]), line + 1};
-        next_ += 2;
-        return group;
-    }
-
     [[noreturn]] void throw_truncated() const {
-        throw InputError(where(static_cast<int>(lines_.size())),
+        throw InputError(groups_.where(groups_.last_line),
                          "the file ends" + section_ + " without its closing EOF: it is truncated", "export or copy it again");
     }
 
-    [[noreturn]] void throw_no_code(int line) const {
-        if (line == 1) throw InputError(where(line), "the first line is no group code: this is no DXF file", save_as_ascii);
-        throw InputError(where(line), "a group code is expected here, not '" + lines_[next_].substr(0, 40) + "'",
-                         "the file is damaged; export it again");
-    }
-
-    std::string path_;
-    std::vector<std::string> lines_;
+    const Groups& groups_;
     std::size_t next_ = 0;
     std::string section_;
 };
 
 struct Section {
     std::string name;
-    std::vector<Record> records;  ///< the first one holds what stands before the first code 0 and has no type
+    std::span<const Group> before;  ///< what stands before the first code 0
+    std::vector<Record> records;
 };
 
-/// Reads up to ENDSEC; the reader stands behind the group "0 SECTION" at the given line.
-Section read_section(GroupReader& reader, int line) {
-    const Group name = reader.next();
+[[noreturn]] void throw_unclosed(const GroupReader& reader, const Section& section, int begin, int place) {
+    throw InputError(reader.where(place),
+                     "section " + section.name + ", which begins at " + reader.place_name(begin) + ", has no ENDSEC",
+                     "the file is damaged; export it again");
+}
+
+/// Reads up to ENDSEC; the reader stands behind the group "0 SECTION" at the given place.
+Section read_section(GroupReader& reader, int place) {
+    const Group& name = reader.next();
     if (name.code != 2)
-        throw InputError(reader.where(name.line), "the name of the section is missing", "export the file again");
+        throw InputError(reader.where(name.place), "the name of the section is missing", "export the file again");
     reader.enter(name);
-    Section section{upper_case(name.value), {Record{}}};
-    for (Group group = reader.next(); !(group.code == 0 && group.value == "ENDSEC"); group = reader.next()) {
-        const bool is_outside = group.code == 0 && (group.value == "SECTION" || group.value == "EOF");
-        if (is_outside)
-            throw InputError(reader.where(group.line),
-                             "section " + section.name + ", which begins at line " + std::to_string(line) + ", has no ENDSEC",
-                             "the file is damaged; export it again");
-        if (group.code == 0)
-            section.records.push_back({upper_case(group.value), group.line, {}});
-        else
-            section.records.back().groups.push_back(std::move(group));
+    Section section{upper_case(name.value), {}, {}};
+    std::size_t begin = reader.position();
+    const auto close_record = [&] {  // before the group just read
+        const auto groups = reader.between(begin, reader.position() - 1);
+        (section.records.empty() ? section.before : section.records.back().groups) = groups;
+        begin = reader.position();
+    };
+    for (const Group* group = &reader.next(); !is_mark(*group, "ENDSEC"); group = &reader.next()) {
+        if (group->code != 0) continue;
+        if (is_mark(*group, "SECTION") || is_mark(*group, "EOF")) throw_unclosed(reader, section, place, group->place);
+        close_record();
+        section.records.push_back({upper_case(group->value), group->place, {}});
     }
+    close_record();
     reader.leave();
     return section;
 }
 
-std::map<std::string, std::string> header_of(const Section& section) {
-    std::map<std::string, std::string> header;
+void take_header(Structure& structure, const Section& section) {
     std::string variable;
-    for (const Group& group : section.records.front().groups) {
+    for (const Group& group : section.before) {
         if (group.code == 9)
             variable = group.value;
         else
-            header.emplace(variable, group.value);
+            structure.header.emplace(variable, group.value);
     }
-    return header;
 }
 
-std::map<std::string, Layer> layers_of(const Section& section) {
-    std::map<std::string, Layer> layers;
+void take_layers(Structure& structure, const Section& section) {
     for (const Record& record : section.records) {
         if (record.type != "LAYER") continue;
         Layer layer;
-        layer.off = record.integer(62, 7) < 0;
+        const int color = record.integer(62, 7);
+        layer.off = color < 0;
+        if (color >= -255 && color <= 255 && color != 0) layer.color = std::abs(color);
         layer.frozen = (record.integer(70, 0) & 1) != 0;
         layer.linetype = record.text(6);
-        layers[upper_case(record.text(2))] = layer;
+        structure.layers[upper_case(record.text(2))] = layer;
     }
-    return layers;
+}
+
+/// A block runs from BLOCK to ENDBLK; the first of several with one name counts.
+void take_blocks(Structure& structure, const std::vector<Record>& records) {
+    constexpr int external = 4, overlay = 8;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (records[i].type != "BLOCK") continue;
+        const std::size_t begin = i + 1;
+        while (i + 1 < records.size() && records[i + 1].type != "ENDBLK" && records[i + 1].type != "BLOCK") ++i;
+        const Record& head = records[begin - 1];
+        const std::string name = head.text(2);
+        const bool is_external = (head.integer(70, 0) & (external | overlay)) != 0;
+        structure.blocks.emplace(upper_case(name),
+                                 Block{head, name, std::span(records).subspan(begin, i + 1 - begin), is_external});
+    }
 }
 
 void take_section(Structure& structure, Section section) {
-    if (section.name == "HEADER") structure.header = header_of(section);
-    if (section.name == "TABLES") structure.layers = layers_of(section);
-    if (section.name == "ENTITIES")
-        structure.entities.insert(structure.entities.end(), std::make_move_iterator(section.records.begin() + 1),
-                                  std::make_move_iterator(section.records.end()));
+    if (section.name == "HEADER") take_header(structure, section);
+    if (section.name == "TABLES") take_layers(structure, section);
+    if (section.name != "BLOCKS" && section.name != "ENTITIES") return;
+    structure.sections.push_back(std::move(section.records));
+    if (section.name == "BLOCKS")
+        take_blocks(structure, structure.sections.back());
+    else
+        structure.entities.emplace_back(structure.sections.back());
 }
 
-Structure read_groups(const std::string& path, const std::string& text) {
-    GroupReader reader(path, text);
-    Structure structure;
+void read_sections(Structure& structure) {
+    GroupReader reader(structure.groups);
     bool has_section = false;
-    for (Group group = reader.next(); !(group.code == 0 && group.value == "EOF"); group = reader.next()) {
-        if (group.code != 0 || group.value != "SECTION")
-            throw InputError(reader.where(group.line),
-                             has_section ? "'" + group.value.substr(0, 40) + "' stands outside of any section"
+    for (const Group* group = &reader.next(); !is_mark(*group, "EOF"); group = &reader.next()) {
+        if (!is_mark(*group, "SECTION"))
+            throw InputError(reader.where(group->place),
+                             has_section ? "'" + std::string(group->value.substr(0, 40)) + "' stands outside of any section"
                                          : "the file does not begin with a section: it is no DXF file or only a piece of one",
                              "export the drawing again");
-        take_section(structure, read_section(reader, group.line));
+        take_section(structure, read_section(reader, group->place));
         has_section = true;
     }
-    if (!has_section) throw InputError(path, "the file holds no section", "export the drawing again");
-    return structure;
+    if (!has_section) throw InputError(structure.groups.file, "the file holds no section", "export the drawing again");
 }
 
 }  // namespace
@@ -270,7 +173,7 @@ const Group* Record::find(int code) const {
 
 std::string Record::text(int code, const std::string& missing) const {
     const Group* group = find(code);
-    return group ? group->value : missing;
+    return group ? unescaped(group->value) : missing;
 }
 
 int Record::integer(int code, int missing) const {
@@ -278,26 +181,21 @@ int Record::integer(int code, int missing) const {
     return group ? parse_integer(group->value).value_or(missing) : missing;
 }
 
-bool parse_number(const std::string& value, double& number) {
-    std::string text = value;
-    std::replace(text.begin(), text.end(), ',', '.');
-    if (starts_with(text, "+")) text.erase(0, 1);
-    const char* end = text.data() + text.size();
-    const auto [ptr, error] = std::from_chars(text.data(), end, number);
-    return !text.empty() && error == std::errc() && ptr == end && std::isfinite(number);
+double Record::number(int code, double missing) const {
+    const Group* group = find(code);
+    double value = missing;
+    return group && parse_number(group->value, value) ? value : missing;
 }
 
-std::string upper_case(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-    return text;
+Structure structure_of(const std::string& file, std::string bytes) {
+    Structure structure;
+    structure.groups = split_groups(file, std::move(bytes));
+    read_sections(structure);
+    return structure;
 }
 
 Structure read_structure(const std::string& path) {
-    std::string bytes = load(path);
-    refuse_binary(path, bytes);
-    if (starts_with(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
-    return read_groups(path, is_utf8(bytes) ? bytes : latin1_to_utf8(bytes));
+    return structure_of(path, load(path));
 }
 
 }  // namespace abut::geometry::dxf

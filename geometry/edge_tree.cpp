@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace abut::geometry {
 
@@ -11,10 +12,16 @@ constexpr int leaf_size = 4;
 std::size_t index(int i) {
     return static_cast<std::size_t>(i);
 }
+std::vector<Box2> boxes_of(const Part& part) {
+    std::vector<Box2> boxes;
+    for (const Edge& edge : part.edges) boxes.push_back(bounding_box(edge.curve));
+    return boxes;
+}
 }  // namespace
 
-EdgeTree::EdgeTree(const Part& part) {
-    for (const Edge& edge : part.edges) boxes_.push_back(bounding_box(edge.curve));
+EdgeTree::EdgeTree(const Part& part) : EdgeTree(boxes_of(part)) {}
+
+EdgeTree::EdgeTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
     order_.resize(boxes_.size());
     std::iota(order_.begin(), order_.end(), 0);
     if (!order_.empty()) build(0, static_cast<int>(order_.size()));

@@ -11,6 +11,8 @@ namespace abut::geometry {
 class EdgeTree {
 public:
     explicit EdgeTree(const Part& part);
+    /// Over anything that has boxes: "edges" are their numbers then.
+    explicit EdgeTree(std::vector<Box2> boxes);
     /// Edges, ascending, whose bounding box comes within `margin` of the box.
     std::vector<int> near(const Box2& box, double margin) const;
 

@@ -4,21 +4,22 @@
 //   2. the stretches of each such pair that face each other         (facing_stretch)
 //   3. of several partners of one point the nearest                 (facing_nearest)
 //   4. stretches that continue each other on both chains, joined    (here)
+// Ellipses and splines are searched by their arcs first            (facing_general)
 // No step samples the boundary at a chosen density: what a zone ends at (corner, distance, angle, nearer partner) is found to
 // rounding, however long the edges and however small the distance.
+#include "geometry/facing_search.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/facing.hpp"
+#include "geometry/arc_spline.hpp"
+#include "geometry/facing_general.hpp"
 #include "geometry/facing_nearest.hpp"
 #include "geometry/facing_stretch.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-/// Shorter zones are rounding of drawn corners, as a fraction of both parts' size.
-constexpr double shortest_zone_fraction = 1e-7;
 
 /// A stretch by arc length along the chains.
 struct Run {
@@ -41,7 +42,8 @@ std::vector<Place> places(const Part& part, const std::vector<Chain>& chains) {
 }
 
 struct Chains {
-    std::vector<Chain> first, second;
+    const std::vector<Chain>&first, &second;
+    double joint_angle;
     const Chain& of1(const Run& run) const { return first[static_cast<std::size_t>(run.chain1)]; }
     const Chain& of2(const Run& run) const { return second[static_cast<std::size_t>(run.chain2)]; }
 };
@@ -79,11 +81,16 @@ double difference(const Chain& chain, double a, double b) {
     return chain.closed ? std::remainder(a - b, chain.length) : a - b;
 }
 
-/// Does `next` begin where `run` ends, on both chains? A joint may turn by chain_angle, which moves the partner by that times
-/// the gap.
+/// How far from each other two runs that meet at a joint may end: what the joint turns by moves the partner by that times the
+/// gap.
+double joint_slack(const FacingModel& model, const Run& run, double joint_angle) {
+    return 100 * model.same + 2 * joint_angle * std::abs(run.gap_end);
+}
+
+/// Does `next` begin where `run` ends, on both chains?
 bool continues(const FacingModel& model, const Chains& chains, const Run& run, const Run& next) {
     if (run.chain1 != next.chain1 || run.chain2 != next.chain2) return false;
-    const double slack = 100 * model.same + 2 * chain_angle * std::abs(run.gap_end);
+    const double slack = joint_slack(model, run, chains.joint_angle);
     return std::abs(difference(chains.of1(run), next.begin1, run.end1)) <= slack &&
            std::abs(difference(chains.of2(run), next.begin2, run.end2)) <= slack;
 }
@@ -113,7 +120,8 @@ std::vector<Group> grouped(const FacingModel& model, const Chains& chains, const
 void join_across_seams(const FacingModel& model, const Chains& chains, std::vector<Group>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Chain& chain = chains.of1(groups[i].back());
-        if (!chain.closed || std::abs(groups[i].back().end1 - chain.length) > 100 * model.same) continue;
+        const double slack = joint_slack(model, groups[i].back(), chains.joint_angle - chain_angle);
+        if (!chain.closed || std::abs(groups[i].back().end1 - chain.length) > slack) continue;
         for (std::size_t k = 0; k < groups.size(); ++k) {
             if (k == i || !continues(model, chains, groups[i].back(), groups[k].front())) continue;
             groups[i].insert(groups[i].end(), groups[k].begin(), groups[k].end());
@@ -141,12 +149,11 @@ void turn_to_largest_gap(const FacingModel& model, Group& group) {
     std::rotate(group.begin(), uniform ? first : largest, group.end());
 }
 
-FacingZone zone_of(const FacingModel& model, const Chains& chains, Group group) {
+FacingZone zone_of(const FacingModel& model, const Chains& chains, const Group& group, bool closed) {
     FacingZone zone;
     zone.chain1 = chains.of1(group.front());
     zone.chain2 = chains.of2(group.front());
-    zone.closed = is_full_turn(model, chains, group);
-    if (zone.closed) turn_to_largest_gap(model, group);
+    zone.closed = closed;
     const Run &first = group.front(), &last = group.back();
     const double length1 = zone.chain1.length, length2 = zone.chain2.length;
 
@@ -174,20 +181,58 @@ FacingZone zone_of(const FacingModel& model, const Chains& chains, Group group) 
     return zone;
 }
 
+/// The runs' ends one after the other, unwrapped on closed chains so that they continue each other.
+std::vector<FoundZone::Break> breaks_of(const FacingZone& zone, const Group& group) {
+    std::vector<FoundZone::Break> breaks{{zone.begin1, zone.begin2}};
+    const auto add = [&](double s1, double s2) {
+        const FoundZone::Break& last = breaks.back();
+        breaks.push_back({last.s1 + difference(zone.chain1, s1, last.s1), last.s2 + difference(zone.chain2, s2, last.s2)});
+    };
+    constexpr int steps = 4;  // a run may be all of a closed chain; a step must be less than half of it
+    for (const Run& run : group)
+        for (int k = 0; k <= steps; ++k) {
+            const double share = static_cast<double>(k) / steps;
+            add(run.begin1 + share * (run.end1 - run.begin1), run.begin2 + share * (run.end2 - run.begin2));
+        }
+    breaks.push_back({zone.end1, zone.end2});
+    return breaks;
+}
+
+FoundZone found_zone(const FacingModel& model, const Chains& chains, Group group) {
+    const bool closed = is_full_turn(model, chains, group);
+    if (closed) turn_to_largest_gap(model, group);
+    FoundZone found;
+    found.chain1 = group.front().chain1;
+    found.chain2 = group.front().chain2;
+    found.zone = zone_of(model, chains, group, closed);
+    found.breaks = breaks_of(found.zone, group);
+    return found;
+}
+
 }  // namespace
 
-std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance) {
-    std::vector<FacingZone> zones;
-    if (!bounding_box(part1).overlaps(bounding_box(part2), distance)) return zones;
+std::vector<FoundZone> search_zones(const Part& part1, const std::vector<Chain>& chains1, const Part& part2,
+                                    const std::vector<Chain>& chains2, double distance, double joint_angle) {
+    std::vector<FoundZone> zones;
     const FacingModel model(part1, part2, distance);
-    const Chains chains{smooth_chains(part1), smooth_chains(part2)};
+    const Chains chains{chains1, chains2, joint_angle};
     std::vector<Group> groups = grouped(model, chains, runs_of(model, chains, nearest_only(model, stretches_of(model))));
     join_across_seams(model, chains, groups);
     const double shortest = shortest_zone_fraction * model.size;
     for (const Group& group : groups) {
-        const FacingZone zone = zone_of(model, chains, group);
-        if (zone.end1 - zone.begin1 > shortest) zones.push_back(zone);
+        const FoundZone found = found_zone(model, chains, group);
+        if (found.zone.end1 - found.zone.begin1 > shortest) zones.push_back(found);
     }
+    return zones;
+}
+
+std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance) {
+    std::vector<FacingZone> zones;
+    if (!bounding_box(part1).overlaps(bounding_box(part2), distance)) return zones;
+    if (has_general_curves(part1) || has_general_curves(part2)) return general_facing_zones(part1, part2, distance);
+    const std::vector<Chain> chains1 = smooth_chains(part1), chains2 = smooth_chains(part2);
+    for (const FoundZone& found : search_zones(part1, chains1, part2, chains2, distance, chain_angle))
+        zones.push_back(found.zone);
     return zones;
 }
 

@@ -22,10 +22,6 @@ constexpr int samples_per_interval = 8;
 /// well clear of rounding (in units of FacingModel::same), and never beyond the next sample.
 constexpr double beside = 1e-9, beside_rounding = 100, beside_at_most = 0.05;
 
-/// At the centre of curvature of either side the pairing folds back. Neighbouring points may draw together to this fraction of
-/// their distance on the way to the middle curve; closer to the centre they have no partners.
-constexpr double least_spread = 0.05;
-
 const Curve& curve_of(const Part& part, int edge) {
     return part.edges[static_cast<std::size_t>(edge)].curve;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where one edge of a part faces one edge of another: the pieces from which facing zones are joined.
+// Where one edge of a part faces one edge of another: the pieces from which facing zones are joined. Edges here are lines and
+// circles; ellipses and splines come as their arcs (facing_general).
 #pragma once
 #include <optional>
 #include <vector>
@@ -25,6 +26,9 @@ struct FacingStretch {
 };
 
 inline constexpr double least_opposition = 0.5;  ///< normals oppose each other within 60 degrees
+/// At the centre of curvature of either side the pairing folds back. Neighbouring points may draw together to this fraction of
+/// their distance on the way to the middle curve; closer to the centre they have no partners.
+inline constexpr double least_spread = 0.05;
 
 /// Everything the search needs to know about the two parts, made once.
 struct FacingModel {

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
+
+#include "geometry/necks.hpp"
+#include "geometry/run_junctions.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 using RawLoop = std::vector<RawPiece>;
 
 /// Cuts out what lies between two visits to the same vertex, so that every loop visits each of its vertices once.
@@ -59,82 +60,92 @@ RawLoop without_bridges(const RawLoop& loop, const std::vector<PlacedSource>& so
     return kept;
 }
 
-/// A run of raw pieces of one source in one direction.
-struct Run {
-    int source = -1, turn = 0;
-    Vec2 from, to;
-    bool whole = false;  ///< the run is the whole loop
+/// Area and length of the boundary as it is restored so far.
+struct Extent {
+    double area = 0, length = 0;
 };
 
-std::vector<Run> runs_of(RawLoop loop) {
-    const auto same = [](const RawPiece& a, const RawPiece& b) { return a.source == b.source && a.turn == b.turn; };
-    std::size_t start = 0;  // a piece that does not go on from the one before it
-    while (start < loop.size() && same(loop[start], loop[(start + loop.size() - 1) % loop.size()])) ++start;
-    const bool whole = start == loop.size();
-    if (!whole) std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(start), loop.end());
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        if (i > 0 && same(loop[i - 1], loop[i]))
-            runs.back().to = loop[i].to;
-        else
-            runs.push_back({loop[i].source, loop[i].turn, loop[i].from, loop[i].to, whole});
-    }
-    return runs;
-}
-
-/// p, or the source's own end where that is the same point.
-Vec2 snapped(const Vec2& p, const Curve& source, double merge) {
-    const Vec2 end = nearest_end(source, p);
-    return (end - p).norm() <= merge ? end : p;
-}
-
-/// The angle of p on the arc's circle: the source's own where p is one of its ends.
-double angle_of(const Vec2& p, const Arc& source, double merge) {
-    if ((point(source, 0) - p).norm() <= merge) return source.start;
-    if ((point(source, 1) - p).norm() <= merge) return source.start + source.sweep;
-    const Vec2 d = p - source.center;
-    return std::atan2(d.y(), d.x());
-}
-
-Curve restored(const Run& run, const Curve& source, double merge) {
-    if (run.turn == 0) return Segment{snapped(run.from, source, merge), snapped(run.to, source, merge)};
-    const Arc& arc = std::get<Arc>(source);
-    if (run.whole) return Arc{arc.center, arc.radius, arc.start, run.turn * two_pi};
-    const double start = angle_of(run.from, arc, merge), end = angle_of(run.to, arc, merge);
-    double turned = std::fmod((end - start) * run.turn, two_pi);
-    if (turned <= 0) turned += two_pi;
-    return Arc{arc.center, arc.radius, start, run.turn * turned};
-}
-
-bool is_sliver(const std::vector<Piece>& loop, double merge) {
+Extent extent(const std::vector<Run>& loop, const RunContext& context) {
     Part part;
-    for (const Piece& piece : loop) part.edges.push_back({piece.curve, "", ""});
-    return part.edges.empty() || std::abs(area(part)) <= merge * perimeter(part);
+    for (const Run& run : loop) part.edges.push_back({restored(run, context.curve(run), context.lengths).curve, "", ""});
+    return part.edges.empty() ? Extent{} : Extent{std::abs(geometry::area(part)), perimeter(part)};
+}
+
+/// Largest distance of the loop's arcs from its sources.
+double arc_tolerance_of(const std::vector<Run>& loop, const RunContext& context) {
+    double largest = 0;
+    for (const Run& run : loop) largest = std::max(largest, context.tolerance(run));
+    return largest;
+}
+
+/// Of the result, whose box is given, and of its sources.
+MergeLengths merge_lengths(const Box2& box, const std::vector<PlacedSource>& sources) {
+    Box2 all = box;
+    for (const PlacedSource& source : sources) all.extend(bounding_box(source.curve));
+    const double farthest = box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff();
+    return {sliver_width_fraction * (box.diagonal() + farthest), merge_fraction * box.diagonal(),
+            merge_fraction * all.diagonal()};
+}
+
+void report_sliver(const std::vector<Run>& loop, const Extent& size, const RunContext& context, MergedBoundary& result) {
+    const double width = size.area / size.length;
+    if (size.length > context.lengths.merge && width > context.lengths.rounding)
+        result.repairs.push_back(
+            {"sliver beside '" + context.name(loop.front().source) + "' left out", loop.front().from.at, width});
+}
+
+void add_restored(const std::vector<Run>& loop, const RunContext& context, MergedBoundary& result) {
+    const Extent size = extent(loop, context);
+    if (size.area <= context.lengths.rounding * size.length) return;
+    std::vector<Piece> pieces;
+    for (const Run& run : loop) pieces.push_back(restored(run, context.curve(run), context.lengths));
+    result.loops.push_back(std::move(pieces));
+}
+
+/// Restores one loop, unless it is a sliver.
+void add_loop(std::vector<Run> loop, const RunContext& context, MergedBoundary& result) {
+    const double arcs = arc_tolerance_of(loop, context);
+    const Extent raw = extent(loop, context);
+    if (raw.area <= std::max(2 * arcs, context.lengths.rounding) * raw.length) {
+        if (arcs > 0 && raw.area > context.lengths.rounding * raw.length) result.uncertain = true;
+        return report_sliver(loop, raw, context, result);
+    }
+    std::vector<GeometryProblem> unsolved;
+    std::vector<Repair> repairs;
+    solve_junctions(loop, context, unsolved);
+    if (unsolved.empty()) {
+        remove_tiny(loop, context, repairs);
+        check_directions(loop, context, unsolved);
+        check_gaps(loop, context, unsolved);
+    }
+    if (!unsolved.empty()) {
+        result.uncertain = true;
+        result.unsolved.insert(result.unsolved.end(), unsolved.begin(), unsolved.end());
+        return;
+    }
+    result.repairs.insert(result.repairs.end(), repairs.begin(), repairs.end());
+    for (const std::vector<Run>& simple : cut_necks(std::move(loop), context)) add_restored(simple, context, result);
 }
 
 }  // namespace
 
-std::vector<std::vector<Piece>> merge_pieces(const std::vector<std::vector<RawPiece>>& loops,
-                                             const std::vector<PlacedSource>& sources) {
+MergedBoundary merge_pieces(const std::vector<std::vector<RawPiece>>& loops, const std::vector<PlacedSource>& sources,
+                            const std::vector<double>& arc_tolerance) {
+    MergedBoundary result;
     Box2 box;
     std::vector<RawLoop> simple;
     for (const RawLoop& loop : loops) {
         for (const RawPiece& piece : loop) box.extend(piece.from);
         split_at_repeated_vertices(loop, simple);
     }
-    if (box.empty()) return {};
-    const double merge = sliver_width_fraction * (box.diagonal() + box.min.cwiseAbs().cwiseMax(box.max.cwiseAbs()).maxCoeff());
-
-    std::vector<std::vector<Piece>> merged;
+    if (box.empty()) return result;
+    const RunContext context{sources, arc_tolerance, merge_lengths(box, sources)};
     for (const RawLoop& raw : simple) {
-        RawLoop loop = without_bridges(raw, sources, merge);
-        std::erase_if(loop, [&](const RawPiece& piece) { return (piece.to - piece.from).norm() <= merge; });
-        std::vector<Piece> pieces;
-        for (const Run& run : runs_of(std::move(loop)))
-            pieces.push_back({restored(run, sources[static_cast<std::size_t>(run.source)].curve, merge), run.source});
-        if (!is_sliver(pieces, merge)) merged.push_back(std::move(pieces));
+        RawLoop loop = without_bridges(raw, sources, context.lengths.rounding);
+        std::erase_if(loop, [&](const RawPiece& piece) { return (piece.to - piece.from).norm() <= context.lengths.rounding; });
+        if (!loop.empty()) add_loop(runs_of(std::move(loop), sources, context.lengths.rounding), context, result);
     }
-    return merged;
+    return result;
 }
 
 }  // namespace abut::geometry

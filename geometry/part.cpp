@@ -1,47 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/part.hpp"
 
-#include <cmath>
+#include <algorithm>
 
+#include "geometry/curve_moments.hpp"
 #include "geometry/monotone.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-/// Contribution of one curve to the area and to its first moments about o, by Green's theorem: the segment's share, plus for
-/// arcs the circular segment between chord and arc.
-struct Moments {
-    double area = 0;
-    Vec2 first{0, 0};
-};
-
-Moments of_chord(const Vec2& a, const Vec2& b) {
+/// Green's theorem, about o: the triangle under the edge's chord, and what bulges out from it.
+Moments of_edge(const Curve& curve, const Vec2& o) {
+    const Vec2 a = point(curve, 0) - o, b = point(curve, 1) - o;
     const double twice = cross(a, b);
-    return {twice / 2, twice / 6 * (a + b)};
-}
-
-Moments of_circular_segment(const Arc& arc, const Vec2& o) {
-    const double half = arc.sweep / 2;
-    const double area = arc.radius * arc.radius * (half - std::sin(half) * std::cos(half));
-    const double sine = std::sin(half);
-    const double middle = arc.start + half;
-    // first moment of a circular segment about the circle's centre: 2/3 r^3 sin^3(half) along the bisector
-    const double moment = 2.0 / 3.0 * std::pow(arc.radius, 3) * std::pow(sine, 3);
-    const Vec2 along(std::cos(middle), std::sin(middle));
-    return {area, moment * along + area * (arc.center - o)};
+    const Moments outside = bulge(curve, 0, 1, o);
+    return {twice / 2 + outside.area, twice / 6 * (a + b) + outside.first};
 }
 
 Moments moments(const Part& part, const Vec2& o) {
     Moments sum;
-    const auto add = [&](const Moments& m) {
+    for (const Edge& edge : part.edges) {
+        const Moments m = of_edge(edge.curve, o);
         sum.area += m.area;
         sum.first += m.first;
-    };
-    for (const Edge& edge : part.edges) {
-        add(of_chord(point(edge.curve, 0) - o, point(edge.curve, 1) - o));
-        if (const auto* arc = std::get_if<Arc>(&edge.curve)) add(of_circular_segment(*arc, o));
     }
+    return sum;
+}
+
+double signed_area(const Part& part, const Loop& loop) {
+    const Vec2 o = point(part.edges[static_cast<std::size_t>(loop.edges.front())].curve, 0);
+    double sum = 0;
+    for (const int e : loop.edges) sum += of_edge(part.edges[static_cast<std::size_t>(e)].curve, o).area;
     return sum;
 }
 
@@ -70,13 +60,9 @@ double perimeter(const Part& part) {
 }
 
 int count_holes(const Part& part) {
-    int holes = 0;
-    for (const Loop& loop : part.loops) {
-        Part alone;
-        for (int e : loop.edges) alone.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
-        if (area(alone) < 0) ++holes;
-    }
-    return holes;
+    return static_cast<int>(std::count_if(part.loops.begin(), part.loops.end(), [&](const Loop& loop) {
+        return !loop.edges.empty() && signed_area(part, loop) < 0;
+    }));
 }
 
 bool contains(const Part& part, const Vec2& p) {
@@ -95,6 +81,10 @@ Part transformed(const Part& part, double c, double s, const Vec2& d) {
 
 double edge_arc_length(const Edge& edge, double t) {
     return edge.along_source ? length(edge.curve, 0, t) : length(edge.curve, t, 1);
+}
+
+SourcePoint source_point(const Edge& edge, double t) {
+    return {edge.source, edge.source_begin + edge_arc_length(edge, t)};
 }
 
 }  // namespace abut::geometry

@@ -29,10 +29,12 @@ struct Part {
 };
 
 Box2 bounding_box(const Part& part);
-/// Exact for the curves that we have (Green's theorem in closed form), length^2.
+/// By Green's theorem (curve_moments.hpp), to rounding; length^2. Holes count negative.
 double area(const Part& part);
 Vec2 centroid(const Part& part);
+/// Length of all edges, those of holes included.
 double perimeter(const Part& part);
+/// Loops that run clockwise.
 int count_holes(const Part& part);
 
 /// Is p strictly inside? Winding number by crossings; points within rounding of the boundary may go either way.
@@ -48,5 +50,13 @@ Part transformed(const Part& part, double c, double s, const Vec2& d);
 /// Arc length along the named edge (the piece), counted in the source's own direction, of the point at parameter t of the
 /// edge's curve.
 double edge_arc_length(const Edge& edge, double t);
+
+/// A point of a part's boundary as the model knows it: through Booleans, placements and trimming back to what was drawn.
+struct SourcePoint {
+    std::string name;   ///< of the primitive's or imported edge
+    double arc_length;  ///< along it from its beginning, in its own direction; in the part's unit, after scaling
+};
+/// Of the point at parameter t of the edge's curve.
+SourcePoint source_point(const Edge& edge, double t);
 
 }  // namespace abut::geometry

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/primitives.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -36,13 +37,20 @@ private:
             read_children(shape.of, node, name, moves);
         } else if constexpr (std::is_same_v<Shape, Placed>) {
             if (shape.of.size() > 1) report(node, "place has more than one geometry", "join them by a union");
-            if (!std::isfinite(shape.rotate) || !shape.translate.allFinite() || !shape.about.allFinite())
+            if (!std::isfinite(shape.rotate) || !shape.translate.allFinite() || !shape.about.allFinite() ||
+                !std::isfinite(shape.scale))
                 return report(node, "the placement is not finite", "check the numbers");
+            if (!(shape.scale > 0))
+                return report(node, "the placement's scale is not positive", "give a scale above 0; mirror by \"mirror\"");
             moves.insert(moves.begin(), move_of(shape));
             read_children(shape.of, node, name, moves);
         } else {
-            Primitive primitive{name, node.where, std::move(moves), {}, {}, false, false};
+            Primitive primitive;
+            primitive.name = name;
+            primitive.where = node.where;
+            primitive.moves = std::move(moves);
             fill(primitive, shape, node);
+            if (is_mirrored(primitive.moves)) run_backwards(primitive.loops);
             primitives_.push_back(std::move(primitive));
         }
     }
@@ -51,7 +59,16 @@ private:
         const double degrees = std::remainder(place.rotate, 360.0);
         const double quarters = std::nearbyint(degrees / 90);
         const double rest = (degrees - 90 * quarters) * (std::numbers::pi / 180);
-        return {(static_cast<int>(quarters) + 4) % 4, std::tan(rest / 2), place.about, place.translate};
+        return {
+            (static_cast<int>(quarters) + 4) % 4, std::tan(rest / 2), place.about, place.translate, place.scale, place.mirror};
+    }
+
+    /// A mirror exchanges left and right: the loops must run the other way to keep the material on their left.
+    static void run_backwards(std::vector<BoundaryLoop>& loops) {
+        for (BoundaryLoop& loop : loops) {
+            std::reverse(loop.edges.begin(), loop.edges.end());
+            for (OrientedEdge& edge : loop.edges) edge.along = !edge.along;
+        }
     }
 
     void fill(Primitive& primitive, const Rectangle& r, const CsgNode& node) {
@@ -74,12 +91,56 @@ private:
         primitive.loops = {{{{0, true}}, -1}};
     }
 
+    /// Equal radii make it a circle, which Booleans then know as one.
+    void fill(Primitive& primitive, const Ellipse& e, const CsgNode& node) {
+        if (!e.center.allFinite() || !e.radii.allFinite() || !std::isfinite(e.angle))
+            return report(node, "the ellipse is not finite", "check the numbers");
+        if (!(e.radii.x() > 0 && e.radii.y() > 0))
+            return report(node, "the ellipse's radii are not positive", "give two radii above 0", e.center);
+        if (e.radii.x() == e.radii.y()) {
+            const double start = std::remainder(e.angle, 360.0) * (std::numbers::pi / 180);
+            primitive.edges = {{Arc{e.center, e.radii.x(), start, 2 * std::numbers::pi}, "ellipse"}};
+        } else {
+            const Vec2 axis = direction(e.angle);
+            const EllipticArc arc{e.center, e.radii.x() * axis, e.radii.y() * left_of(axis), 0, 2 * std::numbers::pi};
+            primitive.edges = {{arc, "ellipse"}};
+        }
+        primitive.loops = {{{{0, true}}, -1}};
+    }
+
+    void fill(Primitive& primitive, const Slot& s, const CsgNode& node) {
+        if (!s.from.allFinite() || !s.to.allFinite() || !std::isfinite(s.radius))
+            return report(node, "the slot is not finite", "check the numbers");
+        if (!(s.radius > 0)) return report(node, "the slot's radius is not positive", "give a radius above 0", s.from);
+        const Vec2 along = s.to - s.from;
+        const double size = std::max(s.radius, s.from.cwiseAbs().cwiseMax(s.to.cwiseAbs()).maxCoeff());
+        if (!(along.norm() > merge_fraction * size))
+            return report(node, "the slot has no length", "move its ends apart, or draw a circle", s.from);
+        const double pi = std::numbers::pi, angle = std::atan2(along.y(), along.x());
+        const Vec2 side = s.radius * right_of(along.normalized());
+        primitive.edges = {{Segment{s.from + side, s.to + side}, "side0"},
+                           {Arc{s.to, s.radius, angle - pi / 2, pi}, "end1"},
+                           {Segment{s.to - side, s.from - side}, "side1"},
+                           {Arc{s.from, s.radius, angle + pi / 2, pi}, "end0"}};
+        primitive.loops = {{{{0, true}, {1, true}, {2, true}, {3, true}}, -1}};
+    }
+
+    /// Exact at quarter turns.
+    static Vec2 direction(double angle) {
+        const double degrees = std::remainder(angle, 360.0), quarters = std::nearbyint(degrees / 90);
+        const double rest = (degrees - 90 * quarters) * (std::numbers::pi / 180);
+        Vec2 v(std::cos(rest), std::sin(rest));
+        for (int k = (static_cast<int>(quarters) + 4) % 4; k > 0; --k) v = left_of(v);
+        return v;
+    }
+
     void fill(Primitive& primitive, const Polygon& polygon, const CsgNode& node) {
         const std::size_t n = polygon.points.size();
         if (n < 3) return report(node, "the polygon has fewer than three points", "give at least three points");
         std::vector<LoopEdge> edges;
         for (std::size_t i = 0; i < n; ++i)
-            edges.push_back({Segment{polygon.points[i], polygon.points[(i + 1) % n]}, "e" + std::to_string(i), node.where});
+            edges.push_back({Segment{polygon.points[i], polygon.points[(i + 1) % n]},
+                             std::string("e").append(std::to_string(i)), node.where});
         fill(primitive, Loops{{std::move(edges)}}, node);
     }
 
@@ -95,6 +156,9 @@ private:
     void fill(Primitive& primitive, const Loops& loops, const CsgNode& node) {
         Boundary boundary = boundary_of(loops, node.where);
         problems_.insert(problems_.end(), boundary.problems.begin(), boundary.problems.end());
+        for (const Repair& repair : boundary.repairs)
+            primitive.repairs.push_back(
+                {repair.what, placed(repair.at, primitive.moves), repair.size * scale_of(primitive.moves)});
         for (const auto& loop : loops.loops)
             for (const LoopEdge& edge : loop) primitive.edges.push_back({edge.curve, edge.name});
         primitive.loops = std::move(boundary.loops);
@@ -154,15 +218,38 @@ std::vector<Primitive> primitives_of(const CsgNode& tree, std::vector<GeometryPr
     return primitives;
 }
 
+namespace {
+
+/// The map of one place but for the shift by -about that comes first. Negating y is negating x and half a turn.
+Similarity similarity(const Move& move) {
+    static constexpr double cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
+    const double t = move.half_tangent, c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
+    const int quarters = (move.quarter_turns + (move.mirror == Mirror::y ? 2 : 0)) % 4;
+    const double qc = cosine[quarters], qs = sine[quarters];
+    return {qc * c - qs * s, qs * c + qc * s, move.about + move.translate, move.scale, move.mirror != Mirror::none};
+}
+
+}  // namespace
+
 Curve placed(Curve curve, const std::vector<Move>& moves) {
-    for (const Move& move : moves) {
-        static constexpr double cosine[] = {1, 0, -1, 0}, sine[] = {0, 1, 0, -1};
-        const double t = move.half_tangent, c = (1 - t * t) / (1 + t * t), s = 2 * t / (1 + t * t);
-        const double qc = cosine[move.quarter_turns], qs = sine[move.quarter_turns];
-        const double tc = qc * c - qs * s, ts = qs * c + qc * s;
-        curve = transformed(transformed(curve, 1, 0, -move.about), tc, ts, move.about + move.translate);
-    }
+    for (const Move& move : moves)
+        curve = transformed(transformed(curve, Similarity{1, 0, -move.about, 1, false}), similarity(move));
     return curve;
+}
+
+Vec2 placed(Vec2 p, const std::vector<Move>& moves) {
+    for (const Move& move : moves) p = similarity(move)(p - move.about);
+    return p;
+}
+
+bool is_mirrored(const std::vector<Move>& moves) {
+    return std::count_if(moves.begin(), moves.end(), [](const Move& m) { return m.mirror != Mirror::none; }) % 2 != 0;
+}
+
+double scale_of(const std::vector<Move>& moves) {
+    double scale = 1;
+    for (const Move& move : moves) scale *= move.scale;
+    return scale;
 }
 
 }  // namespace abut::geometry

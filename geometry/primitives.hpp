@@ -9,13 +9,15 @@
 
 namespace abut::geometry {
 
-/// One `place`: x -> R (x - about) + about + translate, with R the rotation by quarter_turns * 90 degrees and by the angle
-/// whose half has the tangent half_tangent. Both give exactly rational cosines and sines, so that exact arithmetic
-/// (boolean.cpp) and doubles mean the same rotation.
+/// One `place`: x -> scale R M (x - about) + about + translate, with M the mirror and R the rotation by quarter_turns * 90
+/// degrees and by the angle whose half has the tangent half_tangent. Both give exactly rational cosines and sines, so that
+/// exact arithmetic (boolean.cpp) and doubles mean the same map.
 struct Move {
     int quarter_turns = 0;
     double half_tangent = 0;
     Vec2 about{0, 0}, translate{0, 0};
+    double scale = 1;
+    Mirror mirror = Mirror::none;
 };
 
 /// An edge of a primitive, in the primitive's own direction.
@@ -30,14 +32,20 @@ struct Primitive {
     std::string where;                ///< JSON pointer
     std::vector<Move> moves;          ///< innermost first
     std::vector<SourceEdge> edges;    ///< in the primitive's own frame
-    std::vector<BoundaryLoop> loops;  ///< empty for a half plane
+    std::vector<BoundaryLoop> loops;  ///< empty for a half plane; material on the left where they are placed
     bool half_plane = false;          ///< its one edge is a segment of the line, from the given point on
     bool imported = false;
+    std::vector<Repair> repairs;  ///< what its own loops were mended by, placed
 };
 
 /// All leaves of the tree in reading order. What is wrong with one of them, or with the nodes above, is added to `problems`.
 std::vector<Primitive> primitives_of(const CsgNode& tree, std::vector<GeometryProblem>& problems);
 
 Curve placed(Curve curve, const std::vector<Move>& moves);
+Vec2 placed(Vec2 p, const std::vector<Move>& moves);
+/// Is left exchanged with right?
+bool is_mirrored(const std::vector<Move>& moves);
+/// Lengths are multiplied by this.
+double scale_of(const std::vector<Move>& moves);
 
 }  // namespace abut::geometry

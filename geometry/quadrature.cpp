@@ -2,24 +2,19 @@
 #include "geometry/quadrature.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/gauss.hpp"
+#include "geometry/gauss_portions.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-/// Angle by which a portion of a curve turns.
-double turn(const Curve& curve, double t0, double t1) {
-    const auto* arc = std::get_if<Arc>(&curve);
-    return arc ? std::abs(arc->sweep) * (t1 - t0) : 0.0;
-}
-
-/// The integrand along an arc is a trigonometric polynomial of degree `frequency`: Gauss points needed beyond the straight case
-/// so that the patch test on discs holds to 1e-9.
-int extra_points(int frequency, double angle) {
-    return angle > 0 ? 2 + static_cast<int>(std::ceil(0.5 * frequency * angle)) : 0;
+/// Of a piece that has no cell (-1): the whole grid's.
+Vec2 cell_size(const Grid& grid, int cell) {
+    if (cell < 0) return {grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()};
+    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
+    return {grid.x[i + 1] - grid.x[i], grid.y[j + 1] - grid.y[j]};
 }
 
 void add_row(CellRule& rule, double x0, const Vec2& end, double dy, const GaussRule& inner) {
@@ -30,7 +25,9 @@ void add_row(CellRule& rule, double x0, const Vec2& end, double dy, const GaussR
     }
 }
 
-void add_contour(CellRule& rule, const Part& part, const Grid& grid, const ContourPiece& c, int degree) {
+/// `portions`: kept over contours, so that they allocate nothing.
+void add_contour(CellRule& rule, const Part& part, const Grid& grid, const ContourPiece& c, int degree,
+                 std::vector<GaussPortion>& portions) {
     const auto column = static_cast<std::size_t>(grid.column_of(c.cell));
     const double x0 = grid.x[column];
     const GaussRule& inner = gauss_rule(degree + 1);
@@ -42,12 +39,15 @@ void add_contour(CellRule& rule, const Part& part, const Grid& grid, const Conto
         return;
     }
     const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;
-    const int n = std::min(2 * degree + 1 + extra_points(4 * degree + 2, turn(curve, c.t0, c.t1)), 128);
-    const GaussRule& outer = gauss_rule(n);
-    for (std::size_t i = 0; i < outer.points.size(); ++i) {
-        const double t = c.t0 + outer.points[i] * (c.t1 - c.t0);
-        const double dy = outer.weights[i] * (c.t1 - c.t0) * derivative(curve, t).y();
-        if (dy != 0) add_row(rule, x0, point(curve, t), dy, inner);
+    portions.clear();
+    append_area_portions(portions, curve, c.t0, c.t1, degree, cell_size(grid, c.cell));
+    for (const GaussPortion& portion : portions) {
+        const GaussRule& outer = gauss_rule(portion.n);
+        for (std::size_t i = 0; i < outer.points.size(); ++i) {
+            const double t = portion.t0 + outer.points[i] * (portion.t1 - portion.t0);
+            const double dy = outer.weights[i] * (portion.t1 - portion.t0) * derivative(curve, t).y();
+            if (dy != 0) add_row(rule, x0, point(curve, t), dy, inner);
+        }
     }
 }
 
@@ -55,11 +55,12 @@ void add_contour(CellRule& rule, const Part& part, const Grid& grid, const Conto
 
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree) {
     std::vector<CellRule> rules;
+    std::vector<GaussPortion> portions;
     for (std::size_t c = 0; c < cells.cell_class.size(); ++c) {
         if (cells.cell_class[c] != CellClass::boundary) continue;
         CellRule rule{static_cast<int>(c), {}, {}};
         for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
-            add_contour(rule, part, cells.grid, cells.contours[static_cast<std::size_t>(k)], degree);
+            add_contour(rule, part, cells.grid, cells.contours[static_cast<std::size_t>(k)], degree, portions);
         rules.push_back(std::move(rule));
     }
     return rules;
@@ -67,17 +68,23 @@ std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int de
 
 std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n) {
     std::vector<BoundaryPoint> points;
+    std::vector<GaussPortion> portions;
     const auto e = static_cast<std::size_t>(edge);
     const Curve& curve = part.edges[e].curve;
     for (int k = cells.first_piece[e]; k < cells.first_piece[e + 1]; ++k) {
         const BoundaryPiece& piece = cells.pieces[static_cast<std::size_t>(k)];
         const double a = std::max(t0, piece.t0), b = std::min(t1, piece.t1);
         if (b <= a) continue;
-        const GaussRule& rule = gauss_rule(std::min(n + extra_points(2 * n, turn(curve, a, b)), 128));
-        for (std::size_t i = 0; i < rule.points.size(); ++i) {
-            const double t = a + rule.points[i] * (b - a);
-            points.push_back({piece.cell, edge, t, point(curve, t), outward_normal(curve, t),
-                              rule.weights[i] * (b - a) * derivative(curve, t).norm()});
+        portions.clear();
+        append_length_portions(portions, curve, a, b, n, cell_size(cells.grid, piece.cell));
+        for (const GaussPortion& portion : portions) {
+            const GaussRule& rule = gauss_rule(portion.n);
+            const double width = portion.t1 - portion.t0;
+            for (std::size_t i = 0; i < rule.points.size(); ++i) {
+                const double t = portion.t0 + rule.points[i] * width;
+                points.push_back({piece.cell, edge, t, point(curve, t), outward_normal(curve, t),
+                                  rule.weights[i] * width * derivative(curve, t).norm()});
+            }
         }
     }
     return points;

@@ -14,9 +14,10 @@ struct CellRule {
     std::vector<double> weights;
 };
 
-/// Rules of all boundary cells, exact (but for rounding, on straight edges) for products of two tensor polynomials of the given
-/// degree, by the divergence theorem: along each contour Gauss points, from the cell's left side to each of them Gauss points
-/// again [Gunderman, Weiss, Evans 2021]. Points may lie outside the part and weights may be negative.
+/// Rules of all boundary cells for products of two tensor polynomials of the given degree, by the divergence theorem: along
+/// each contour Gauss points, from the cell's left side to each of them Gauss points again [Gunderman, Weiss, Evans 2021].
+/// Exact but for rounding along segments, ellipses and splines, to 1e-9 along circular arcs (gauss_portions.hpp). Points may
+/// lie outside the part and weights may be negative.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree);
 
 struct BoundaryPoint {
@@ -27,7 +28,8 @@ struct BoundaryPoint {
     double weight;   ///< arc length
 };
 
-/// Gauss points of the portion [t0, t1] of an edge, cell by cell, n points a cell and more where it curves.
+/// Gauss points of the portion [t0, t1] of an edge, cell by cell, for polynomials of total degree 2n - 1 times the arc length:
+/// n points a cell, more where the edge curves. As exact as cell_rules.
 std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n);
 
 }  // namespace abut::geometry

@@ -1,33 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each layer by itself: lines that two layers share are a contact between two parts, never a joint.
-//   1. Entities without length go.
-//   2. Of entities drawn twice the first stays (sketch_overlaps).
-//   3. Ends are joined (sketch_joints).
-//   4. Joined entities are walked into closed chains (sketch_chains). Where some stay loose, those that lie on others go, and
-//      3 and 4 are done again.
-//   5. Curves are moved to their joints (sketch_joints).
-//   6. Closed chains are nested into parts (sketch_nesting).
+// Each group of entities (a layer, a block, ...) by itself: lines that two groups share are a contact between two parts, never
+// a joint.
+//   1. Entities are grouped (sketch_grouping). Far from the origin they are moved to it, by a number that loses no digit.
+//   2. Those of each group are closed to outlines (sketch_outlines); insertions of a block that close by themselves have
+//   nothing
+//      to do with the others of their group here.
+//   3. The outlines of a group are nested into parts (sketch_nesting), which are named (sketch_names).
 #include "geometry/sketch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <iterator>
+#include <set>
 
-#include "geometry/sketch_chains.hpp"
-#include "geometry/sketch_joints.hpp"
-#include "geometry/sketch_nesting.hpp"
-#include "geometry/sketch_overlaps.hpp"
+#include "geometry/sketch_grouping.hpp"
+#include "geometry/sketch_names.hpp"
+#include "geometry/sketch_outlines.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-struct LayerParts {
-    std::string layer;
-    std::vector<Part> parts;
-    std::vector<int> lines;  ///< of each part's first entity in the file
-};
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+// ---- a local origin ----
+
+/// Farther from the origin than so many diagonals, coordinates are taken from a local one.
+constexpr double far_ratio = 16;
 
 Box2 box_of(const std::vector<SketchEntity>& entities) {
     Box2 box;
@@ -35,113 +37,169 @@ Box2 box_of(const std::vector<SketchEntity>& entities) {
     return box;
 }
 
-/// Coordinates carry rounding errors of their own size, which far from the origin is more than the drawing's.
-double rounding_of(const Box2& box) {
-    return rounding_fraction * std::max({box.diagonal(), box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff()});
+double largest_coordinate(const Box2& box) {
+    return box.empty() ? 0.0 : std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
 }
 
-void remove_without_length(std::vector<SketchEntity>& entities, std::vector<Repair>& repairs) {
-    const double shortest = merge_fraction * box_of(entities).diagonal();
-    std::erase_if(entities, [&](const SketchEntity& entity) {
-        const double own = length(entity.curve);
-        if (own > shortest) return false;
-        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own});
-        return true;
-    });
+/// A multiple of a power of two about as large as the drawing: subtracting it, and adding it again, rounds nothing.
+Vec2 local_origin(const Box2& box) {
+    const double diagonal = box.diagonal();
+    if (!(diagonal > 0) || largest_coordinate(box) <= far_ratio * diagonal) return {0, 0};
+    const double step = std::exp2(std::ceil(std::log2(diagonal)));
+    return {step * std::round(box.center().x() / step), step * std::round(box.center().y() / step)};
 }
 
-double joining_tolerance(const std::vector<SketchEntity>& entities, const SketchOptions& options) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const SketchEntity& entity : entities) shortest = std::min(shortest, length(entity.curve));
-    const double wanted = options.tolerance > 0 ? options.tolerance : joining_fraction * box_of(entities).diagonal();
-    return std::min(wanted, shortest / 2);
+std::vector<SketchEntity> moved(std::vector<SketchEntity> entities, const Vec2& by) {
+    if (by == Vec2(0, 0)) return entities;
+    for (SketchEntity& entity : entities) entity.curve = transformed(entity.curve, 1, 0, by);
+    return entities;
 }
 
-void report_joints(const std::vector<SketchEntity>& entities, const Joints& joints, double rounding,
-                   std::vector<Repair>& repairs) {
-    for (const Joint& joint : joints.joints) {
-        if (joint.ends.size() != 2 || joint.gap <= rounding) continue;
-        const auto name = [&](std::size_t i) { return entities[static_cast<std::size_t>(joint.ends[i].entity)].name; };
-        repairs.push_back({"gap closed between " + name(0) + " and " + name(1), joint.at, joint.gap});
+void move(SketchParts& sketch, const Vec2& by) {
+    if (by == Vec2(0, 0)) return;
+    for (Part& part : sketch.parts) part = transformed(part, 1, 0, by);
+    for (Repair& repair : sketch.repairs) repair.at += by;
+    for (SketchProblem& problem : sketch.problems) problem.at += by;
+}
+
+// ---- one group ----
+
+/// Adds what closes among some entities to a group's outlines.
+void add_outlines(Outlines& to, Outlines from) {
+    const int offset = static_cast<int>(to.entities.size());
+    const auto shift = [&](Chain& chain) {
+        for (ChainLink& link : chain) link.entity += offset;
+    };
+    for (Chain& chain : from.closed) shift(chain);
+    for (DividedOutline& divided : from.divided) {
+        shift(divided.contour);
+        for (Face& face : divided.faces) shift(face.boundary);
     }
+    append(to.entities, std::move(from.entities));
+    append(to.closed, std::move(from.closed));
+    append(to.divided, std::move(from.divided));
 }
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-    to.insert(to.end(), from.begin(), from.end());
+/// What closes among the entities of a group, and the largest tolerance it took.
+struct GroupOutlines {
+    Outlines outlines;
+    double tolerance = 0, coincidence = 0;
+};
+
+void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch) {
+    add_outlines(group.outlines, std::move(closed.outlines));
+    append(sketch.repairs, std::move(closed.repairs));
+    append(sketch.problems, std::move(closed.problems));
+    group.tolerance = std::max(group.tolerance, closed.tolerance);
+    group.coincidence = std::max(group.coincidence, closed.coincidence);
 }
 
-/// Steps 1 to 6 for one layer; not empty.
-LayerParts parts_of_layer(std::vector<SketchEntity> entities, const SketchOptions& options, SketchParts& sketch) {
-    LayerParts found;
-    found.layer = entities.front().layer;
-    remove_without_length(entities, sketch.repairs);
-    if (entities.empty()) return found;
-    const double rounding = rounding_of(box_of(entities));
-    const double tolerance = std::max(joining_tolerance(entities, options), rounding);
-    sketch.tolerance = std::max(sketch.tolerance, tolerance);
-    remove_duplicates(entities, tolerance, sketch.repairs);
-
-    Joints joints = join_ends(entities, tolerance, rounding);
-    Chains chains = trace_chains(entities, joints, tolerance);
-    if (!chains.problems.empty() && remove_covered(entities, chains.is_loose, tolerance, sketch.repairs)) {
-        joints = join_ends(entities, tolerance, rounding);
-        chains = trace_chains(entities, joints, tolerance);
+/// An insertion of a block that does not close by itself is a portion of something larger.
+GroupOutlines close_group(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch) {
+    GroupOutlines found;
+    std::vector<std::vector<SketchEntity>> instances = by_instance(group.entities);
+    std::vector<SketchEntity> rest = std::move(instances.front());
+    for (std::size_t k = 1; k < instances.size(); ++k) {
+        ClosedOutlines closed = close_outlines(instances[k], options, rounding);
+        if (closed.problems.empty())
+            add_closed(found, std::move(closed), sketch);
+        else
+            append(rest, std::move(instances[k]));
     }
-    append(sketch.problems, chains.problems);
-    report_joints(entities, joints, rounding, sketch.repairs);
-    close_joints(entities, joints, rounding);
-    NestedParts nested = nest(entities, chains.closed, tolerance);
-    append(sketch.problems, nested.problems);
-
-    found.parts = std::move(nested.parts);
-    for (int entity : nested.first_entity) found.lines.push_back(entities[static_cast<std::size_t>(entity)].line);
+    add_closed(found, close_outlines(rest, options, rounding), sketch);
     return found;
 }
 
-std::vector<std::vector<SketchEntity>> split_by_layer(const std::vector<SketchEntity>& entities) {
-    std::vector<std::vector<SketchEntity>> layers;
-    std::map<std::string, std::size_t> index;
-    for (const SketchEntity& entity : entities) {
-        const auto [at, is_new] = index.emplace(entity.layer, layers.size());
-        if (is_new) layers.emplace_back();
-        layers[at->second].push_back(entity);
+struct FoundPart {
+    Part part;
+    std::string label;
+    int line = 0;
+};
+
+void add_parts(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch,
+               std::vector<FoundPart>& found) {
+    const GroupOutlines closed = close_group(group, options, rounding, sketch);
+    sketch.tolerance = std::max(sketch.tolerance, closed.tolerance);
+    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence);
+    append(sketch.problems, std::move(nested.problems));
+    append(sketch.repairs, std::move(nested.remarks));
+    for (std::size_t k = 0; k < nested.parts.size(); ++k) {
+        std::vector<const SketchPiece*> entity;
+        for (const int e : nested.entity[k]) entity.push_back(&closed.outlines.entities[static_cast<std::size_t>(e)]);
+        Part& part = nested.parts[k];
+        name_edges(part, entity);
+        entity.resize(part.loops.front().edges.size());
+        part.name = part_name(entity, group.name);
+        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line});
     }
-    return layers;
 }
 
-void name_parts(LayerParts& found) {
-    for (std::size_t k = 0; k < found.parts.size(); ++k)
-        found.parts[k].name = found.parts.size() == 1 ? found.layer : found.layer + "#" + std::to_string(k);
+// ---- all groups ----
+
+SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, PartsBy parts_by) {
+    const Box2 box = box_of(drawing.entities);
+    const Vec2 origin = local_origin(box);
+    const double rounding = rounding_fraction * std::max(box.diagonal(), largest_coordinate(box));
+    SketchParts sketch;
+    sketch.parts_by = parts_by;
+    std::vector<FoundPart> found;
+    for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
+        add_parts(group, options, rounding, sketch, found);
+    std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
+    for (FoundPart& one : found) {
+        sketch.parts.push_back(std::move(one.part));
+        sketch.layers.push_back(std::move(one.label));
+    }
+    number_parts(sketch.parts);
+    move(sketch, origin);
+    return sketch;
 }
 
-void collect(std::vector<LayerParts>& layers, SketchParts& sketch) {
-    struct Entry {
-        int line;
-        Part* part;
-        const std::string* layer;
-    };
-    std::vector<Entry> entries;
-    for (LayerParts& found : layers)
-        for (std::size_t k = 0; k < found.parts.size(); ++k) entries.push_back({found.lines[k], &found.parts[k], &found.layer});
-    std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.line < b.line; });
-    for (const Entry& entry : entries) {
-        sketch.parts.push_back(std::move(*entry.part));
-        sketch.layers.push_back(*entry.layer);
+SketchParts with_reason(SketchParts sketch, const std::string& why) {
+    sketch.why = why;
+    return sketch;
+}
+
+std::string quoted_layers(const std::set<std::string>& layers) {
+    if (layers.empty()) return "no layer by itself holds a closed outline";
+    return layers.size() == 1 ? "layer " + *layers.begin() + " alone holds closed outlines"
+                              : std::to_string(layers.size()) + " layers hold closed outlines";
+}
+
+/// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline. Layers that
+/// do not close without each other, and layers or blocks that lie in each other's material (holes on a layer of their own), do
+/// not separate parts.
+SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
+    SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
+    const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
+    std::string why = quoted_layers(layers);
+    if (layers.size() > 1) {
+        const bool is_nested = are_nested_in_material(by_layer.parts, by_layer.layers);
+        if (!is_nested && by_layer.problems.empty()) return with_reason(std::move(by_layer), why);
+        SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+        if (is_nested) return with_reason(std::move(by_loop), why + ", but some lie in the material of others, as holes do");
+        if (by_loop.problems.empty())
+            return with_reason(std::move(by_loop), why + ", but not all close without what is on other layers");
+        return with_reason(std::move(by_layer), why);
     }
+    if (is_all_in_blocks(drawing.entities)) {
+        SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
+        why += ", and everything lies in several blocks";
+        if (!are_nested_in_material(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
+        why += ", but some lie in the material of others, as holes do";
+    }
+    return with_reason(sketch_by(drawing, options, PartsBy::loop), why);
 }
 
 }  // namespace
 
+SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
+    if (options.parts_by == PartsBy::automatic) return automatic_parts(drawing, options);
+    return with_reason(sketch_by(drawing, options, options.parts_by), "asked for");
+}
+
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
-    SketchParts sketch;
-    std::vector<LayerParts> layers;
-    for (std::vector<SketchEntity>& entities : split_by_layer(drawing.entities)) {
-        layers.push_back(parts_of_layer(std::move(entities), options, sketch));
-        name_parts(layers.back());
-    }
-    collect(layers, sketch);
-    return sketch;
+    return with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for");
 }
 
 }  // namespace abut::geometry

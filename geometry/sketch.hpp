@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/part.hpp"
+#include "geometry/repair.hpp"
 
 namespace abut::geometry {
 
@@ -13,8 +14,11 @@ struct SketchEntity {
     Curve curve;
     std::string kind;  ///< "LINE", "ARC", "CIRCLE", "LWPOLYLINE"
     std::string layer;
-    std::string name;  ///< "h2F" (the handle), "h2F.0" for a polyline's segment, "l123" (file line) without a handle
-    int line = 0;      ///< in the file, counted from 1
+    std::string name;      ///< "h2F" (the handle), "h2F.0" for a polyline's segment, "l123" (file line) without a handle
+    int line = 0;          ///< in the file, counted from 1
+    std::string block;     ///< block (or mesh node) that it stands in, outermost first: "CLAMP/PIN"; empty outside of blocks
+    std::string instance;  ///< "PIN#0", "PIN#1", ... where the block is inserted more than once, else empty
+    int color = 7;         ///< AutoCAD colour index, by layer or block where the entity says so
 };
 
 struct EntityCount {
@@ -24,11 +28,6 @@ struct Ignored {
     std::string what;
     int count = 0;
     std::string why;
-};
-struct Repair {
-    std::string what;
-    Vec2 at;
-    double size = 0;
 };
 struct SketchProblem {
     std::string what;
@@ -45,28 +44,45 @@ struct Drawing {
     std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
     std::vector<Ignored> ignored;
     std::vector<SketchProblem> problems;  ///< unreadable entities
+    std::vector<Repair> repairs;          ///< of meshes: what was mended, arcs recovered, the plane moved
 };
 
-/// Reads an ASCII DXF file through dxflib. Throws InputError (file, line) if it is missing, empty, truncated or no DXF.
+/// Reads a DXF file, ASCII or binary, with its blocks inserted. Throws InputError (file, line) if it is missing, empty,
+/// truncated or no DXF.
 Drawing read_dxf(const std::string& path);
+
+/// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
+/// whatever it is drawn on. `automatic`: by layer where more than one holds closed outlines, else by block where everything
+/// lies in several blocks or insertions of blocks, else by loop; by loop, too, where layers or blocks only hold the holes of
+/// others, or where layers close only together.
+enum class PartsBy { automatic, layer, block, loop, color };
 
 struct SketchOptions {
     double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal
+    PartsBy parts_by = PartsBy::automatic;
+    bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
 };
 /// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined.
 inline constexpr double joining_fraction = 2e-5;
 
 struct SketchParts {
-    std::vector<Part> parts;          ///< in order of first appearance in the file; named after the layer
-    std::vector<std::string> layers;  ///< layer of each part
+    std::vector<Part> parts;            ///< in order of first appearance in the file
+    std::vector<std::string> layers;    ///< layer (block instance, colour) of each part
+    PartsBy parts_by = PartsBy::layer;  ///< what was done, and why where it was left open
+    std::string why;
     std::vector<Repair> repairs;
     std::vector<SketchProblem> problems;
     double tolerance = 0;  ///< the largest that was used
 };
 
-/// Joins the entities of each layer into closed loops and sorts them by nesting into parts: one part per outer loop
-/// (`LAYER`, or `LAYER#0`, `LAYER#1`, ... where a layer holds several). Edges are named after their entities; adjacent
-/// entities are never merged. Open chains and branchings are problems with place, gap size and file line.
+/// Joins the entities of each group into closed outlines and sorts them by nesting into parts: one part per outer outline.
+/// Parts are named after the layer, the block or its instance, or `color3` (by loop: the layer); `LAYER#0`, `LAYER#1`, ...
+/// where several have one name, `INSTANCE:LAYER` where a repeated block's geometry is grouped by layer. Edges are named after
+/// their entities; adjacent ones are never merged but where facets stand for an arc. Where outlines share edges that are drawn
+/// once, each area is a part (sketch_faces.hpp). Open chains, branchings and crossings are problems with place, gap size and
+/// file line; everything that was mended is a repair. The numbers of the results are in the file's coordinates.
+SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
+/// The same with parts_by layer.
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
 
 /// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.

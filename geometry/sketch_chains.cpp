@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
+
+#include "geometry/sketch_blocks.hpp"
 
 namespace abut::geometry {
 
@@ -20,11 +23,13 @@ std::string short_number(double value) {
 constexpr double bridgeable = 500;
 
 struct Tracer {
-    const std::vector<SketchEntity>& entities;
+    const std::vector<SketchPiece>& entities;
     const Joints& joints;
     double tolerance;
+    std::vector<int> block_of{};
+    std::vector<SketchProblem> branchings{};
 
-    const SketchEntity& entity(const EntityEnd& end) const { return entities[static_cast<std::size_t>(end.entity)]; }
+    const SketchPiece& entity(const EntityEnd& end) const { return entities[static_cast<std::size_t>(end.entity)]; }
     const Joint& joint(int index) const { return joints.joints[static_cast<std::size_t>(index)]; }
     int joint_of(int entity_index, bool is_begin) const {
         return (is_begin ? joints.at_begin : joints.at_end)[static_cast<std::size_t>(entity_index)];
@@ -32,47 +37,100 @@ struct Tracer {
 
     // ---- closed chains ----
 
-    /// All entities connected with the given one over joints.
-    std::vector<int> connected(int first, std::vector<bool>& is_seen) const {
-        std::vector<int> group{first};
-        is_seen[static_cast<std::size_t>(first)] = true;
-        for (std::size_t i = 0; i < group.size(); ++i)
-            for (bool is_begin : {true, false})
-                for (const EntityEnd& end : joint(joint_of(group[i], is_begin)).ends) {
-                    if (is_seen[static_cast<std::size_t>(end.entity)]) continue;
-                    is_seen[static_cast<std::size_t>(end.entity)] = true;
-                    group.push_back(end.entity);
-                }
-        return group;
+    /// The other ends of the block in the joint where this one lies.
+    std::vector<EntityEnd> partners(const EntityEnd& end) const {
+        const int block = block_of[static_cast<std::size_t>(end.entity)];
+        std::vector<EntityEnd> found;
+        for (const EntityEnd& other : joint(joint_of(end.entity, end.is_begin)).ends) {
+            const bool is_same = other.entity == end.entity && other.is_begin == end.is_begin;
+            if (!is_same && block_of[static_cast<std::size_t>(other.entity)] == block) found.push_back(other);
+        }
+        return found;
     }
 
-    bool is_closed(const std::vector<int>& group) const {
-        return std::all_of(group.begin(), group.end(), [&](int e) {
-            return joint(joint_of(e, true)).ends.size() == 2 && joint(joint_of(e, false)).ends.size() == 2;
+    bool is_cycle(const std::vector<int>& block) const {
+        return std::all_of(block.begin(), block.end(), [&](int e) {
+            return partners({e, true}).size() == 1 && partners({e, false}).size() == 1;
         });
     }
 
-    EntityEnd other_end(const EntityEnd& end) const {
-        const Joint& here = joint(joint_of(end.entity, end.is_begin));
-        const bool is_first = here.ends[0].entity == end.entity && here.ends[0].is_begin == end.is_begin;
-        return here.ends[is_first ? 1 : 0];
-    }
-
-    std::vector<ChainLink> walk(int first) const {
-        std::vector<ChainLink> chain{{first, true}};
-        for (EntityEnd next = other_end({first, false}); next.entity != first; next = other_end({next.entity, !next.is_begin}))
+    Chain walk(int first) const {
+        Chain chain{{first, true}};
+        for (EntityEnd next = partners({first, false}).front(); next.entity != first;
+             next = partners({next.entity, !next.is_begin}).front())
             chain.push_back({next.entity, next.is_begin});
         return chain;
+    }
+
+    bool is_bridge(const std::vector<int>& block) const {
+        return block.size() == 1 && joint_of(block.front(), true) != joint_of(block.front(), false);
+    }
+
+    void take(const std::vector<std::vector<int>>& blocks, Chains& chains) {
+        for (const auto& block : blocks)
+            for (const int e : block) block_of[static_cast<std::size_t>(e)] = block.front();
+        for (const auto& block : blocks) {
+            if (is_cycle(block))
+                chains.closed.push_back(walk(block.front()));
+            else
+                chains.divided.push_back(block);
+        }
+    }
+
+    bool ends_openly(const std::vector<int>& block) const {
+        return std::any_of(block.begin(), block.end(), [&](int e) {
+            return joint(joint_of(e, true)).ends.size() == 1 || joint(joint_of(e, false)).ends.size() == 1;
+        });
+    }
+
+    void trace(Chains& chains) {
+        std::vector<bool> is_seen(entities.size(), false);
+        for (std::size_t i = 0; i < entities.size(); ++i) {
+            const int first = static_cast<int>(i);
+            if (is_seen[i]) continue;
+            if (joints.at_begin[i] < 0) {
+                chains.closed.push_back({{first, true}});
+                continue;
+            }
+            const auto blocks = connected_blocks(joints, first, is_seen);
+            const bool is_open = std::any_of(blocks.begin(), blocks.end(), [&](const auto& b) { return ends_openly(b); });
+            const auto bridge = std::find_if(blocks.begin(), blocks.end(), [&](const auto& b) { return is_bridge(b); });
+            if (!is_open && bridge == blocks.end()) {
+                take(blocks, chains);
+                continue;
+            }
+            add_branchings(blocks);
+            if (!is_open) branchings.push_back(bounds_nothing(bridge->front()));
+        }
     }
 
     // ---- what is wrong with the others ----
 
     SketchProblem branching(const Joint& at) const {
+        constexpr std::size_t most_names = 8;
         std::string names;
-        for (const EntityEnd& end : at.ends) names += (names.empty() ? "" : ", ") + entity(end).name;
-        const SketchEntity& first = entity(at.ends.front());
+        for (std::size_t i = 0; i < std::min(at.ends.size(), most_names); ++i)
+            names += (i == 0 ? "" : ", ") + entity(at.ends[i]).name;
+        if (at.ends.size() > most_names) names += ", ...";
+        const SketchPiece& first = entity(at.ends.front());
         return {std::to_string(at.ends.size()) + " ends meet in one point on layer " + first.layer + ": " + names, at.at, names,
                 first.line, "delete what is surplus, or put each part on a layer of its own"};
+    }
+
+    /// Of the joints of what is not taken, each once.
+    void add_branchings(const std::vector<std::vector<int>>& blocks) {
+        std::set<int> at;
+        for (const auto& block : blocks)
+            for (const int e : block)
+                for (const bool is_begin : {true, false})
+                    if (joint(joint_of(e, is_begin)).ends.size() > 2) at.insert(joint_of(e, is_begin));
+        for (const int j : at) branchings.push_back(branching(joint(j)));
+    }
+
+    SketchProblem bounds_nothing(int index) const {
+        const SketchPiece& e = entities[static_cast<std::size_t>(index)];
+        return {e.kind + " " + e.name + " on layer " + e.layer + " joins two outlines and bounds nothing", point(e.curve, 0.5),
+                e.name, e.line, "delete it in CAD, or put it on a layer that is off"};
     }
 
     std::vector<EntityEnd> open_ends() const {
@@ -96,13 +154,13 @@ struct Tracer {
     }
 
     SketchProblem lone_end(const EntityEnd& end) const {
-        const SketchEntity& e = entity(end);
+        const SketchPiece& e = entity(end);
         return {e.kind + " " + e.name + " on layer " + e.layer + " ends where nothing continues it", position(entities, end),
                 e.name, e.line, "close the outline in CAD"};
     }
 
     SketchProblem gap_between(const EntityEnd& end, const EntityEnd& other) const {
-        const SketchEntity &a = entity(end), &b = entity(other);
+        const SketchPiece &a = entity(end), &b = entity(other);
         const Vec2 p = position(entities, end), q = position(entities, other);
         const bool is_same = end.entity == other.entity;
         const std::string names = is_same ? a.name : a.name + ", " + b.name;
@@ -137,24 +195,18 @@ struct Tracer {
 
 }  // namespace
 
-Chains trace_chains(const std::vector<SketchEntity>& entities, const Joints& joints, double tolerance) {
-    const Tracer tracer{entities, joints, tolerance};
+Chains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance) {
+    Tracer tracer{entities, joints, tolerance};
+    tracer.block_of.assign(entities.size(), -1);
     Chains chains;
+    tracer.trace(chains);
+    std::sort(chains.closed.begin(), chains.closed.end(),
+              [](const Chain& a, const Chain& b) { return a.front().entity < b.front().entity; });
     chains.is_loose.assign(entities.size(), true);
-    std::vector<bool> is_seen(entities.size(), false);
-    for (std::size_t i = 0; i < entities.size(); ++i) {
-        const int first = static_cast<int>(i);
-        if (is_seen[i]) continue;
-        if (joints.at_begin[i] < 0)
-            chains.closed.push_back({{first, true}});
-        else if (tracer.is_closed(tracer.connected(first, is_seen)))
-            chains.closed.push_back(tracer.walk(first));
-    }
-    for (const auto& chain : chains.closed)
+    for (const Chain& chain : chains.closed)
         for (const ChainLink& link : chain) chains.is_loose[static_cast<std::size_t>(link.entity)] = false;
     chains.problems = tracer.open_problems();
-    for (const Joint& joint : joints.joints)
-        if (joint.ends.size() > 2) chains.problems.push_back(tracer.branching(joint));
+    chains.problems.insert(chains.problems.end(), tracer.branchings.begin(), tracer.branchings.end());
     return chains;
 }
 

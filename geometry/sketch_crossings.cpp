@@ -2,12 +2,16 @@
 #include "geometry/sketch_crossings.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "geometry/curve_meetings.hpp"
 #include "geometry/edge_tree.hpp"
 #include "geometry/monotone.hpp"
+#include "geometry/sketch_winding.hpp"
 
 namespace abut::geometry {
 
@@ -24,12 +28,12 @@ struct Layout {
     std::vector<int> first;          ///< edge by chain, and the number of edges at last
 };
 
-Layout lay_out(const std::vector<SketchEntity>& entities, const std::vector<std::vector<ChainLink>>& chains) {
+Layout lay_out(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains) {
     Layout layout;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         layout.first.push_back(static_cast<int>(layout.all.edges.size()));
         for (const ChainLink& link : chains[c]) {
-            const SketchEntity& entity = entities[static_cast<std::size_t>(link.entity)];
+            const SketchPiece& entity = entities[static_cast<std::size_t>(link.entity)];
             layout.all.edges.push_back(
                 {link.along ? entity.curve : reversed(entity.curve), entity.name, entity.name, link.along, 0.0});
             layout.chain.push_back(static_cast<int>(c));
@@ -87,6 +91,21 @@ bool do_cross(const Layout& layout, int chain, int other, const std::vector<Meet
     return is_in && is_out;
 }
 
+/// Distances from a point to a segment or an arc's whole circle: the nearest and the farthest.
+struct Range {
+    double nearest, farthest;
+};
+
+Range distances(const Segment& segment, const Vec2& p) {
+    return {distance(segment, p), std::max((segment.from - p).norm(), (segment.to - p).norm())};
+}
+
+bool is_on_one_side(const Segment& line, const Segment& other, double tolerance) {
+    const Vec2 n = left_of(line.to - line.from).normalized();
+    const double a = (other.from - line.from).dot(n), b = (other.to - line.from).dot(n);
+    return (a > tolerance && b > tolerance) || (a < -tolerance && b < -tolerance);
+}
+
 /// By pair of chains, the earlier one first; of a chain with itself where its edges meet elsewhere than at their joints.
 std::map<std::pair<int, int>, std::vector<Meeting>> find_meetings(const Layout& layout, double tolerance) {
     const EdgeTree tree(layout.all);
@@ -96,6 +115,7 @@ std::map<std::pair<int, int>, std::vector<Meeting>> find_meetings(const Layout& 
         for (int k : tree.near(bounding_box(a), tolerance)) {
             if (k <= static_cast<int>(i)) continue;
             const Curve& b = layout.all.edges[static_cast<std::size_t>(k)].curve;
+            if (!may_meet(a, b, tolerance)) continue;
             const int chain = layout.chain[i], other = layout.chain[static_cast<std::size_t>(k)];
             for (const Vec2& p : meeting_points(a, b, tolerance))
                 if (chain != other || !is_joint(a, b, p, tolerance))
@@ -105,7 +125,29 @@ std::map<std::pair<int, int>, std::vector<Meeting>> find_meetings(const Layout& 
     return found;
 }
 
-SketchProblem crossing(const SketchEntity& a, const SketchEntity& b, const Vec2& at, bool is_same_chain) {
+/// Edges of the chain that begin in its two joints that lie closest together.
+std::pair<int, int> nearest_joints(const Layout& layout, int chain, double tolerance) {
+    const int first = layout.first[static_cast<std::size_t>(chain)], last = layout.first[static_cast<std::size_t>(chain) + 1];
+    std::vector<Box2> joints;
+    for (int e = first; e < last; ++e) {
+        joints.emplace_back();
+        joints.back().extend(point(layout.all.edges[static_cast<std::size_t>(e)].curve, 0));
+    }
+    const EdgeTree tree(joints);
+    std::pair<int, int> best{first, first};
+    for (double reach = tolerance, smallest = std::numeric_limits<double>::infinity(); joints.size() > 1 && smallest > reach;
+         reach *= 2)
+        for (std::size_t i = 0; i < joints.size(); ++i)
+            for (const int k : tree.near(joints[i], reach)) {
+                const double distance = (joints[static_cast<std::size_t>(k)].min - joints[i].min).norm();
+                if (k <= static_cast<int>(i) || distance >= smallest) continue;
+                smallest = distance;
+                best = {first + static_cast<int>(i), first + k};
+            }
+    return best;
+}
+
+SketchProblem crossing(const SketchPiece& a, const SketchPiece& b, const Vec2& at, bool is_same_chain) {
     const std::string names = a.name + ", " + b.name;
     const std::string what = is_same_chain ? "an outline on layer " + a.layer + " crosses or touches itself: "
                                            : "two outlines on layer " + a.layer + " cross: ";
@@ -115,24 +157,47 @@ SketchProblem crossing(const SketchEntity& a, const SketchEntity& b, const Vec2&
 
 }  // namespace
 
-std::vector<SketchProblem> remove_crossing(const std::vector<SketchEntity>& entities,
-                                           std::vector<std::vector<ChainLink>>& chains, double tolerance) {
+bool may_meet(const Curve& a, const Curve& b, double tolerance) {
+    const auto *line_a = std::get_if<Segment>(&a), *line_b = std::get_if<Segment>(&b);
+    const auto *arc_a = std::get_if<Arc>(&a), *arc_b = std::get_if<Arc>(&b);
+    if (line_a && line_b) return !is_on_one_side(*line_a, *line_b, tolerance) && !is_on_one_side(*line_b, *line_a, tolerance);
+    if (arc_a && arc_b) {
+        const double d = (arc_a->center - arc_b->center).norm();
+        return d <= arc_a->radius + arc_b->radius + tolerance && d >= std::abs(arc_a->radius - arc_b->radius) - tolerance;
+    }
+    if ((!line_a && !line_b) || (!arc_a && !arc_b)) return true;
+    const Arc& arc = arc_a ? *arc_a : *arc_b;
+    const Range range = distances(line_a ? *line_a : *line_b, arc.center);
+    return range.nearest <= arc.radius + tolerance && range.farthest >= arc.radius - tolerance;
+}
+
+std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains,
+                                     double tolerance) {
     const Layout layout = lay_out(entities, chains);
-    const auto entity_of = [&](int edge) -> const SketchEntity& {
+    const auto entity_of = [&](int edge) -> const SketchPiece& {
         return entities[static_cast<std::size_t>(layout.entity[static_cast<std::size_t>(edge)])];
     };
-    std::vector<SketchProblem> problems;
-    std::vector<bool> is_bad(chains.size(), false);
+    std::vector<Crossing> crossings;
+    std::vector<bool> is_crossing_itself(chains.size(), false);
     for (const auto& [pair, meetings] : find_meetings(layout, tolerance)) {
         const auto [chain, other] = pair;
         if (chain != other && !do_cross(layout, chain, other, meetings, tolerance)) continue;
-        is_bad[static_cast<std::size_t>(chain)] = is_bad[static_cast<std::size_t>(other)] = true;
         const Meeting& first = meetings.front();
-        problems.push_back(crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other));
+        crossings.push_back(
+            {chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other)});
+        if (chain == other) is_crossing_itself[static_cast<std::size_t>(chain)] = true;
     }
-    std::size_t c = 0;
-    std::erase_if(chains, [&](const auto&) { return is_bad[c++]; });
-    return problems;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const auto first = layout.all.edges.begin() + layout.first[c], last = layout.all.edges.begin() + layout.first[c + 1];
+        const std::optional<int> turns = turning_number({first, last});
+        if (is_crossing_itself[c] || !turns || std::abs(*turns) == 1) continue;
+        const auto [a, b] = nearest_joints(layout, static_cast<int>(c), tolerance);
+        const int chain = static_cast<int>(c);
+        crossings.push_back(
+            {chain, chain,
+             crossing(entity_of(a), entity_of(b), point(layout.all.edges[static_cast<std::size_t>(a)].curve, 0), true)});
+    }
+    return crossings;
 }
 
 }  // namespace abut::geometry

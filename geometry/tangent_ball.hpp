@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The circle that touches two boundaries from the outside. A facing pair (x1, x2) is exactly a pair of points where one circle
 // touches both: x1 + r n1 = x2 + r n2, so (x2 - x1) x (n1 - n2) = 0 and gap = r |n1 - n2|. r < 0: the circle lies in both
-// bodies.
+// bodies. In closed form, hence for lines and circles only: ellipses and splines come as their arcs (facing_general).
 #pragma once
 #include <optional>
 #include <vector>

@@ -10,6 +10,7 @@
 #include "geometry/facing.hpp"
 #include "geometry/interface_kind.hpp"
 #include "geometry/overlap.hpp"
+#include "geometry/zone_pieces.hpp"
 #include "src/result_units.hpp"
 #include "src/selection.hpp"
 #include "src/svg.hpp"
@@ -43,6 +44,7 @@ struct Meeting {
     geometry::Overlap overlap;
     std::vector<FacingZone> zones;
     Shares shares;
+    double shared_length = 0;
     std::vector<std::array<Vec2, 2>> marks;
 };
 
@@ -102,20 +104,15 @@ void follow(const Meeting& m, const FacingZone& zone, int n, Visit visit) {
     }
 }
 
-/// Shares the zone's length out among the pairs of edges along it: half a step on either side of each pair of points.
+/// Shares the zone's length out among the pairs of edges along it. Edges that lie on each other wherever they face each other
+/// are shared boundary.
 void share_out(Meeting& m, const FacingZone& zone, const IgnoredEdges& ignored) {
-    const auto n_edges = zone.chain1.edges.size() + zone.chain2.edges.size();
-    const int n = static_cast<int>(std::clamp<std::size_t>(8 * n_edges, 64, 4096));
-    Shares shares;
-    double sum = 0;
-    follow(m, zone, n, [&](const FacingPair& p) {
-        const bool at_end = p.s1 == zone.begin1 || p.s1 == zone.end1;
-        shares[{p.on1.edge, p.on2.edge}] += at_end ? 0.5 : 1;
-        sum += at_end ? 0.5 : 1;
-    });
-    for (const auto& [edges, weight] : shares)
-        if (!ignored.holds(m.part[0], edges[0], m.part[1], edges[1]))
-            m.shares[edges] += weight / sum * (zone.end1 - zone.begin1);
+    for (const geometry::ZonePiece& piece : zone_pieces(m.first, m.second, zone)) {
+        if (ignored.holds(m.part[0], piece.edge1, m.part[1], piece.edge2)) continue;
+        m.shares[{piece.edge1, piece.edge2}] += piece.end1 - piece.begin1;
+        if (std::max(std::abs(piece.gap_min), std::abs(piece.gap_max)) <= m.touching)
+            m.shared_length += piece.end1 - piece.begin1;
+    }
 }
 
 void follow_zones(Meeting& m, const IgnoredEdges& ignored) {
@@ -258,6 +255,7 @@ DetectedPair describe(const Scene& scene, const Meeting& m, bool near_miss) {
     pair.interface = kind_of(m);
     pair.overlap_area = pair.status == "overlap" ? m.overlap.area : 0;
     pair.length = facing_length(m);
+    pair.shared_length = m.shared_length;
     const double size = std::min(bounding_box(m.first).diagonal(), bounding_box(m.second).diagonal());
     pair.cells_case = std::string(1, geometry::cell_case(m.first, m.second, geometry::case_cell_fraction * size));
     pair.why = why_of(scene, m, pair, near_miss);
@@ -285,7 +283,7 @@ void examine(const Scene& scene, int i, int k, std::optional<double> distance, c
     found.distance = std::max(found.distance, reach.distance);
     if (!bounding_box(first).overlaps(bounding_box(second), reach.near_miss) || ignored.holds(scene, i, k)) return;
 
-    Meeting m{{i, k}, first, second, reach.distance, reach.touching, {}, {}, {}, {}, {}};
+    Meeting m{{i, k}, first, second, reach.distance, reach.touching, {}, {}, {}, {}, 0, {}};
     m.closest = geometry::closest_points(first, second, reach.near_miss);
     m.overlap = geometry::overlap(first, second, reach.touching);
     m.zones = geometry::find_facing_zones(first, second, std::max(reach.distance, reach.touching));

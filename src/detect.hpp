@@ -18,8 +18,9 @@ struct DetectedPair {
     std::string interface;  ///< "pin-in-hole", "flat-on-flat", ...
     double gap_min = 0, gap_max = 0;
     double overlap_area = 0;
-    double length = 0;       ///< of the facing boundary within the search distance
-    std::string cells_case;  ///< the dissertation's a-e (section 4.5.1)
+    double length = 0;         ///< of the facing boundary within the search distance
+    double shared_length = 0;  ///< of edges that lie on each other wherever they face each other
+    std::string cells_case;    ///< the dissertation's a-e (section 4.5.1)
     std::string why;
     std::vector<std::array<Vec2, 2>> marks;  ///< facing points, on the first and on the second part, for the picture
 };

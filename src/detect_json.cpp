@@ -29,6 +29,7 @@ Json pair_json(const DetectedPair& p) {
             {"gap", {{"min", number(p.gap_min)}, {"max", number(p.gap_max)}}},
             {"overlap_area", number(p.overlap_area)},
             {"length", number(p.length)},
+            {"shared_length", number(p.shared_length)},
             {"cells_case", p.cells_case},
             {"why", p.why}};
 }

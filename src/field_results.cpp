@@ -12,7 +12,7 @@ namespace {
 
 using geometry::CellClass;
 
-constexpr double drawn_arc = 0.06;  // radians between points of a drawn arc
+constexpr double drawn_arc = 0.06;  // radians of turning between points of a drawn edge
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -86,8 +86,7 @@ PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displa
             for (int k = grid.cells.first_piece[at(e)]; k < grid.cells.first_piece[at(e) + 1]; ++k) {
                 const geometry::BoundaryPiece& piece = grid.cells.pieces[at(k)];
                 const geometry::Curve& curve = grid.local.edges[at(e)].curve;
-                const auto* arc = std::get_if<geometry::Arc>(&curve);
-                const double angle = arc ? std::abs(arc->sweep) * (piece.t1 - piece.t0) : 0.0;
+                const double angle = turning(curve, piece.t0, piece.t1);
                 const int steps = std::max(1, static_cast<int>(std::ceil(angle / drawn_arc)));
                 for (int q = 0; q < steps; ++q) {
                     const double t = piece.t0 + (piece.t1 - piece.t0) * q / steps;

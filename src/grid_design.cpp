@@ -20,6 +20,7 @@ constexpr double cells_across_slot = 3;  // of a part's own slots: as many as a 
 constexpr double slot_floor = 0.001;     // of the largest cell: narrower slots are not resolved
 constexpr double cells_per_radius = 3;
 constexpr double cells_per_fillet_radius = 6;  // of holes and fillets: they raise the stress
+constexpr double turn_of_feature = 0.25;       // radians of an edge's turning that get a size of their own
 constexpr double corner_fraction = 0.1;        // of the largest cell, at re-entrant corners
 constexpr int chords = 48;                     // scan lines in each direction that look for walls
 
@@ -44,11 +45,8 @@ std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int ax
         const int other = 1 - axis;
         if ((p.from[other] < at) == (p.to[other] < at)) continue;
         const double v = axis == 0 ? geometry::x_at(p, at) : geometry::y_at(p, at);
-        const geometry::Vec2 along = p.is_arc
-                                         ? geometry::left_of(axis == 0 ? geometry::Vec2(v - p.center.x(), at - p.center.y())
-                                                                       : geometry::Vec2(at - p.center.x(), v - p.center.y()))
-                                         : geometry::Vec2(p.to - p.from);
-        found.push_back({v, std::abs(along[other]) > std::abs(along[axis])});
+        const double lean = axis == 0 ? geometry::dx_dy(p, at) : geometry::dy_dx(p, at);
+        found.push_back({v, std::abs(lean) < 1});
     }
     std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.v < b.v; });
     return found;
@@ -76,6 +74,33 @@ void append_walls(std::vector<SizeFeature>& features, const Part& local, int axi
             features.push_back(f);
         }
     }
+}
+
+/// What the portion's mean radius of curvature asks for.
+void append_curved_portion(std::vector<SizeFeature>& features, const geometry::Curve& curve, double t0, double t1,
+                           double coarseness) {
+    const double turn = turning(curve, t0, t1);
+    if (!(turn > 0)) return;
+    const bool is_concave = geometry::cross(unit_tangent(curve, t0), unit_tangent(curve, t1)) < 0;
+    const double radius = length(curve, t0, t1) / turn;
+    features.push_back({bounding_box(trimmed(curve, t0, t1)),
+                        coarseness * radius / (is_concave ? cells_per_fillet_radius : cells_per_radius)});
+}
+
+/// A circle's radius is one size; other curves are halved until a portion turns so little that its mean curvature is all there
+/// is to know. Portions shorter than `least` are not resolved: a spline may have a cusp.
+void append_curved(std::vector<SizeFeature>& features, const geometry::Curve& curve, double t0, double t1, double least,
+                   double coarseness) {
+    if (const auto* arc = std::get_if<geometry::Arc>(&curve)) {
+        features.push_back(
+            {bounding_box(curve), coarseness * arc->radius / (arc->sweep < 0 ? cells_per_fillet_radius : cells_per_radius)});
+        return;
+    }
+    if (turning(curve, t0, t1) <= turn_of_feature) return append_curved_portion(features, curve, t0, t1, coarseness);
+    if (length(curve, t0, t1) <= least) return;
+    const double middle = 0.5 * (t0 + t1);
+    append_curved(features, curve, t0, middle, least, coarseness);
+    append_curved(features, curve, middle, t1, least, coarseness);
 }
 
 }  // namespace
@@ -110,9 +135,7 @@ std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
         for (std::size_t i = 0; i < loop.edges.size(); ++i) {
             const geometry::Edge& edge = local.edges[static_cast<std::size_t>(loop.edges[i])];
             const geometry::Edge& next = local.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])];
-            if (const auto* arc = std::get_if<geometry::Arc>(&edge.curve))
-                features.push_back({bounding_box(edge.curve),
-                                    coarseness * arc->radius / (arc->sweep < 0 ? cells_per_fillet_radius : cells_per_radius)});
+            append_curved(features, edge.curve, 0, 1, slot_floor * std::min(largest[0], largest[1]), coarseness);
             const double turn = geometry::cross(geometry::unit_tangent(edge.curve, 1), geometry::unit_tangent(next.curve, 0));
             if (turn < -0.1) {
                 Box2 at;

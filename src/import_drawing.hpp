@@ -22,21 +22,26 @@ struct ImportedDrawing {
 /// What the imports of one scene share.
 struct Imports {
     std::string length_unit;                          ///< the scene's, may be empty
-    std::map<std::string, ImportedDrawing> drawings;  ///< by the name in the scene: each file is read once
+    std::map<std::string, ImportedDrawing> drawings;  ///< by name in the scene and section plane: each is read once
     std::vector<ImportRecord> records;
 };
 
-/// Reads the drawing that `file` (a text, relative to the scene's folder) names; nothing where it cannot be read (reported
-/// there).
-const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file);
+/// Reads the drawing or mesh that `file` (a text, relative to the scene's folder) names; nothing where it cannot be read
+/// (reported there). tolerance and section of the options matter for meshes only.
+const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
+                                      const ImportOptions& options);
 
-/// The parts of those layers that are wanted. Every problem found in them is reported at `at`; nothing then.
+/// The keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf` or `mesh` node, those that are there.
+ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
+
+/// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.
 std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports& imports, const ImportedDrawing& import,
-                                                  const JsonValue& at, double tolerance,
-                                                  const std::function<bool(const std::string& layer)>& wanted);
+                                                  const JsonValue& at, const ImportOptions& options,
+                                                  const std::function<bool(const geometry::SketchEntity&)>& wanted);
 
-/// The one part that a `dxf` node stands for.
+/// The one part that a `dxf` node stands for; the same of a `mesh` node.
 std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
+std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node);
 
 /// The layers that have entities, in order of first appearance.
 std::vector<std::string> layers_of(const geometry::Drawing& drawing);

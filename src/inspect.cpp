@@ -40,8 +40,8 @@ std::vector<geometry::Curve> loose_curves(const SketchReading& reading) {
     return loose;
 }
 
-Inspection inspect_drawing(const std::string& path, double tolerance, const std::string& units) {
-    SketchReading reading = read_sketch(path, tolerance, units);
+Inspection inspect_drawing(const std::string& path, const ImportOptions& options) {
+    SketchReading reading = read_sketch(path, options);
     Inspection inspection;
     inspection.file = path;
     inspection.format = reading.drawing.format;
@@ -63,7 +63,7 @@ Json point_json(const Vec2& p) {
 
 Json edge_json(const geometry::Edge& edge) {
     return {{"name", edge.name},
-            {"kind", std::holds_alternative<geometry::Arc>(edge.curve) ? "arc" : "line"},
+            {"kind", kind_name(edge.curve)},
             {"length", length(edge.curve)},
             {"from", point_json(point(edge.curve, 0))},
             {"to", point_json(point(edge.curve, 1))}};
@@ -100,12 +100,23 @@ Json size_json(const Inspection& inspection) {
 
 }  // namespace
 
-Inspection inspect_file(const std::string& path, double tolerance, const std::string& units) {
-    const std::string extension = extension_of(path);
-    if (extension == ".json") return inspect_scene(path);
-    if (extension == ".dxf") return inspect_drawing(path, tolerance, units);
-    throw InputError(path, "files of the kind '" + extension + "' are not read by this version",
-                     "give a scene (.json) or a drawing (.dxf)");
+Inspection inspect_file(const std::string& path, const ImportOptions& options) {
+    return extension_of(path) == ".json" ? inspect_scene(path) : inspect_drawing(path, options);
+}
+
+std::vector<geometry::Repair> geometry_repairs(const Scene& scene) {
+    std::vector<geometry::Repair> repairs;
+    for (const ScenePart& part : scene.parts)
+        for (const geometry::Repair& r : part.repairs) repairs.push_back({"part " + part.name + ": " + r.what, r.at, r.size});
+    return repairs;
+}
+
+std::vector<geometry::Repair> all_repairs(const Inspection& inspection) {
+    std::vector<geometry::Repair> repairs;
+    for (const ImportRecord& record : inspection.imports)
+        repairs.insert(repairs.end(), record.repairs.begin(), record.repairs.end());
+    for (geometry::Repair& r : geometry_repairs(inspection.scene)) repairs.push_back(std::move(r));
+    return repairs;
 }
 
 std::string inspection_json(const Inspection& inspection) {
@@ -120,12 +131,11 @@ std::string inspection_json(const Inspection& inspection) {
               {"ignored", Json::array()},
               {"problems", Json::array()}};
     for (const ScenePart& part : inspection.scene.parts) json["parts"].push_back(part_json(part));
-    for (const ImportRecord& record : inspection.imports) {
-        for (const geometry::Repair& r : record.repairs)
-            json["repairs"].push_back({{"what", r.what}, {"at", point_json(r.at)}, {"size", r.size}});
+    for (const geometry::Repair& r : all_repairs(inspection))
+        json["repairs"].push_back({{"what", r.what}, {"at", point_json(r.at)}, {"size", r.size}});
+    for (const ImportRecord& record : inspection.imports)
         for (const geometry::Ignored& i : record.ignored)
             json["ignored"].push_back({{"what", i.what}, {"count", i.count}, {"why", i.why}});
-    }
     for (const geometry::SketchProblem& p : inspection.problems)
         json["problems"].push_back(
             {{"what", p.what}, {"at", point_json(p.at)}, {"entity", p.entity}, {"line", p.line}, {"hint", p.hint}});

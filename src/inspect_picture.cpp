@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture of `inspect`: parts, names of their edges, a scale, numbered marks at repairs and problems, and a legend.
+// The first picture of `inspect`: parts, names and directions of their edges, a scale, numbered marks at repairs and problems,
+// and a legend.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +9,7 @@
 #include <optional>
 
 #include "src/inspect.hpp"
+#include "src/inspect_page.hpp"
 #include "src/label_placement.hpp"
 #include "src/result_units.hpp"
 #include "src/svg.hpp"
@@ -16,10 +18,11 @@ namespace abut {
 
 namespace {
 
+using namespace inspect;
+
 // Pixels.
-constexpr double width = 1200, max_height = 820, margin = 96;
-constexpr double axis_distance = 52;  ///< of the axes from the parts: room for labels on their outside
-constexpr double name_size = 15, edge_size = 10, legend_size = 12, legend_step = 18;
+constexpr double name_size = 15, edge_size = 10;
+constexpr double arrow_length = 9, arrow_width = 6;  ///< of the heads that tell an edge's direction
 constexpr double mark_radius = 8;
 constexpr double shortest_labelled = 7;  ///< an edge below is seen as a dot
 constexpr std::size_t n_marks = 12;      ///< of each kind; more cannot be told apart
@@ -30,73 +33,11 @@ struct Mark {
     bool is_problem;
 };
 
-std::string attribute(const char* name, double value) {
-    return std::string(" ") + name + "=\"" + coordinate_text(value) + "\"";
-}
-
-std::string text_element(const Vec2& at, const std::string& css_class, const std::string& anchor, const std::string& text,
-                         const std::string& fill = "") {
-    return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + " class=\"" + css_class + "\" text-anchor=\"" + anchor +
-           "\"" + (fill.empty() ? "" : " fill=\"" + fill + "\"") + ">" + escape_xml(text) + "</text>\n";
-}
-
-std::string line_element(const Vec2& a, const Vec2& b, const std::string& css_class) {
-    return "<line" + attribute("x1", a.x()) + attribute("y1", a.y()) + attribute("x2", b.x()) + attribute("y2", b.y()) +
-           " class=\"" + css_class + "\"/>\n";
-}
-
-/// The part's colour, dark enough to read and saturated, so that the names of two parts' edges can be told apart.
-std::string ink_of(int part) {
-    const std::string color = part_color(part);
-    std::array<int, 3> rgb{};
-    for (std::size_t i = 0; i < 3; ++i) rgb[i] = std::stoi(color.substr(1 + 2 * i, 2), nullptr, 16);
-    const auto [lowest, highest] = std::minmax_element(rgb.begin(), rgb.end());
-    constexpr int brightest = 140;
-    static constexpr char digits[] = "0123456789abcdef";
-    std::string ink = "#";
-    for (int channel : rgb) {
-        const int dark = *highest > *lowest ? (channel - *lowest) * brightest / (*highest - *lowest) : 0;
-        ink += {digits[dark / 16], digits[dark % 16]};
-    }
-    return ink;
-}
-
 Box2 box_of(const Inspection& inspection, const std::vector<Mark>& marks) {
-    Box2 box;
-    for (const ScenePart& part : inspection.scene.parts) box.extend(bounding_box(part.part));
+    Box2 box = box_of_parts(inspection.scene);
     for (const geometry::Curve& curve : inspection.loose) box.extend(bounding_box(curve));
     for (const Mark& mark : marks) box.extend(mark.at);
-    if (box.empty() || box.diagonal() == 0) {
-        const Vec2 middle = box.empty() ? Vec2(0, 0) : box.center();
-        box.extend(Vec2(middle - Vec2(1, 1)));
-        box.extend(Vec2(middle + Vec2(1, 1)));
-    }
     return box;
-}
-
-// ---- scale ----
-
-std::string x_axis(const View& view, const std::string& unit) {
-    const double y = view(view.box.min).y() + axis_distance, right = view(view.box.max).x();
-    std::string svg = line_element({view(view.box.min).x(), y}, {right, y}, "axis");
-    for (double tick : nice_ticks(view.box.min.x(), view.box.max.x(), 10)) {
-        if (tick < view.box.min.x() || tick > view.box.max.x()) continue;
-        const double x = view({tick, 0}).x();
-        svg += line_element({x, y}, {x, y + 6}, "axis") + text_element({x, y + 20}, "tick", "middle", number_text(tick, 6));
-    }
-    return svg + text_element({right, y + 36}, "tick", "end", unit.empty() ? "x" : "x [" + unit + "]");
-}
-
-std::string y_axis(const View& view, const std::string& unit) {
-    const double x = view(view.box.min).x() - axis_distance, top = view(view.box.max).y(), bottom = view(view.box.min).y();
-    std::string svg = line_element({x, bottom}, {x, top}, "axis");
-    const int n = std::max(2, static_cast<int>((bottom - top) / 70));
-    for (double tick : nice_ticks(view.box.min.y(), view.box.max.y(), n)) {
-        if (tick < view.box.min.y() || tick > view.box.max.y()) continue;
-        const double y = view({0, tick}).y();
-        svg += line_element({x - 6, y}, {x, y}, "axis") + text_element({x - 9, y + 4}, "tick", "end", number_text(tick, 6));
-    }
-    return svg + text_element({x, top - 12}, "tick", "middle", unit.empty() ? "y" : "y [" + unit + "]");
 }
 
 // ---- parts ----
@@ -104,10 +45,9 @@ std::string y_axis(const View& view, const std::string& unit) {
 std::string part_shapes(const Inspection& inspection, const View& view) {
     std::string svg;
     for (std::size_t i = 0; i < inspection.scene.parts.size(); ++i)
-        svg += "<path d=\"" + path_data(inspection.scene.parts[i].part, view) + "\" class=\"part\" fill=\"" +
-               part_color(static_cast<int>(i)) + "\"/>\n";
-    for (const geometry::Curve& curve : inspection.loose)
-        svg += "<path d=\"" + path_data(curve, 0, 1, view) + "\" class=\"loose\"/>\n";
+        svg += path_element(path_data(inspection.scene.parts[i].part, view), "part",
+                            " fill=\"" + part_color(static_cast<int>(i)) + "\"");
+    for (const geometry::Curve& curve : inspection.loose) svg += path_element(path_data(curve, 0, 1, view), "loose");
     return svg;
 }
 
@@ -154,7 +94,28 @@ std::string part_names(const Inspection& inspection, const View& view, LabelPlac
     return svg;
 }
 
-// ---- names of edges ----
+// ---- edges: direction, names ----
+
+/// A head on the edge, pointing the way the edge runs: the material is on its left. Not in the middle, where symmetric parts
+/// touch.
+std::string direction_head(const geometry::Curve& curve, const View& view) {
+    const double t = parameter_at_length(curve, length(curve) / 3);
+    const Vec2 tangent = unit_tangent(curve, t), along(tangent.x(), -tangent.y());
+    const Vec2 across = 0.5 * arrow_width * geometry::left_of(along), middle = view(point(curve, t));
+    const Vec2 tip = middle + 0.5 * arrow_length * along, tail = middle - 0.5 * arrow_length * along;
+    std::string data = "M";
+    for (const Vec2& p : {tip, Vec2(tail + across), Vec2(tail - across)})
+        data += (data.size() > 1 ? "L" : "") + coordinate_text(p.x()) + " " + coordinate_text(p.y());
+    return path_element(data + "Z", "way");
+}
+
+std::string edge_directions(const Inspection& inspection, const View& view) {
+    std::string svg;
+    for (const ScenePart& part : inspection.scene.parts)
+        for (const geometry::Edge& edge : part.part.edges)
+            if (length(edge.curve) * view.scale > 2 * arrow_length) svg += direction_head(edge.curve, view);
+    return svg;
+}
 
 struct EdgeLabel {
     const geometry::Edge* edge;
@@ -211,9 +172,7 @@ std::vector<Mark> marks_of(const Inspection& inspection) {
     std::vector<Mark> marks;
     for (const geometry::SketchProblem& p : inspection.problems)
         marks.push_back({p.at, p.what + (p.line > 0 ? " (line " + std::to_string(p.line) + ")" : ""), true});
-    std::vector<geometry::Repair> repairs;
-    for (const ImportRecord& record : inspection.imports)
-        repairs.insert(repairs.end(), record.repairs.begin(), record.repairs.end());
+    std::vector<geometry::Repair> repairs = all_repairs(inspection);
     std::stable_sort(repairs.begin(), repairs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
     for (const geometry::Repair& r : repairs) marks.push_back({r.at, r.what + ", " + number_text(r.size, 3), false});
     return marks;
@@ -284,38 +243,28 @@ std::string legend(const std::vector<LegendLine>& lines, double top) {
     std::string svg;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double y = top + legend_step * static_cast<double>(i);
-        if (lines[i].number > 0) svg += number_disc({margin - axis_distance, y - 4}, lines[i].number, lines[i].is_problem);
-        svg += text_element({margin - axis_distance + 16, y}, "legend", "start", lines[i].text);
+        if (lines[i].number > 0) svg += number_disc({page_margin - axis_distance, y - 4}, lines[i].number, lines[i].is_problem);
+        svg += text_element({page_margin - axis_distance + 16, y}, "legend", "start", lines[i].text);
     }
     return svg;
 }
 
 std::string style() {
-    return "<style>text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif}"
-           ".part{stroke:#222;stroke-width:1.2;fill-opacity:.55;fill-rule:evenodd}.loose{fill:none;stroke:#b00020;stroke-width:"
+    return ".part{stroke:#222;stroke-width:1.2;fill-opacity:.55;fill-rule:evenodd}.loose{fill:none;stroke:#b00020;stroke-width:"
            "1.5;stroke-dasharray:5 3}"
-           ".axis{stroke:#666;stroke-width:1}.tick{font-size:11px;fill:#444}.title{font-size:14px;fill:#222}"
            ".name{font-size:" +
            coordinate_text(name_size) + "px;font-weight:bold}.edge{font-size:" + coordinate_text(edge_size) +
-           "px}"
-           ".legend{font-size:" +
-           coordinate_text(legend_size) +
-           "px;fill:#222}.number{font-size:10px;font-weight:bold;fill:#fff}"
-           ".leader{stroke:#000;stroke-width:.8}.problem{fill:#b00020}.repair{fill:#9a6700}</style>\n";
-}
-
-std::string opening(double height) {
-    const std::string w = coordinate_text(width), h = coordinate_text(height);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-           "\">\n" + style() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+           "px}.way{fill:#222}.number{font-size:10px;font-weight:bold;fill:#fff}"
+           ".leader{stroke:#000;stroke-width:.8}.problem{fill:#b00020}.repair{fill:#9a6700}";
 }
 
 }  // namespace
 
 std::string inspection_svg(const Inspection& inspection) {
     const std::vector<Mark> all = marks_of(inspection), some = shown(all);
-    const View view = fit_view(box_of(inspection, all), width, max_height, margin);
-    LabelPlacement labels({Vec2(margin - axis_distance + 4, 30), Vec2(width - 4, view(view.box.min).y() + axis_distance - 4)});
+    const View view = page_view(box_of(inspection, all));
+    const double left = page_margin - axis_distance, bottom = view(view.box.min).y() + axis_distance;
+    LabelPlacement labels({Vec2(left + 4, 30), Vec2(page_width - 4, bottom - 4)});
     for (const ScenePart& part : inspection.scene.parts)
         for (const geometry::Edge& edge : part.part.edges) labels.add_line(edge.curve, view);
     for (const geometry::Curve& curve : inspection.loose) labels.add_line(curve, view);
@@ -323,9 +272,8 @@ std::string inspection_svg(const Inspection& inspection) {
     const std::vector<LegendLine> lines = legend_lines(all, some);
     const double legend_top = view.height + 14;
     const double height = lines.empty() ? view.height : legend_top + legend_step * static_cast<double>(lines.size());
-    std::string svg = opening(height) + text_element({margin - axis_distance, 20}, "title", "start",
-                                                     std::filesystem::path(inspection.file).filename().string());
-    svg += x_axis(view, inspection.unit) + y_axis(view, inspection.unit) + part_shapes(inspection, view);
+    std::string svg = page_opening(height, std::filesystem::path(inspection.file).filename().string(), style()) +
+                      page_axes(view, inspection.unit) + part_shapes(inspection, view) + edge_directions(inspection, view);
     // What is placed first finds room first.
     const std::string names = part_names(inspection, view, labels), marks = mark_elements(some, view, labels);
     return svg + edge_names(inspection, view, labels) + names + marks + legend(lines, legend_top) + "</svg>\n";

@@ -79,9 +79,8 @@ std::string ignored_lines(const ImportRecord& record) {
     return text.empty() ? text : "ignored\n" + text;
 }
 
-std::string repair_lines(const ImportRecord& record) {
-    if (record.repairs.empty()) return {};
-    std::vector<geometry::Repair> repairs = record.repairs;
+std::string repair_lines(std::vector<geometry::Repair> repairs) {
+    if (repairs.empty()) return {};
     std::stable_sort(repairs.begin(), repairs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
     const std::size_t n = std::min(repairs.size(), n_repairs_listed);
     std::string text = "repairs (" + std::to_string(repairs.size()) + (n < repairs.size() ? ", the largest" : "") + ")\n";
@@ -106,8 +105,10 @@ std::string inspection_table(const Inspection& inspection) {
     for (const ImportRecord& record : inspection.imports) {
         text += "\n";
         if (record.file != inspection.file) text += record.file + ": " + record.format + "\n";
-        text += entity_rows(record) + ignored_lines(record) + repair_lines(record);
+        text += entity_rows(record) + ignored_lines(record) + repair_lines(record.repairs);
     }
+    const std::string own = repair_lines(geometry_repairs(inspection.scene));
+    if (!own.empty()) text += "\n" + own;
     return text + problem_lines(inspection);
 }
 

@@ -10,7 +10,7 @@ namespace abut {
 
 namespace {
 
-/// What the assembly says about one layer, or about one part of a layer that holds several.
+/// What the assembly says about one layer (block, colour), or about one of the parts there.
 struct PartRule {
     const JsonValue* at = nullptr;
     bool ignore = false;
@@ -63,11 +63,12 @@ struct PartPlan {
 
 PartPlan plan_part(const PartRules& rules, const std::string& part, const std::string& layer, const JsonValue& assembly) {
     PartPlan plan{part, false, {}, {}, &assembly};
-    const std::string piece = part.substr(layer.size());  // "" or "#2": a layer's new name keeps the number of the piece
+    // "" or "#2": a layer's new name keeps the number of the piece. An instance's part stands for itself: "PIN#1:PIN".
+    const std::string piece = part.starts_with(layer) ? part.substr(layer.size()) : "";
     if (const PartRule* rule = find_rule(rules, layer)) {
         plan = {rule->name ? *rule->name + piece : part, rule->ignore, rule->material, rule->thickness, rule->at};
     }
-    const PartRule* own = piece.empty() ? nullptr : find_rule(rules, part);
+    const PartRule* own = part == layer ? nullptr : find_rule(rules, part);
     if (!own) return plan;
     plan.ignore = own->ignore;
     if (own->name) plan.name = *own->name;
@@ -101,20 +102,19 @@ int default_material(SceneReading& reading, const JsonValue& assembly, const std
 
 void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& assembly, double thickness, Scene& scene) {
     const std::size_t before = reading.problems.size();
-    const bool is_object = check_object(reading, assembly, {{"file", "parts_by", "tolerance", "material", "parts"}, {}});
+    const bool is_object =
+        check_object(reading, assembly, {{"file", "parts_by", "tolerance", "section", "material", "parts"}, {}});
     const JsonValue* file = is_object ? required(reading, assembly, "file") : nullptr;
-    const JsonValue* parts_by = find_member(assembly, "parts_by");
-    if (parts_by) read_word(reading, *parts_by, {{"layer"}, {"block", "loop", "node", "component"}});
-    const double tolerance = member_or(reading, assembly, "tolerance", 0.0, read_positive);
+    const ImportOptions options = is_object ? read_import_options(reading, assembly) : ImportOptions{};
     const int material = default_material(reading, assembly, scene.materials);
     const PartRules rules = read_rules(reading, assembly, scene.materials);
 
-    const ImportedDrawing* import = file ? import_drawing(reading, imports, *file) : nullptr;
-    const auto wanted = [&](const std::string& layer) {
-        const PartRule* rule = find_rule(rules, layer);
+    const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;
+    const auto wanted = [&](const geometry::SketchEntity& entity) {
+        const PartRule* rule = find_rule(rules, entity.layer);
         return !rule || !rule->ignore;
     };
-    auto sketch = import ? import_parts(reading, imports, *import, *file, tolerance, wanted) : std::nullopt;
+    auto sketch = import ? import_parts(reading, imports, *import, *file, options, wanted) : std::nullopt;
     if (!sketch) {
         reading.all_parts_named = false;
         return;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "src/read_general_edges.hpp"
 #include "src/read_loops.hpp"
 
 namespace abut {
@@ -29,6 +30,26 @@ std::optional<Shape> read_circle(SceneReading& reading, Imports&, const JsonValu
     const auto radius = required_member(reading, value, "radius", read_positive);
     if (!center || !radius) return std::nullopt;
     return geometry::Circle{*center, *radius};
+}
+
+std::optional<Shape> read_ellipse(SceneReading& reading, Imports&, const JsonValue& value) {
+    if (!check_object(reading, value, {{"center", "radii", "angle"}, {}})) return std::nullopt;
+    const auto center = required_member(reading, value, "center", read_vector),
+               radii = required_member(reading, value, "radii", read_radii);
+    const double angle = member_or(reading, value, "angle", 0.0, read_number);
+    if (!center || !radii) return std::nullopt;
+    return geometry::Ellipse{*center, *radii, angle};
+}
+
+std::optional<Shape> read_slot(SceneReading& reading, Imports&, const JsonValue& value) {
+    if (!check_object(reading, value, {{"from", "to", "radius"}, {}})) return std::nullopt;
+    const auto from = required_member(reading, value, "from", read_vector),
+               to = required_member(reading, value, "to", read_vector);
+    const auto radius = required_member(reading, value, "radius", read_positive);
+    if (!from || !to || !radius) return std::nullopt;
+    if (*from != *to) return geometry::Slot{*from, *to, *radius};
+    report(reading, value, "the slot begins where it ends", "move 'from' or 'to', or write a 'circle'");
+    return std::nullopt;
 }
 
 std::optional<Shape> read_polygon(SceneReading& reading, Imports&, const JsonValue& value) {
@@ -85,6 +106,12 @@ std::optional<Shape> read_dxf_node(SceneReading& reading, Imports& imports, cons
     return geometry::Imported{std::move(*part)};
 }
 
+std::optional<Shape> read_mesh_node(SceneReading& reading, Imports& imports, const JsonValue& value) {
+    auto part = import_body(reading, imports, value);
+    if (!part) return std::nullopt;
+    return geometry::Imported{std::move(*part)};
+}
+
 struct NodeKind {
     const char* key;
     Reader read;
@@ -92,6 +119,8 @@ struct NodeKind {
 constexpr NodeKind node_kinds[] = {
     {"rectangle", read_rectangle},
     {"circle", read_circle},
+    {"ellipse", read_ellipse},
+    {"slot", read_slot},
     {"polygon", read_polygon},
     {"half_plane", read_half_plane},
     {"union", read_operation<geometry::Union>},
@@ -100,7 +129,14 @@ constexpr NodeKind node_kinds[] = {
     {"place", read_placed},
     {"loops", read_loops_node},
     {"dxf", read_dxf_node},
+    {"mesh", read_mesh_node},
 };
+
+std::optional<geometry::Mirror> read_mirror(SceneReading& reading, const JsonValue& value) {
+    const auto axis = read_word(reading, value, {{"x", "y"}, {}});
+    if (!axis) return std::nullopt;
+    return *axis == "x" ? geometry::Mirror::x : geometry::Mirror::y;
+}
 
 std::vector<std::string> node_keys() {
     std::vector<std::string> keys;
@@ -111,7 +147,7 @@ std::vector<std::string> node_keys() {
 }  // namespace
 
 const Words& place_keys() {
-    static const Words keys{{"rotate", "translate", "about"}, {"scale", "mirror"}};
+    static const Words keys{{"scale", "mirror", "rotate", "translate", "about"}, {}};
     return keys;
 }
 
@@ -119,6 +155,8 @@ std::optional<CsgNode> read_place(SceneReading& reading, const JsonValue& place,
     const std::size_t before = reading.problems.size();
     geometry::Placed placed;
     placed.of.push_back(std::move(child));
+    placed.scale = member_or(reading, place, "scale", 1.0, read_positive);
+    placed.mirror = member_or(reading, place, "mirror", geometry::Mirror::none, read_mirror);
     placed.rotate = member_or(reading, place, "rotate", 0.0, read_number);
     placed.translate = member_or(reading, place, "translate", Vec2(0, 0), read_vector);
     placed.about = member_or(reading, place, "about", Vec2(0, 0), read_vector);
@@ -128,7 +166,7 @@ std::optional<CsgNode> read_place(SceneReading& reading, const JsonValue& place,
 
 std::optional<CsgNode> read_geometry(SceneReading& reading, Imports& imports, const JsonValue& node) {
     static const std::vector<std::string> keys = node_keys();
-    Words words{keys, {"ellipse", "slot", "mesh"}};
+    Words words{keys, {}};
     words.known.emplace_back("name");
     const std::size_t before = reading.problems.size();
     if (!check_object(reading, node, words)) return std::nullopt;

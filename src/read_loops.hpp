@@ -9,7 +9,8 @@
 
 namespace abut {
 
-/// Edges in the file's own direction and order, named `e0`, `e1`, ... over all loops where they have no name of their own.
+/// Edges in the file's own direction and order, named `e0`, `e1`, ... over all loops where they have no name of their own. A
+/// NURBS that falls into several smooth pieces becomes as many edges, `e3#0`, `e3#1`, ...
 /// Nothing where an edge is wrong (reported). Whether the edges meet is for geometry::evaluate to say.
 std::optional<geometry::Loops> read_loops(SceneReading& reading, const JsonValue& value);
 

@@ -35,12 +35,23 @@ void report_geometry_problem(SceneReading& reading, const JsonValue& part, const
     report(reading, at ? *at : part, what.str(), problem.hint);
 }
 
-/// The part that the tree bounds; nothing where it bounds none (reported).
-std::optional<geometry::Part> evaluated(SceneReading& reading, const JsonValue& part, const geometry::CsgNode& tree) {
+/// What the tree bounds; nothing where it bounds no part (reported).
+std::optional<geometry::CsgResult> evaluated(SceneReading& reading, const JsonValue& part, const geometry::CsgNode& tree) {
     geometry::CsgResult result = geometry::evaluate(tree);
     for (const geometry::GeometryProblem& problem : result.problems) report_geometry_problem(reading, part, problem);
     if (!result.problems.empty()) return std::nullopt;
-    return std::move(result.part);
+    return result;
+}
+
+/// In one line, however many there are: an analysis is to say that it solved something else than was drawn.
+std::string repairs_warning(const std::string& part, const std::vector<geometry::Repair>& repairs) {
+    const auto largest = std::max_element(repairs.begin(), repairs.end(),
+                                          [](const geometry::Repair& a, const geometry::Repair& b) { return a.size < b.size; });
+    std::ostringstream text;
+    text << "part " << part << ": " << largest->what << " (size " << largest->size << ") near (" << largest->at.x() << ", "
+         << largest->at.y() << ")";
+    if (repairs.size() > 1) text << " and " << repairs.size() - 1 << " smaller " << (repairs.size() > 2 ? "repairs" : "repair");
+    return text.str();
 }
 
 void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, double thickness, Scene& scene) {
@@ -58,10 +69,12 @@ void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, 
     const auto material = material_name ? read_material_name(reading, *material_name, scene.materials) : std::nullopt;
     thickness = member_or(reading, value, "thickness", thickness, read_positive);
     const std::optional<geometry::CsgNode> tree = read_tree(reading, imports, value);
-    std::optional<geometry::Part> part = tree ? evaluated(reading, value, *tree) : std::nullopt;
-    if (!name || !part) return;
-    part->name = *name;
-    scene.parts.push_back({*name, std::move(*part), material.value_or(-1), thickness, value.pointer});
+    std::optional<geometry::CsgResult> result = tree ? evaluated(reading, value, *tree) : std::nullopt;
+    if (!name || !result) return;
+    result->part.name = *name;
+    if (!result->repairs.empty()) scene.warnings.push_back(repairs_warning(*name, result->repairs));
+    scene.parts.push_back(
+        {*name, std::move(result->part), material.value_or(-1), thickness, value.pointer, std::move(result->repairs)});
 }
 
 }  // namespace

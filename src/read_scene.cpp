@@ -97,13 +97,10 @@ void check_gravity(SceneReading& reading, const Scene& scene) {
     throw InputError(std::move(problems));
 }
 
-}  // namespace
-
-Scene read_scene(const std::string& path) {
-    JsonDocument document = read_json(path);
-    SceneReading reading{path, std::move(document.root), {}, std::move(document.problems), {}, true};
+Scene scene_of(JsonDocument document) {
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true};
     Scene scene;
-    scene.file = path;
+    scene.file = document.file;
     const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
                       "assembly", "supports", "loads", "contacts", "accuracy", "output"},
                      {}};
@@ -121,6 +118,16 @@ Scene read_scene(const std::string& path) {
     check_gravity(reading, scene);
     if (!reading.problems.empty()) throw_problems(std::move(reading.problems));
     return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+    return scene_of(read_json(path));
+}
+
+Scene read_scene_text(const std::string& text, const std::string& file) {
+    return scene_of(parse_json(text, file));
 }
 
 }  // namespace abut

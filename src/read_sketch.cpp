@@ -6,11 +6,14 @@
 
 namespace abut {
 
-SketchReading read_sketch(const std::string& path, double tolerance, const std::string& units) {
+SketchReading read_sketch(const std::string& path, const ImportOptions& options) {
     SketchReading reading;
-    reading.drawing = geometry::read_dxf(path);
-    if (!units.empty()) reading.drawing.unit = units;
-    reading.sketch = geometry::parts_by_layer(reading.drawing, {tolerance});
+    reading.drawing = read_drawing(path, options);
+    geometry::SketchOptions sketch_options;
+    sketch_options.tolerance = options.tolerance;
+    sketch_options.parts_by = options.parts_by;
+    sketch_options.recognise_arcs = !geometry::is_mesh_file(path);  // the section has done that
+    reading.sketch = geometry::parts_of(reading.drawing, sketch_options);
     reading.scene.file = path;
     reading.scene.length_unit = reading.drawing.unit;
     for (const geometry::Part& part : reading.sketch.parts) reading.scene.parts.push_back({part.name, part, -1, 1, ""});

@@ -12,6 +12,7 @@
 #include "geometry/input_error.hpp"
 #include "geometry/sketch.hpp"
 #include "src/expression.hpp"
+#include "src/read_drawing.hpp"
 
 namespace abut {
 
@@ -34,7 +35,8 @@ struct ScenePart {
     geometry::Part part;  ///< in assembly coordinates and the scene's length unit, named
     int material = -1;    ///< index into Scene::materials
     double thickness = 1;
-    std::string where;  ///< JSON pointer
+    std::string where;                        ///< JSON pointer
+    std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports
 };
 
 /// One item of an "on": exactly one of the four ways is set.
@@ -147,14 +149,15 @@ struct Scene {
 /// Reads and checks a scene; evaluates its geometry and imports. Throws InputError with every problem found, each with the
 /// file, the line and the JSON pointer.
 Scene read_scene(const std::string& path);
+/// The same of a scene's text; `file` is its name in messages, and the files that it imports are relative to that one's folder.
+Scene read_scene_text(const std::string& text, const std::string& file);
 
-/// A scene's equivalent of a bare drawing: parts by layer, no loads (for `contacts` and `inspect`).
+/// A scene's equivalent of a bare drawing or mesh: its parts, no loads (for `contacts`, `inspect` and `init`).
 struct SketchReading {
     Scene scene;
     geometry::Drawing drawing;
     geometry::SketchParts sketch;
 };
-/// tolerance 0: the default. units: overrides or supplies the file's unit, may be empty.
-SketchReading read_sketch(const std::string& path, double tolerance, const std::string& units);
+SketchReading read_sketch(const std::string& path, const ImportOptions& options);
 
 }  // namespace abut

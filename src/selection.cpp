@@ -18,7 +18,6 @@ namespace {
 using geometry::Arc;
 using geometry::Curve;
 using geometry::Part;
-using geometry::Segment;
 
 /// Portions of one curve, as pairs t0 < t1.
 using Intervals = std::vector<std::pair<double, double>>;
@@ -56,41 +55,22 @@ std::string_view without_piece_number(std::string_view name) {
 }
 
 bool names_edge(const std::string& pattern, const ScenePart& part, const geometry::Edge& edge) {
-    const std::string full = part.name + "/" + edge.name;
-    if (matches(pattern, full)) return true;
-    const std::string whole = part.name + "/" + std::string(without_piece_number(edge.name));
-    return whole != full && matches(pattern, whole);
+    if (matches(pattern, part.name + "/" + edge.name)) return true;
+    // A spline's piece that a Boolean cut again has two numbers: "cam#1#0" is of "cam#1" and of "cam".
+    for (std::string_view name = edge.name, whole = without_piece_number(name); whole != name;
+         name = whole, whole = without_piece_number(name))
+        if (matches(pattern, part.name + "/" + std::string(whole))) return true;
+    return false;
 }
 
 // --- box
-
-void add_crossing(std::vector<double>& parameters, double t) {
-    if (t > 0 && t < 1) parameters.push_back(t);
-}
-
-/// Parameters where coordinate `axis` of the curve equals c.
-void add_crossings(std::vector<double>& parameters, const Segment& s, int axis, double c) {
-    const double step = s.to[axis] - s.from[axis];
-    if (step != 0) add_crossing(parameters, (c - s.from[axis]) / step);
-}
-
-void add_crossings(std::vector<double>& parameters, const Arc& arc, int axis, double c) {
-    const double ratio = (c - arc.center[axis]) / arc.radius;
-    if (std::abs(ratio) > 1) return;
-    // x = cx + r cos(a) has the solutions +-acos(ratio); y = cy + r cos(a - pi/2) has the same, a quarter turn on.
-    const double turn = axis == 0 ? 0 : std::numbers::pi / 2;
-    for (const double angle : {turn + std::acos(ratio), turn - std::acos(ratio)}) {
-        const double along = arc.sweep > 0 ? angle - arc.start : arc.start - angle;
-        add_crossing(parameters, (along - two_pi * std::floor(along / two_pi)) / std::abs(arc.sweep));
-    }
-}
 
 bool inside(const Vec2& p, const std::array<Vec2, 2>& box, double margin) {
     return p.x() >= box[0].x() - margin && p.x() <= box[1].x() + margin && p.y() >= box[0].y() - margin &&
            p.y() <= box[1].y() + margin;
 }
 
-/// Keeps the parameters that lie farther than margin (arc length) from the one before and from the ends 0 and 1.
+/// 0, the parameters that lie farther than margin (arc length) from the one before and from both ends, and 1; ascending.
 std::vector<double> well_apart(const Curve& curve, std::vector<double> parameters, double margin) {
     std::sort(parameters.begin(), parameters.end());
     std::vector<double> result{0};
@@ -105,12 +85,11 @@ std::vector<double> well_apart(const Curve& curve, std::vector<double> parameter
 /// Between two neighbouring crossings a curve is either inside or outside: its middle decides. The margin takes edges that lie
 /// on a side of the box, and keeps mere touches from cutting an edge.
 Intervals inside_box(const Curve& curve, const std::array<Vec2, 2>& box, double margin) {
-    std::vector<double> crossings;
-    for (const Vec2& corner : box) {
+    std::vector<double> cuts;
+    for (const Vec2& corner : box)
         for (const int axis : {0, 1})
-            std::visit([&](const auto& c) { add_crossings(crossings, c, axis, corner[axis]); }, curve);
-    }
-    const std::vector<double> parameters = well_apart(curve, std::move(crossings), margin);
+            for (const double t : geometry::crossings(curve, axis, corner[axis])) cuts.push_back(t);
+    const std::vector<double> parameters = well_apart(curve, std::move(cuts), margin);
     Intervals result;
     for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
         const double t0 = parameters[i], t1 = parameters[i + 1];
@@ -125,26 +104,44 @@ double angle_of(const Vec2& v) {
     return std::atan2(v.y(), v.x());
 }
 
-Intervals facing(const Curve& curve, const Vec2& direction, double within) {
-    const double middle = angle_of(direction);
-    if (const auto* arc = std::get_if<Arc>(&curve)) {
-        // The outward normal of an arc turns evenly with t: from `first` by `sweep`; radially outward on arcs that turn left.
-        const double first = arc->start + (arc->sweep > 0 ? 0 : std::numbers::pi);
-        const double low = std::min(first, first + arc->sweep), high = std::max(first, first + arc->sweep);
-        Intervals result;
-        if (within >= std::numbers::pi) return {{0, 1}};
-        for (double turn = std::floor((low - middle - within) / two_pi); middle - within + turn * two_pi < high; ++turn) {
-            const double a = std::max(low, middle - within + turn * two_pi),
-                         b = std::min(high, middle + within + turn * two_pi);
-            if (a >= b) continue;
-            const double t0 = std::clamp((a - first) / arc->sweep, 0.0, 1.0),
-                         t1 = std::clamp((b - first) / arc->sweep, 0.0, 1.0);
-            result.emplace_back(std::min(t0, t1), std::max(t0, t1));
-        }
-        return result;
+/// The outward normal of an arc turns evenly with t: from `first` by the sweep; radially outward on arcs that turn left.
+Intervals arc_facing(const Arc& arc, double middle, double within) {
+    const double first = arc.start + (arc.sweep > 0 ? 0 : std::numbers::pi);
+    const double low = std::min(first, first + arc.sweep), high = std::max(first, first + arc.sweep);
+    Intervals result;
+    for (double turn = std::floor((low - middle - within) / two_pi); middle - within + turn * two_pi < high; ++turn) {
+        const double a = std::max(low, middle - within + turn * two_pi), b = std::min(high, middle + within + turn * two_pi);
+        if (a >= b) continue;
+        const double t0 = std::clamp((a - first) / arc.sweep, 0.0, 1.0), t1 = std::clamp((b - first) / arc.sweep, 0.0, 1.0);
+        result.emplace_back(std::min(t0, t1), std::max(t0, t1));
     }
-    const double off = std::remainder(angle_of(geometry::outward_normal(curve, 0.5)) - middle, two_pi);
-    return std::abs(off) <= within + angle_rounding ? Intervals{{0, 1}} : Intervals{};
+    return result;
+}
+
+/// 0, every parameter where the normal is at a limit of the angle, and 1. With the limit turned into an axis, those are among
+/// the places where the tangent is parallel to an axis.
+std::vector<double> limit_parameters(const Curve& curve, double middle, double within) {
+    std::vector<double> parameters{0, 1};
+    for (const double limit : {middle - within, middle + within})
+        for (const double t : axis_extrema(transformed(curve, std::cos(limit), -std::sin(limit), Vec2(0, 0))))
+            parameters.push_back(t);
+    std::sort(parameters.begin(), parameters.end());
+    return parameters;
+}
+
+Intervals facing(const Curve& curve, const Vec2& direction, double within) {
+    if (within >= std::numbers::pi) return {{0, 1}};
+    const double middle = angle_of(direction);
+    if (const auto* arc = std::get_if<Arc>(&curve)) return arc_facing(*arc, middle, within);
+    const std::vector<double> parameters = limit_parameters(curve, middle, within);
+    Intervals result;
+    for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
+        const double t0 = parameters[i], t1 = parameters[i + 1];
+        if (t0 == t1) continue;
+        const double off = std::remainder(angle_of(geometry::outward_normal(curve, 0.5 * (t0 + t1))) - middle, two_pi);
+        if (std::abs(off) <= within + angle_rounding) result.emplace_back(t0, t1);
+    }
+    return result;
 }
 
 // --- one selector

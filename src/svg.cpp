@@ -6,31 +6,57 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "geometry/arc_spline.hpp"
 
 namespace abut {
 
 namespace {
 
-constexpr int coordinate_decimals = 2;  ///< a hundredth of a pixel: finer than any screen or printer shows
+constexpr int coordinate_decimals = 2;    ///< a hundredth of a pixel: finer than any screen or printer shows
+constexpr double drawn_deviation = 0.05;  ///< pixels between a spline and the arcs that it is drawn as
 
 std::string text_of(const Vec2& p) {
     return coordinate_text(p.x()) + " " + coordinate_text(p.y());
 }
 
-/// Continues a path along the curve. Arcs run in pieces below a half turn: the large-arc flag is then always 0, and a full
-/// circle, whose ends coincide, is drawn at all.
+/// Radii and rotation of an SVG "A" command. Arcs run in pieces below a half turn: the large-arc flag is then always 0, and a
+/// full circle, whose ends coincide, is drawn at all.
+struct ArcCommand {
+    double rx, ry;
+    double rotation;  ///< degrees, SVG's sense: clockwise as seen
+    double sweep;     ///< counter-clockwise in the model
+};
+
+std::optional<ArcCommand> arc_command(const geometry::Curve& curve) {
+    if (const auto* arc = std::get_if<geometry::Arc>(&curve)) return ArcCommand{arc->radius, arc->radius, 0, arc->sweep};
+    const auto* arc = std::get_if<geometry::EllipticArc>(&curve);
+    if (!arc) return std::nullopt;
+    const double rotation = -std::atan2(arc->a.y(), arc->a.x()) * 180 / std::numbers::pi;
+    // On a mirrored ellipse growing eccentric angles run clockwise.
+    return ArcCommand{arc->a.norm(), arc->b.norm(), rotation, geometry::cross(arc->a, arc->b) > 0 ? arc->sweep : -arc->sweep};
+}
+
+void append_arc(std::string& path, const geometry::Curve& curve, const ArcCommand& arc, double t0, double t1,
+                const View& view) {
+    const int n = 1 + static_cast<int>(std::abs(arc.sweep) * (t1 - t0) / (0.75 * std::numbers::pi));
+    const std::string radii =
+        coordinate_text(arc.rx * view.scale) + " " + coordinate_text(arc.ry * view.scale) + " " + coordinate_text(arc.rotation);
+    const char* direction = arc.sweep > 0 ? " 0 0 " : " 0 1 ";  // y is turned down: counter-clockwise is SVG's negative sweep
+    for (int i = 1; i <= n; ++i)
+        path += "A" + radii + direction + text_of(view(geometry::point(curve, t0 + (t1 - t0) * i / n)));
+}
+
+/// Continues a path along the curve.
 void append_curve(std::string& path, const geometry::Curve& curve, double t0, double t1, const View& view) {
-    const auto* arc = std::get_if<geometry::Arc>(&curve);
-    if (!arc) {
+    if (std::holds_alternative<geometry::Segment>(curve)) {
         path += "L" + text_of(view(geometry::point(curve, t1)));
         return;
     }
-    const double sweep = arc->sweep * (t1 - t0);
-    const int n = 1 + static_cast<int>(std::abs(sweep) / (0.75 * std::numbers::pi));
-    const std::string radius = coordinate_text(arc->radius * view.scale);
-    const char* direction = sweep > 0 ? " 0 0 0 " : " 0 0 1 ";  // y is turned down: counter-clockwise is SVG's negative sweep
-    for (int i = 1; i <= n; ++i)
-        path += "A" + radius + " " + radius + direction + text_of(view(geometry::point(curve, t0 + (t1 - t0) * i / n)));
+    if (const auto arc = arc_command(curve)) return append_arc(path, curve, *arc, t0, t1, view);
+    for (const geometry::ArcPiece& piece : geometry::arc_spline(trimmed(curve, t0, t1), drawn_deviation / view.scale))
+        append_curve(path, piece.curve, 0, 1, view);
 }
 
 std::string hex(const std::array<double, 3>& rgb) {

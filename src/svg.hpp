@@ -22,7 +22,8 @@ struct View {
 /// Fits box into width x max_height with the margin (pixels) on all sides; the height follows the model.
 View fit_view(const Box2& box, double width, double max_height, double margin);
 
-/// "M ... A ... Z" path data of all loops of a part (fill-rule evenodd); arcs stay arcs.
+/// "M ... A ... Z" path data of all loops of a part (fill-rule evenodd); arcs stay arcs, also of ellipses; splines are drawn as
+/// arcs within a twentieth of a pixel.
 std::string path_data(const geometry::Part& part, const View& view);
 /// Path data of a portion of one curve, not closed.
 std::string path_data(const geometry::Curve& curve, double t0, double t1, const View& view);

@@ -138,11 +138,11 @@ test_two_first_runs_at_once() {
 
 test_missing_packages_are_installed() {
     make_copy
-    printf '%s\n' libdxflib-dev libopenblas-serial-dev libgmp-dev libgtest-dev >"$work/missing"
+    printf '%s\n' libassimp-dev libopenblas-serial-dev libgmp-dev libgtest-dev >"$work/missing"
     run 0 x
-    expect 'it says what it installs' says stderr 'installing libdxflib-dev libgmp-dev'
+    expect 'it says what it installs' says stderr 'installing libassimp-dev libgmp-dev'
     expect 'one line' is_one_line
-    expect 'no package of the tests, no second BLAS' bash -c "grep -q ' install .* libdxflib-dev libgmp-dev\$' '$work/asked'"
+    expect 'no package of the tests, no second BLAS' bash -c "grep -q ' install .* libassimp-dev libgmp-dev\$' '$work/asked'"
     expect 'no recommended packages' grep -q -- --no-install-recommends "$work/asked"
 }
 

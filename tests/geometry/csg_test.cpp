@@ -1,91 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/csg.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tests/geometry/csg_nodes.hpp"
+
 namespace {
-
 using namespace abut::geometry;
-constexpr double pi = std::numbers::pi;
-
-template <class Shape>
-CsgNode node(Shape shape, std::string name = "") {
-    return {std::move(shape), std::move(name), "/geometry"};
-}
-CsgNode rectangle(double x0, double y0, double x1, double y1, std::string name = "") {
-    return node(Rectangle{{x0, y0}, {x1, y1}}, std::move(name));
-}
-CsgNode circle(double x, double y, double r, std::string name = "") {
-    return node(Circle{{x, y}, r}, std::move(name));
-}
-CsgNode half_plane(double x, double y, double nx, double ny) {
-    return node(HalfPlane{{x, y}, {nx, ny}});
-}
-CsgNode join(std::vector<CsgNode> of) {
-    return node(Union{std::move(of)});
-}
-CsgNode common(std::vector<CsgNode> of) {
-    return node(Intersection{std::move(of)});
-}
-CsgNode less(std::vector<CsgNode> of) {
-    return node(Difference{std::move(of)});
-}
-CsgNode place(CsgNode of, double rotate, Vec2 translate = {0, 0}, Vec2 about = {0, 0}) {
-    return node(Placed{{std::move(of)}, rotate, translate, about});
-}
-CsgNode import(Part part, std::string name = "") {
-    return node(Imported{std::move(part)}, std::move(name));
-}
-
-std::set<std::string> names(const Part& part) {
-    std::set<std::string> all;
-    for (const Edge& edge : part.edges) all.insert(edge.name);
-    return all;
-}
-using Names = std::set<std::string>;
-
-const Edge& edge(const Part& part, const std::string& name) {
-    const auto found = std::find_if(part.edges.begin(), part.edges.end(), [&](const Edge& e) { return e.name == name; });
-    if (found == part.edges.end()) throw std::runtime_error("no edge " + name);
-    return *found;
-}
-
-/// The part, after checks that hold for every result: no problem, closed loops, names given once.
-Part good(const CsgNode& tree) {
-    const CsgResult result = evaluate(tree);
-    for (const GeometryProblem& problem : result.problems) ADD_FAILURE() << problem.where << ": " << problem.what;
-    const Part& part = result.part;
-    EXPECT_FALSE(part.loops.empty());
-    EXPECT_EQ(names(part).size(), part.edges.size());
-    std::size_t n_used = 0;
-    for (const Loop& loop : part.loops)
-        for (std::size_t i = 0; i < loop.edges.size(); ++i, ++n_used) {
-            const Curve& a = part.edges[static_cast<std::size_t>(loop.edges[i])].curve;
-            const Curve& b = part.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])].curve;
-            EXPECT_LE((point(a, 1) - point(b, 0)).norm(), 1e-11 * bounding_box(part).diagonal());
-        }
-    EXPECT_EQ(n_used, part.edges.size());
-    return part;
-}
-
-std::string problem_of(const CsgNode& tree) {
-    const CsgResult result = evaluate(tree);
-    return result.problems.empty() ? "" : result.problems.front().what;
-}
-
-void expect_same_point(const Vec2& a, const Vec2& b, double tolerance = 1e-12) {
-    EXPECT_LE((a - b).norm(), tolerance) << a.transpose() << " / " << b.transpose();
-}
-
+using namespace abut::geometry::testing;
 }  // namespace
 
 TEST(Csg, PrimitivesAloneKeepTheirEdges) {

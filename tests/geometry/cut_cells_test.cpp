@@ -11,18 +11,17 @@
 #include <string>
 #include <vector>
 
-#include "geometry/monotone.hpp"
+#include "tests/geometry/random_grids.hpp"
 
 namespace {
 
 using namespace abut::geometry;
+using namespace abut::geometry::test;
 constexpr double pi = std::numbers::pi;
-using Polygon = std::vector<Vec2>;
-using Random = std::mt19937;
 
 // ---- the oracle: areas of polygons and discs inside a convex polygon, without any walk along a boundary ----
 
-double area_of(const Polygon& polygon) {
+double polygon_area(const Polygon& polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
         twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
@@ -49,7 +48,7 @@ Polygon common(Polygon polygon, const Polygon& convex) {
 
 double common_area(const Polygon& polygon, const Polygon& convex) {
     const Polygon both = common(polygon, convex);
-    return both.empty() ? 0 : area_of(both);
+    return both.empty() ? 0 : polygon_area(both);
 }
 
 /// Sectors for the parts of the polygon's sides outside the circle, triangles for those inside.
@@ -72,20 +71,6 @@ double disc_area(const Polygon& polygon, const Vec2& center, double r) {
 }
 
 // ---- parts ----
-
-void add_loop(Part& part, const std::vector<Curve>& curves) {
-    part.loops.emplace_back();
-    for (const Curve& curve : curves) {
-        part.loops.back().edges.push_back(static_cast<int>(part.edges.size()));
-        part.edges.push_back({curve, "", ""});
-    }
-}
-
-std::vector<Curve> closed(const Polygon& points) {
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < points.size(); ++i) curves.push_back(Segment{points[i], points[(i + 1) % points.size()]});
-    return curves;
-}
 
 Polygon box(double x0, double y0, double x1, double y1) {
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
@@ -174,72 +159,6 @@ Sample placed(const Sample& sample, int k, Random& random) {
     return moved(sample, std::cos(angle), std::sin(angle), {0.125, -0.25});
 }
 
-// ---- grids ----
-
-/// Coordinates where something happens: vertices and extreme points, along one axis.
-std::vector<double> special_values(const Part& part, int axis) {
-    std::vector<double> values;
-    for (const MonotonePiece& piece : monotone_pieces(part)) values.push_back(piece.from[axis]);
-    return values;
-}
-
-/// No two lines are closer than this part of the extent: narrower cells would only test the rounding of their own width.
-constexpr double least_width = 0.02;
-
-/// From box side to box side, exactly on it, beyond it by a sliver, or well beyond; between them, lines through special values,
-/// or a sliver of 1e-1 to 1e-12 of the extent beside them, and lines anywhere.
-std::vector<double> random_lines(const Part& part, int axis, Random& random) {
-    const Box2 extent = bounding_box(part);
-    const double low = extent.min[axis], high = extent.max[axis], size = high - low;
-    std::uniform_real_distribution<double> unit(0, 1);
-    const auto sliver = [&] { return size * std::pow(10.0, -1 - std::floor(12 * unit(random))); };
-    const auto beyond = [&] {
-        const double choice = unit(random);
-        return choice < 0.4 ? 0.0 : choice < 0.7 ? sliver() : size * unit(random);
-    };
-    std::vector<double> wanted;
-    for (double v : special_values(part, axis)) {
-        const double choice = unit(random);
-        if (choice < 0.4)
-            wanted.push_back(v);
-        else if (choice < 0.6)
-            wanted.push_back(v + sliver());
-        else if (choice < 0.8)
-            wanted.push_back(v - sliver());
-    }
-    const int n_free = static_cast<int>(6 * unit(random));
-    for (int i = 0; i < n_free; ++i) wanted.push_back(low + size * unit(random));
-
-    std::vector<double> lines{low - beyond(), high + beyond()};
-    for (double v : wanted) {
-        const bool free =
-            std::none_of(lines.begin(), lines.end(), [&](double x) { return std::abs(x - v) < least_width * size; });
-        if (free && v > lines[0] && v < lines[1]) lines.push_back(v);
-    }
-    std::sort(lines.begin(), lines.end());
-    return lines;
-}
-
-Grid random_grid(const Part& part, Random& random) {
-    Grid grid;
-    grid.x = random_lines(part, 0, random);
-    grid.y = random_lines(part, 1, random);
-    return grid;
-}
-
-Box2 box_of(const Grid& grid, int cell) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
-}
-
-double area_of(const Box2& b) {
-    return b.size().prod();
-}
-
-int n_cells(const Grid& grid) {
-    return grid.columns() * grid.rows();
-}
-
 CellClass class_of(const CutCells& cells, int column, int row) {
     return cells.cell_class[static_cast<std::size_t>(cells.grid.cell(column, row))];
 }
@@ -263,23 +182,6 @@ double fraction_error(const Sample& sample, const CutCells& cells) {
     return worst;
 }
 
-/// Empty, or what is wrong with classes and fractions taken by themselves.
-std::string partition_problem(const CutCells& cells) {
-    for (int c = 0; c < n_cells(cells.grid); ++c) {
-        const CellClass kind = cells.cell_class[static_cast<std::size_t>(c)];
-        const double f = cells.fraction[static_cast<std::size_t>(c)];
-        const bool fits = kind == CellClass::outer ? f == 0 : kind == CellClass::inner ? f == 1 : f > 0 && f < 1;
-        if (!fits) return "cell " + std::to_string(c) + " has fraction " + std::to_string(f);
-    }
-    return "";
-}
-
-double distance_to_boundary(const Part& part, const Vec2& p) {
-    double least = 1e300;
-    for (const Edge& e : part.edges) least = std::min(least, (point(e.curve, closest_parameter(e.curve, p)) - p).norm());
-    return least;
-}
-
 /// Number of points that an inner cell has outside the part, or an outer one inside; points nearer the boundary than 1e-9
 /// apart.
 int wrong_points(const Part& part, const CutCells& cells, Random& random) {
@@ -295,38 +197,6 @@ int wrong_points(const Part& part, const CutCells& cells, Random& random) {
         }
     }
     return wrong;
-}
-
-/// Empty, or where the pieces fail to cover their edge from 0 to 1, each beginning where the one before it ended.
-std::string cover_problem(const Part& part, const CutCells& cells) {
-    for (std::size_t e = 0; e < part.edges.size(); ++e) {
-        double t = 0;
-        for (int k = cells.first_piece[e]; k < cells.first_piece[e + 1]; ++k) {
-            const BoundaryPiece& piece = cells.pieces[static_cast<std::size_t>(k)];
-            if (piece.edge != static_cast<int>(e) || piece.t0 != t || piece.t1 <= t)
-                return "edge " + std::to_string(e) + " at " + std::to_string(t);
-            t = piece.t1;
-        }
-        if (t != 1) return "edge " + std::to_string(e) + " ends at " + std::to_string(t);
-    }
-    return "";
-}
-
-/// How far a piece of the boundary may lie outside its cell. Where a grid line cuts off a tip of less than sliver_fraction of a
-/// cell, the neighbour takes the piece: with the 16 degrees of the sharpest corner here the tip is at most sqrt(2e-13 / tan 16)
-/// = 8e-7 of a cell long, and cells are at most 4 long.
-constexpr double piece_reach = 1e-5;
-
-/// Empty, or the first piece whose cell is outer or elsewhere.
-std::string location_problem(const Part& part, const CutCells& cells) {
-    for (const BoundaryPiece& piece : cells.pieces) {
-        const std::string name = "piece " + std::to_string(piece.edge) + " from " + std::to_string(piece.t0);
-        if (piece.cell < 0 || piece.cell >= n_cells(cells.grid)) return name + " has no cell";
-        if (cells.cell_class[static_cast<std::size_t>(piece.cell)] == CellClass::outer) return name + " has an outer cell";
-        const Vec2 p = point(part.edges[static_cast<std::size_t>(piece.edge)].curve, 0.5 * (piece.t0 + piece.t1));
-        if (!box_of(cells.grid, piece.cell).overlaps({p, p}, piece_reach)) return name + " is far from its cell";
-    }
-    return "";
 }
 
 /// Calls check(sample, cells, random) for each sample on 200 grids, turned and unturned, until a check fails.
@@ -377,6 +247,41 @@ TEST(CutCells, ATipCutOffByAGridLineHasACell) {
         const CutCells cells = cut_cells(wedge.part, {{0, 1, 2 - tip, 3}, {0, 0.25, 0.5}});
         EXPECT_EQ(location_problem(wedge.part, cells), "") << "tip " << tip;
     }
+}
+
+/// Its area is a rounding in every cell right of the first: the pieces there take the first one's cell, through cells on all
+/// sides that are outer.
+TEST(CutCells, ANeedleThroughManyCellsHasACell) {
+    Grid grid;
+    for (int i = 0; i <= 12; ++i) grid.x.push_back(i);
+    grid.y = {-1, 0, 1, 2};
+    const Sample needle = polygon_sample("needle", {{0.5, 0.25}, {1, 0.5}, {11.5, 0.5}, {1, 0.5 + 1e-14}, {0.5, 0.75}});
+    const CutCells cells = cut_cells(needle.part, grid);
+    EXPECT_EQ(cover_problem(needle.part, cells), "");
+    EXPECT_GT(cells.pieces.size(), 20u);
+    for (const BoundaryPiece& piece : cells.pieces) EXPECT_EQ(piece.cell, grid.cell(0, 1)) << piece.edge << " " << piece.t0;
+}
+
+/// Many pieces with nothing but outer cells around, on a large grid: a search over rings of cells would take minutes.
+TEST(CutCells, APartOfNoAreaOnALargeGridHasNoCellsAndTakesNoTime) {
+    Polygon sliver;
+    for (int i = 0; i <= 500; ++i) sliver.emplace_back(i / 500.0, 0.5001 + 1e-18 * i);
+    sliver.emplace_back(0.5, 0.5001 + 1e-16);
+    Grid grid;
+    for (int i = 0; i <= 400; ++i) grid.x.push_back(i / 400.0);
+    grid.y = grid.x;
+    const CutCells cells = cut_cells(polygon_sample("sliver", sliver).part, grid);
+    EXPECT_EQ(cells.area, 0);
+    for (const BoundaryPiece& piece : cells.pieces) EXPECT_EQ(piece.cell, -1);
+}
+
+/// A million equal cells, added one by one, would be off by 1e-11.
+TEST(CutCells, TheAreaDoesNotDriftWithTheNumberOfCells) {
+    Grid grid;
+    for (int i = 0; i <= 700; ++i) grid.x.push_back(0.1 * i);
+    grid.y = grid.x;
+    const Part part = polygon_sample("square", box(0, 0, 70, 70)).part;
+    EXPECT_NEAR(cut_cells(part, grid).area, 4900, 4900 * 2e-15);
 }
 
 // ---- the stated rule for what lies on a grid line ----

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/dxf.hpp"
+
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -88,8 +89,7 @@ TEST(Dxf, KnowsTheLineOfEachEntity) {
 
 TEST(Dxf, RefusesWhatIsNoDrawing) {
     EXPECT_TRUE(has(refusal("").what, "empty"));
-    EXPECT_TRUE(has(refusal(std::string("AutoCAD Binary DXF\r\n\x1a\0rest", 26)).what, "binary DXF is not read yet"));
-    EXPECT_TRUE(has(refusal(std::string("AutoCAD Binary DXF\r\n\x1a\0rest", 26)).hint, "ASCII"));
+    EXPECT_TRUE(has(refusal("AutoCAD Binary DXF\n\x1a").what, "damaged"));
     EXPECT_TRUE(has(refusal("AC1032 and so on").what, "DWG"));
     EXPECT_TRUE(has(refusal("solid part\nfacet\n").what, "no DXF file"));
     EXPECT_TRUE(has(refusal("2\nENTITIES\n0\nEOF\n").what, "does not begin with a section"));
@@ -201,40 +201,6 @@ TEST(Dxf, TurnsEntitiesSeenFromBelow) {
     EXPECT_EQ(drawing.ignored[0].why, "not in the drawing's plane");
 }
 
-TEST(Dxf, CountsWhatIsLeftOutAndSaysWhy) {
-    const std::string layers = dxf_section("TABLES",
-                                           "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nOff\n62\n-7\n0\nLAYER\n2\nFrozen\n70\n1\n"
-                                           "0\nLAYER\n2\nAxes\n6\nCENTER2\n0\nENDTAB\n");
-    const Drawing drawing = read(dxf_file(
-        dxf_line("1", "A", 0, 0, 1, 0) + dxf_line("2", "OFF", 0, 0, 1, 0) + dxf_line("3", "Frozen", 0, 0, 1, 0) +
-            dxf_line("4", "Axes", 0, 0, 1, 0) + dxf_record("SPLINE", "5", "A", {}) + dxf_record("SPLINE", "6", "A", {}) +
-            dxf_record("TEXT", "7", "A", {}) + dxf_record("LINE", "8", "A", {{67, 1}, {10, 0}, {20, 0}, {11, 1}, {21, 1}}) +
-            dxf_record("CIRCLE", "9", "A", {{60, 1}, {10, 0}, {20, 0}, {40, 1}}),
-        layers));
-    const auto why = [&](const std::string& what) {
-        for (const Ignored& ignored : drawing.ignored)
-            if (ignored.what == what) return std::to_string(ignored.count) + " " + ignored.why;
-        return std::string("not ignored");
-    };
-    EXPECT_EQ(drawing.entities.size(), 1u);
-    EXPECT_EQ(why("LINE on layer OFF"), "1 layer is off");
-    EXPECT_EQ(why("LINE on layer Frozen"), "1 layer is frozen");
-    EXPECT_EQ(why("SPLINE"), "2 not read by this version");
-    EXPECT_EQ(why("TEXT"), "1 annotation");
-    EXPECT_EQ(why("CIRCLE"), "1 invisible");
-    EXPECT_TRUE(std::any_of(drawing.ignored.begin(), drawing.ignored.end(),
-                            [](const Ignored& i) { return i.why == "line type CENTER2"; }));
-    EXPECT_TRUE(std::any_of(drawing.ignored.begin(), drawing.ignored.end(),
-                            [](const Ignored& i) { return i.why == "in paper space"; }));
-    EXPECT_EQ(drawing.counts.at("LINE").read, 4);  // the one in paper space is not of this drawing
-    int read = 0;
-    for (const auto& [type, count] : drawing.counts) {
-        EXPECT_EQ(count.read, count.used + count.ignored) << type;
-        read += count.read;
-    }
-    EXPECT_EQ(read, 8);
-}
-
 TEST(Dxf, FindsTheUnit) {
     const auto unit = [](const std::string& header) {
         return read(dxf_file(dxf_line("1", "A", 0, 0, 1, 0), dxf_section("HEADER", header))).unit;
@@ -244,6 +210,18 @@ TEST(Dxf, FindsTheUnit) {
     EXPECT_EQ(unit("9\n$INSUNITS\n70\n0\n9\n$MEASUREMENT\n70\n0\n"), "in");
     EXPECT_EQ(unit("9\n$MEASUREMENT\n70\n1\n"), "mm");
     EXPECT_EQ(unit("9\n$ACADVER\n1\nAC1015\n"), "");
+    EXPECT_EQ(unit("9\n$INSUNITS\n70\n18\n9\n$MEASUREMENT\n70\n1\n"), "");  // astronomical units have no name here
+    for (int code = 1; code <= 24; ++code) {
+        const std::string name = unit("9\n$INSUNITS\n70\n" + std::to_string(code) + "\n");
+        EXPECT_EQ(name.empty(), code == 11 || (code >= 17 && code <= 20)) << code;
+        EXPECT_EQ(name.empty(), unit_factor(name, "mm") == 0) << name;
+    }
+    EXPECT_EQ(unit_factor("yd", "in"), 36);
+    EXPECT_EQ(unit_factor("mi", "ft"), 5280);
+    EXPECT_EQ(unit_factor("dm", "mm"), 100);
+    EXPECT_NEAR(unit_factor("ft_us", "m") * 3937, 1200, 1e-12 * 1200);
+    EXPECT_EQ(unit_factor("parsec", "mm"), 0);
+    EXPECT_EQ(unit_factor("mm", "parsec"), 0);
 }
 
 TEST(Dxf, ReportsUnreadableEntitiesAndReadsOn) {
@@ -278,25 +256,87 @@ TEST(Dxf, GivesLayerNamesAsUtf8) {
         EXPECT_EQ(read(dxf_file(dxf_line("1", name, 0, 0, 1, 0))).entities.at(0).layer, umlaut);
 }
 
+TEST(Dxf, ReadsEllipses) {
+    const auto ellipse = [](std::initializer_list<std::pair<int, double>> numbers) {
+        return read(dxf_file(dxf_record("ELLIPSE", "1", "A", numbers))).entities.at(0).curve;
+    };
+    const Curve quarter = ellipse({{10, 1}, {20, 2}, {11, 4}, {21, 0}, {40, 0.5}, {41, 0}, {42, pi / 2}});
+    EXPECT_EQ(kind_name(quarter), "ellipse");
+    expect_near(point(quarter, 0), {5, 2});
+    expect_near(point(quarter, 0.5), Vec2(1, 2) + std::sqrt(0.5) * Vec2(4, 2));
+    expect_near(point(quarter, 1), {1, 4});
+    const Curve below =
+        ellipse({{10, 1}, {20, 2}, {11, 4}, {21, 0}, {40, 0.5}, {41, 0}, {42, pi / 2}, {210, 0}, {220, 0}, {230, -1}});
+    expect_near(point(below, 0), {5, 2});  // in the drawing's coordinates; only the second axis points the other way
+    expect_near(point(below, 1), {1, 0});
+    const Curve slender = ellipse({{10, 0}, {20, 0}, {11, 0}, {21, 1}, {40, 3}, {41, pi / 2}, {42, pi}});  // ratio beyond 1
+    expect_near(point(slender, 0), {-3, 0});
+    expect_near(point(slender, 1), {0, -1});
+    for (const double end : {2 * pi, 6.283185, 6.2831854, 0.0}) {  // a full turn as exporters write it
+        const Curve full = ellipse({{10, 0}, {20, 0}, {11, 2}, {21, 0}, {40, 0.5}, {41, 0}, {42, end}});
+        EXPECT_EQ(std::get<EllipticArc>(full).sweep, 2 * pi) << end;
+    }
+    EXPECT_NEAR(std::get<EllipticArc>(ellipse({{10, 0}, {20, 0}, {11, 2}, {21, 0}, {40, 0.5}, {41, 5}, {42, 1}})).sweep,
+                2 * pi - 4, 1e-12);
+    const Curve round = ellipse({{10, 3}, {20, 0}, {11, 0}, {21, 2}, {40, 1}, {41, 0}, {42, pi}});
+    ASSERT_TRUE(std::holds_alternative<Arc>(round));
+    expect_near(point(round, 0), {3, 2});
+    expect_near(point(round, 0.5), {1, 0});
+    EXPECT_EQ(read(dxf_file(dxf_record("ELLIPSE", "1", "A", {{10, 0}, {20, 0}, {11, 2}, {21, 0}, {40, 0}}))).problems.size(),
+              1u);
+}
+
+TEST(Dxf, ClosesPolylinesOnce) {
+    const auto n_pieces = [](std::initializer_list<std::pair<int, double>> numbers) {
+        return read(dxf_file(dxf_record("LWPOLYLINE", "1", "A", numbers))).entities.size();
+    };
+    EXPECT_EQ(n_pieces({{70, 0}, {10, 0}, {20, 0}, {10, 1}, {20, 0}, {10, 0}, {20, 1}}), 2u);
+    EXPECT_EQ(n_pieces({{70, 1}, {10, 0}, {20, 0}, {10, 1}, {20, 0}, {10, 0}, {20, 1}}), 3u);
+    EXPECT_EQ(n_pieces({{70, 1}, {10, 0}, {20, 0}, {10, 1}, {20, 0}, {10, 0}, {20, 1}, {10, 0}, {20, 0}}), 3u);
+    EXPECT_EQ(n_pieces({{70, 1}, {10, 0}, {20, 0}, {42, 1}, {10, 1}, {20, 0}, {42, 1}}), 2u);
+    EXPECT_EQ(n_pieces({{70, 0}, {10, 5}, {20, 5}}), 1u);  // a point: a segment of no length, for the sketch to report
+}
+
+TEST(Dxf, KeepsTheDigitsOfLargeCoordinates) {
+    const Drawing drawing = read(
+        "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n1234567890.1234567\n20\n-1e11\n11\n+1.5E6\n21\n1000000.000001\n"
+        "0\nENDSEC\n0\nEOF\n");
+    EXPECT_EQ(point(drawing.entities.at(0).curve, 0), Vec2(1234567890.1234567, -1e11));
+    EXPECT_EQ(point(drawing.entities.at(0).curve, 1), Vec2(1.5e6, 1000000.000001));
+}
+
+TEST(Dxf, RefusesAbsurdNumbers) {
+    for (const char* x : {"1e13", "1e400", "nan", "inf", "-1e308", "0x10", "1.0.0", "--1", "1e", ""}) {
+        const Drawing drawing = read(std::string("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n90\n2000000000\n10\n") + x +
+                                     "\n20\n0\n40\n1\n0\nENDSEC\n0\nEOF\n");
+        EXPECT_TRUE(drawing.entities.empty()) << x;
+        EXPECT_EQ(drawing.problems.size(), 1u) << x;
+    }
+}
+
+/// Damages the text at n random places and reads it. Nothing but InputError may be thrown.
+void read_damaged(const std::string& good, int n, std::mt19937& random) {
+    static const std::string bytes = "0123456789-.,eE \n\rAZ\xFF";
+    std::string damaged = good;
+    for (int k = 0; k < n; ++k) damaged[random() % damaged.size()] = bytes[random() % bytes.size()];
+    try {
+        for (const SketchEntity& entity : read_dxf_bytes("damaged.dxf", damaged).entities) EXPECT_TRUE(is_finite(entity.curve));
+    } catch (const InputError&) {}
+}
+
 TEST(Dxf, SurvivesDamagedFiles) {
     const std::string good = read_text(pin_bracket);
-    const TemporaryFolder folder;
-    const auto try_to_read = [&](const std::string& text) {
-        try {
-            parts_by_layer(read_dxf(folder.write("damaged.dxf", text)), {});
-            return true;
-        } catch (const InputError&) { return false; }
-    };
-    ASSERT_TRUE(try_to_read(good));
     const std::size_t end = good.rfind("EOF");
-    for (std::size_t n = 1; n < end; n += 211) EXPECT_FALSE(try_to_read(good.substr(0, n))) << n;
+    for (std::size_t n = 1; n < end; n += 211) EXPECT_THROW(read_dxf_bytes("cut.dxf", good.substr(0, n)), InputError) << n;
     std::mt19937 random(7);
-    const std::string bytes = "0123456789-.,eE \n\rAZ\xFF";
-    for (int i = 0; i < 120; ++i) {
-        std::string damaged = good;
-        for (int k = 0; k < 5; ++k) damaged[random() % damaged.size()] = bytes[random() % bytes.size()];
-        try_to_read(damaged);  // must neither crash nor throw anything else
-    }
+    for (int i = 0; i < 120; ++i) read_damaged(good, 5, random);
+}
+
+TEST(LongDxf, SurvivesDamagedFiles) {
+    std::mt19937 random(8);
+    const std::string good = dxf_of_every_kind();
+    ASSERT_TRUE(read_dxf_bytes("good.dxf", good).problems.empty());
+    for (int i = 0; i < 10'000; ++i) read_damaged(good, 1 + i % 6, random);
 }
 
 }  // namespace

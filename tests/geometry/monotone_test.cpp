@@ -10,19 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "tests/geometry/random_parts.hpp"
+
 namespace {
 
 using namespace abut::geometry;
+using test::add_loop;
 constexpr double pi = std::numbers::pi;
 using Pieces = std::vector<MonotonePiece>;
-
-void add_loop(Part& part, const std::vector<Curve>& curves) {
-    part.loops.emplace_back();
-    for (const Curve& curve : curves) {
-        part.loops.back().edges.push_back(static_cast<int>(part.edges.size()));
-        part.edges.push_back({curve, "", ""});
-    }
-}
 
 Part disc(double seam, double sweep) {
     Part part;
@@ -183,6 +178,94 @@ TEST(Monotone, ContainsAgreesWithThePartsOwn) {
             const Vec2 p(any(random), any(random));
             EXPECT_EQ(contains(pieces, p), contains(part, p));
         }
+    }
+}
+
+// ---- ellipses and splines ----
+
+/// Parts of size 3 whose points take some ten roundings; the parameter found may add those of a slow stretch of the curve.
+constexpr double general_tolerance = 1e-13;
+
+std::vector<Part> general_parts() {
+    test::Random random(29);
+    std::vector<Part> all;
+    for (int k = 0; k < 80; ++k) all.push_back(test::random_part(3 + k % 4, random));
+    return all;
+}
+
+TEST(Monotone, GeneralPiecesShareTheirEndsBitForBit) {
+    for (const Part& part : general_parts()) EXPECT_EQ(chain_problem(part, monotone_pieces(part)), "");
+}
+
+TEST(Monotone, GeneralPiecesAreMonotone) {
+    for (const Part& part : general_parts()) EXPECT_EQ(backward_steps(part, monotone_pieces(part)), 0);
+}
+
+TEST(Monotone, OneVariableFormsAgreeWithGeneralCurves) {
+    for (const Part& part : general_parts()) EXPECT_LT(form_error(part, monotone_pieces(part)), general_tolerance);
+}
+
+/// No piece runs across a knot.
+TEST(Monotone, PiecesEndAtKnots) {
+    int n_knots = 0;
+    for (const Part& part : general_parts()) {
+        const Pieces pieces = monotone_pieces(part);
+        for (std::size_t e = 0; e < part.edges.size(); ++e)
+            for (double t : smoothness_breaks(part.edges[e].curve)) {
+                ++n_knots;
+                EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(),
+                                        [&](const MonotonePiece& p) { return p.edge == static_cast<int>(e) && p.t1 == t; }));
+            }
+    }
+    EXPECT_GT(n_knots, 100);
+}
+
+/// y = x^2 from (0, 0) to (1, 1), by its one-variable form and both derivatives.
+TEST(Monotone, FormsOfAParabola) {
+    Part part;
+    add_loop(part, {bezier_curve({{0, 0}, {0.5, 0}, {1, 1}}, {}), Segment{{1, 1}, {0, 0}}});
+    const MonotonePiece piece = monotone_pieces(part)[0];
+    for (double x : {0.125, 0.3, 0.77, 1.0}) {
+        EXPECT_NEAR(y_at(piece, x), x * x, 1e-15);
+        EXPECT_NEAR(x_at(piece, x * x), x, 1e-15);
+        EXPECT_NEAR(dy_dx(piece, x), 2 * x, 1e-14);
+        EXPECT_NEAR(dx_dy(piece, x * x), 0.5 / x, 1e-14);
+        const LineMeeting at = line_meeting(piece, 0, x, part.edges[0].curve);
+        EXPECT_EQ(at.at.x(), x);
+        EXPECT_NEAR(at.t, x, 1e-15);
+    }
+    EXPECT_EQ(dy_dx(piece, 0), 0);
+    EXPECT_TRUE(std::isinf(dx_dy(piece, 0)));
+    EXPECT_EQ(y_at(piece, 1.5), 1);
+    EXPECT_EQ(x_at(piece, -0.5), 0);
+}
+
+TEST(Monotone, SlopesOfLinesAndCircles) {
+    EXPECT_DOUBLE_EQ(dy_dx({0, 0, 1, {0, 0}, {2, 1}}, 0.3), 0.5);
+    EXPECT_DOUBLE_EQ(dx_dy({0, 0, 1, {0, 0}, {2, 1}}, 0.3), 2);
+    const MonotonePiece quarter = monotone_pieces(disc(0, 2 * pi))[0];  // about (1, 2), of radius 1.5
+    EXPECT_NEAR(dy_dx(quarter, 1 + 0.9), -0.9 / 1.2, 1e-14);
+    EXPECT_NEAR(dx_dy(quarter, 2 + 1.2), -1.2 / 0.9, 1e-14);
+    EXPECT_TRUE(std::isinf(dy_dx(quarter, 2.5)));
+}
+
+/// Random points, and the heights of all ends: where the half-open rule decides.
+TEST(Monotone, SlabsGiveTheSameAnswer) {
+    test::Random random(43);
+    for (int k = 0; k < 70; ++k) {
+        const Part part = test::random_part(k % test::n_part_kinds, random);
+        const SlabbedPieces slabs = slabbed(monotone_pieces(part));
+        EXPECT_LE(slabs.piece.size(), 3 * slabs.pieces.size() + 2);
+        const Box2 box = bounding_box(part);
+        int n_inside = 0;
+        for (int i = 0; i < 40; ++i) {
+            Vec2 p(test::between(box.min.x() - 0.1, box.max.x() + 0.1, random),
+                   test::between(box.min.y() - 0.1, box.max.y() + 0.1, random));
+            if (i % 2 == 0) p.y() = slabs.pieces[random() % slabs.pieces.size()].from.y();
+            EXPECT_EQ(contains(slabs, p), contains(slabs.pieces, p));
+            n_inside += contains(slabs, p);
+        }
+        EXPECT_GT(n_inside, 0);
     }
 }
 

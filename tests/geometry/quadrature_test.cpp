@@ -14,13 +14,14 @@
 #include <vector>
 
 #include "geometry/gauss.hpp"
+#include "geometry/gauss_portions.hpp"
+#include "tests/geometry/random_parts.hpp"
 
 namespace {
 
 using namespace abut::geometry;
+using namespace abut::geometry::test;
 constexpr double pi = std::numbers::pi;
-using Polygon = std::vector<Vec2>;
-using Random = std::mt19937;
 using Moments = Eigen::MatrixXd;  // (i, j): the integral of u^i v^j
 
 // ---- moments about an origin, in units of a scale, in closed form by Green's theorem: of u^(i+1) / (i+1) v^j dv ----
@@ -153,11 +154,6 @@ Moments rule_moments(const CellRule& rule, const LocalFrame& frame, int degree) 
     return sum;
 }
 
-Box2 box_of(const Grid& grid, int cell) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
-}
-
 /// The cell as the unit square: moments are then fractions of the cell.
 LocalFrame unit_frame(const Grid& grid, int cell) {
     const Box2 b = box_of(grid, cell);
@@ -169,14 +165,6 @@ double worst_of(const Moments& difference) {
 }
 
 // ---- parts and grids ----
-
-void add_loop(Part& part, const std::vector<Curve>& curves) {
-    part.loops.emplace_back();
-    for (const Curve& curve : curves) {
-        part.loops.back().edges.push_back(static_cast<int>(part.edges.size()));
-        part.edges.push_back({curve, "", ""});
-    }
-}
 
 /// An outline counter-clockwise, holes clockwise.
 Part of_polygons(const std::vector<Polygon>& polygons) {
@@ -222,33 +210,8 @@ Turn random_turn(int k, Random& random) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// From box side to box side, some beyond; in between through ends of edges, slivers beside them, and anywhere.
-std::vector<double> random_lines(const Part& part, int axis, Random& random) {
-    const Box2 extent = bounding_box(part);
-    const double low = extent.min[axis], high = extent.max[axis], size = high - low;
-    std::uniform_real_distribution<double> unit(0, 1);
-    std::vector<double> wanted;
-    for (const Edge& e : part.edges) {
-        const double sliver = size * std::pow(10.0, -1 - std::floor(12 * unit(random)));
-        wanted.push_back(point(e.curve, 0)[axis] + sliver * std::floor(3 * unit(random) - 1));
-        wanted.push_back(low + size * unit(random));
-    }
-    const double beyond = unit(random) < 0.5 ? 0 : 0.3 * size * unit(random);
-    std::vector<double> lines{low - beyond, high + beyond};
-    for (double v : wanted) {
-        const bool free = std::none_of(lines.begin(), lines.end(), [&](double x) { return std::abs(x - v) < 0.05 * size; });
-        if (free && v > lines[0] && v < lines[1] && unit(random) < 0.7) lines.push_back(v);
-    }
-    std::sort(lines.begin(), lines.end());
-    return lines;
-}
-
-Grid random_grid(const Part& part, Random& random) {
-    Grid grid;
-    grid.x = random_lines(part, 0, random);
-    grid.y = random_lines(part, 1, random);
-    return grid;
-}
+/// Wider cells, and less far beyond the part, than in tests of areas: monomials to the power of 8 magnify roundings.
+constexpr GridLimits limits{0.05, 0.3};
 
 /// Calls check(part, cells, degree) for turned parts on random grids, degrees 1 to 4 in turn, until a check fails.
 template <class Check>
@@ -259,7 +222,7 @@ void on_swept_grids(const std::vector<Part>& parts, int n_placements, Check chec
             const Turn turn = random_turn(k, random);
             const Part part = transformed(parts[which], turn.c, turn.s, {0.125, -0.25});
             SCOPED_TRACE("part " + std::to_string(which) + ", placement " + std::to_string(k));
-            check(part, cut_cells(part, random_grid(part, random)), 1 + k % 4);
+            check(part, cut_cells(part, random_grid(part, random, limits)), 1 + k % 4);
             if (testing::Test::HasFailure()) return;
         }
     }
@@ -318,9 +281,19 @@ double whole_error(const Part& part, const CutCells& cells, const std::vector<Ce
     return worst_of(sum);
 }
 
-/// Of each cell by its contours, with so many Gauss points that nothing is missing.
-double contour_error(const Part& part, const CutCells& cells, const std::vector<CellRule>& rules, int degree) {
-    const GaussRule& gauss = gauss_rule(64);
+GaussRule repeated(const GaussRule& rule, int n_parts) {
+    GaussRule whole;
+    for (int k = 0; k < n_parts; ++k)
+        for (std::size_t i = 0; i < rule.points.size(); ++i) {
+            whole.points.push_back((k + rule.points[i]) / n_parts);
+            whole.weights.push_back(rule.weights[i] / n_parts);
+        }
+    return whole;
+}
+
+/// Of each cell by its contours, with so many Gauss points that nothing is missing: 64 on each of `n_parts` parts.
+double contour_error(const Part& part, const CutCells& cells, const std::vector<CellRule>& rules, int degree, int n_parts = 1) {
+    const GaussRule gauss = repeated(gauss_rule(64), n_parts);
     double worst = 0;
     for (const CellRule& rule : rules) {
         const LocalFrame frame = unit_frame(cells.grid, rule.cell);
@@ -470,6 +443,168 @@ TEST(BoundaryRule, PortionsOfAnArcAddUp) {
     EXPECT_TRUE(boundary_rule(part, cells, 0, 0.4, 0.4, 2).empty());
 }
 
+// ---- ellipses and splines ----
+
+/// gauss_tolerance is far below; what is left are roundings of the points, to the power of up to 8.
+constexpr double general_tolerance = 1e-12;
+
+TEST(CellRules, RightInEveryCellWithEllipsesAndSplines) {
+    Random random(31);
+    for (int k = 0; k < 60; ++k) {
+        const Part part = random_part(3 + k % 4, random);
+        const CutCells cells = cut_cells(part, random_grid(part, random, limits));
+        const int degree = 1 + k / 4 % 4;
+        EXPECT_LT(contour_error(part, cells, cell_rules(part, cells, degree), degree, 4), general_tolerance) << k;
+    }
+}
+
+/// Closed in one cell, so that portions are as long as monotone pieces can be.
+TEST(CellRules, OneCellAroundPartsOfEllipsesAndSplines) {
+    Random random(37);
+    for (int k = 0; k < 40; ++k) {
+        const Part part = random_part(3 + k % 4, random);
+        const Box2 b = bounding_box(part);
+        const CutCells cells = cut_cells(part, {{b.min.x(), b.max.x()}, {b.min.y(), b.max.y()}});
+        for (int degree = 1; degree <= 4; ++degree)
+            EXPECT_LT(contour_error(part, cells, cell_rules(part, cells, degree), degree, 4), general_tolerance) << k;
+    }
+}
+
+/// A quarter of the unit circle as a rational curve, the first and last weight times `low`: the same points, reached unevenly.
+Curve uneven_quarter(double low) {
+    return bezier_curve({{1, 0}, {1, 1}, {0, 1}}, {low * low, low * std::sqrt(0.5), 1});
+}
+
+TEST(GaussPortions, WeightsOfAnyRatioAreHalvedUntilTheRuleHolds) {
+    for (int digits = 0; digits <= 6; ++digits) {
+        const Curve curve = uneven_quarter(std::pow(10.0, -digits));
+        std::vector<GaussPortion> portions;
+        append_area_portions(portions, curve, 0, 1, 2, {1, 1});
+        double sum = 0, t = 0;
+        int n_points = 0;
+        for (const GaussPortion& portion : portions) {
+            EXPECT_EQ(portion.t0, t);
+            t = portion.t1;
+            n_points += portion.n;
+            const GaussRule& rule = gauss_rule(portion.n);
+            for (std::size_t i = 0; i < rule.points.size(); ++i) {
+                const double at = portion.t0 + rule.points[i] * (portion.t1 - portion.t0);
+                const Vec2 p = point(curve, at);
+                sum += rule.weights[i] * (portion.t1 - portion.t0) * derivative(curve, at).y() * std::pow(p.x(), 5) *
+                       std::pow(p.y(), 4) / 5;
+            }
+        }
+        EXPECT_EQ(t, 1);
+        // the integral of sin^4 cos^6 over a quarter turn is 3 pi / 512
+        EXPECT_NEAR(sum, 3 * pi / 512 / 5, 1e-15) << digits;
+        EXPECT_LT(n_points, 60 + 300 * digits);
+    }
+}
+
+/// Not more than the degree of the integrand asks for, and less on short portions.
+TEST(GaussPortions, PolynomialsTakeTheirExactCountAtMost) {
+    for (int n = 2; n <= max_spline_degree; ++n) {
+        std::vector<Vec2> points;
+        for (int i = 0; i <= n; ++i) points.emplace_back(i, std::sin(2.0 * i));
+        const Curve curve = bezier_curve(points, {});
+        for (int degree = 1; degree <= 4; ++degree) {
+            std::vector<GaussPortion> portions;
+            append_area_portions(portions, curve, 0, 1, degree, {1, 1});
+            ASSERT_EQ(portions.size(), 1u);
+            EXPECT_LE(portions[0].n, n * (2 * degree + 1));
+            append_area_portions(portions, curve, 0.5, 0.501, degree, {1, 1});
+            EXPECT_LE(portions[1].n, portions[0].n);
+        }
+        std::vector<GaussPortion> portions;
+        append_area_portions(portions, curve, 0.5, 0.501, 4, {1, 1});
+        EXPECT_LT(portions[0].n, 20);  // 9 times 8 for the whole of degree 8
+    }
+}
+
+/// Largest error of the integrals of u^i v^j, i + j < 2n, along all arcs or all other edges, cell by cell in the cell's own
+/// frame, in units of its diagonal.
+double line_error(const Part& part, const CutCells& cells, int n, bool of_arcs) {
+    const GaussRule fine = repeated(gauss_rule(64), 16);
+    const int most = 2 * n - 1;
+    double worst = 0;
+    for (const BoundaryPiece& piece : cells.pieces) {
+        const Curve& curve = part.edges[static_cast<std::size_t>(piece.edge)].curve;
+        if (std::holds_alternative<Arc>(curve) != of_arcs) continue;
+        const LocalFrame frame = unit_frame(cells.grid, piece.cell);
+        Moments sum = Moments::Zero(most + 1, most + 1);
+        const auto add = [&](double t, double weight) {
+            const Vec2 p = frame(point(curve, t));
+            sum += weight / frame.scale.norm() * powers(p.x(), most) * powers(p.y(), most).transpose();
+        };
+        for (const BoundaryPoint& p : boundary_rule(part, cells, piece.edge, piece.t0, piece.t1, n)) add(p.t, p.weight);
+        for (std::size_t q = 0; q < fine.points.size(); ++q) {
+            const double t = piece.t0 + fine.points[q] * (piece.t1 - piece.t0);
+            add(t, -fine.weights[q] * (piece.t1 - piece.t0) * derivative(curve, t).norm());
+        }
+        for (int i = 0; i <= most; ++i)
+            for (int j = 0; i + j <= most; ++j) worst = std::max(worst, std::abs(sum(i, j)));
+    }
+    return worst;
+}
+
+TEST(BoundaryRule, RightOnEllipsesAndSplines) {
+    Random random(41);
+    for (int k = 0; k < 32; ++k) {
+        const Part part = random_part(3 + k % 4, random);
+        const CutCells cells = cut_cells(part, random_grid(part, random, limits));
+        const int n = 1 + k / 4 % 4;
+        EXPECT_LT(line_error(part, cells, n, false), general_tolerance) << k;
+        EXPECT_LT(line_error(part, cells, n, true), 10 * arc_tolerance) << k;
+    }
+}
+
+/// Of the ellipse with semi-axes 1 and b, by the arithmetic-geometric mean (std::comp_ellint_2 is right to 1e-12 only).
+double ellipse_perimeter(double b) {
+    long double x = 1, y = b, sum = 0.5L * (1 - static_cast<long double>(b) * b), factor = 0.5L;
+    for (int k = 0; k < 12; ++k) {
+        const long double half_difference = 0.5L * (x - y), mean = 0.5L * (x + y);
+        y = std::sqrt(x * y);
+        x = mean;
+        factor *= 2;
+        sum += factor * half_difference * half_difference;
+    }
+    return static_cast<double>(2 * std::numbers::pi_v<long double> * (1 - sum) / x);
+}
+
+/// The speed along a flat ellipse has its singularities b/a from the real parameters.
+TEST(BoundaryRule, LengthOfFlatEllipses) {
+    for (int digits = 0; digits <= 6; ++digits) {
+        const double b = std::pow(10.0, -digits);
+        Part part;
+        add_loop(part, {EllipticArc{{0, 0}, {1, 0}, {0, b}, 0.3, 2 * pi}});
+        const CutCells cells = cut_cells(part, {{-1, -0.3, 1}, {-b, 0.1 * b, b}});
+        double sum = 0;
+        int n_points = 0;
+        for (const BoundaryPoint& p : boundary_rule(part, cells, 0, 0, 1, 3)) {
+            sum += p.weight;
+            ++n_points;
+        }
+        EXPECT_NEAR(sum, ellipse_perimeter(b), 4e-14) << digits;
+        EXPECT_LT(n_points, 200 + 600 * digits);
+    }
+}
+
+/// Curves that stand still at an end, or nearly: halved towards it, but not for ever.
+TEST(BoundaryRule, LengthOfCurvesThatStandStill) {
+    for (double e : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3})
+        for (const std::vector<double>& weights : {std::vector<double>{}, {1, 2, 1, 1, 3, 1}}) {
+            Part part;
+            add_loop(part, {bezier_curve({{0, 0}, {e, 0}, {2 * e, e}, {2 * e, 2 * e}, {1, 0.2}, {1, 1}}, weights),
+                            Segment{{1, 1}, {0, 0}}});
+            const CutCells cells = cut_cells(part, {{0, 0.5, 1}, {0, 0.3, 1}});
+            double sum = 0;
+            const std::vector<BoundaryPoint> points = boundary_rule(part, cells, 0, 0, 1, 3);
+            for (const BoundaryPoint& p : points) sum += p.weight;
+            EXPECT_NEAR(sum, length(part.edges[0].curve), 1e-14) << e;
+            EXPECT_LT(points.size(), 3000u);
+        }
+}
+
 // ---- the checks notice a fault ----
 
 /// Polynomial and Laurent oracles against integrals known by heart.
@@ -505,6 +640,14 @@ TEST(QuadratureChecks, NoticeAFault) {
     rules[0].weights[0] *= 1 + 1e-6;
     EXPECT_GT(contour_error(round, arcs, rules, 2), arc_tolerance);
     EXPECT_GT(whole_error(round, arcs, rules, 2), arc_tolerance);
+
+    Random random(41);
+    const Part general = random_part(4, random);
+    const CutCells general_cells = cut_cells(general, random_grid(general, random, limits));
+    rules = cell_rules(general, general_cells, 2);
+    ASSERT_LT(contour_error(general, general_cells, rules, 2, 4), general_tolerance);
+    rules[0].weights[0] *= 1 + 1e-9;
+    EXPECT_GT(contour_error(general, general_cells, rules, 2, 4), general_tolerance);
 
     std::vector<BoundaryPoint> points = whole_boundary(round, arcs, 3);
     ASSERT_LT(divergence_error(round, points), boundary_tolerance);

@@ -330,7 +330,7 @@ TEST(Detect, IgnoredPairsAreLeftOut) {
 
 TEST(Detect, PartsOfARealDrawing) {
     // distances and lengths as an independent kernel gives them
-    const auto reading = read_sketch(std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_bracket_r14.dxf", 0, "");
+    const auto reading = read_sketch(std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_bracket_r14.dxf", {});
     const Detection found = detect_contacts(reading.scene, {});
     ASSERT_EQ(found.pairs.size(), 2u);
     EXPECT_TRUE(found.near_misses.empty());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -12,6 +13,12 @@
 
 namespace abut {
 namespace {
+
+abut::ImportOptions in_unit(const std::string& unit) {
+    abut::ImportOptions options;
+    options.units = unit;
+    return options;
+}
 
 using geometry::dxf_circle;
 using geometry::dxf_file;
@@ -25,7 +32,7 @@ const std::string pin_bracket = std::string(ABUT_SOURCE_DIR) + "/data/sketches/p
 
 Inspection inspect(const std::string& entities) {
     const TemporaryFolder folder;
-    return inspect_file(folder.write("drawing.dxf", dxf_file(entities)), 0, "mm");
+    return inspect_file(folder.write("drawing.dxf", dxf_file(entities)), in_unit("mm"));
 }
 
 /// A sound plate, a gap that is closed, one that is not, and a spline that is left out.
@@ -48,7 +55,7 @@ bool has(const std::string& text, const std::string& piece) {
 }
 
 TEST(Inspect, DescribesADrawingAsJson) {
-    const Json json = Json::parse(inspection_json(inspect_file(pin_bracket, 0, "")));
+    const Json json = Json::parse(inspection_json(inspect_file(pin_bracket, {})));
     EXPECT_EQ(json["abut"], 1);
     EXPECT_EQ(json["file"], pin_bracket);
     EXPECT_EQ(json["format"], "DXF AC1014");
@@ -104,10 +111,83 @@ TEST(Inspect, SaysThatThereAreNoParts) {
     EXPECT_TRUE(has(inspection_svg(inspection), "</svg>"));
 }
 
+/// An elliptic cam that a flat follower touches, and a NURBS edge on the follower's back.
+Inspection inspect_cam(const std::string& more = "") {
+    const TemporaryFolder folder;
+    return inspect_file(folder.write("cam.json", R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0}}, "parts": [
+        {"name": "cam", "material": "m", "geometry": {"ellipse": {"center": [0, -1], "radii": [3, 1]}}},
+        {"name": "flat", "material": "m", "geometry": {"loops": [[
+            {"line": {"from": [-2, 0], "to": [2, 0]}}, {"line": {"from": [2, 0], "to": [2, 1]}},
+            {"nurbs": {"degree": 2, "knots": [0, 0, 0, 1, 2, 2, 2], "points": [[2, 1], [1, 2], [-1, 2], [-2, 1]]}},
+            {"bezier": {"points": [[-2, 1], [-2.5, 0.5], [-2, 0]]}, "name": "side"}]]}}])" +
+                                                     more + "}"),
+                        0, "");
+}
+
+TEST(Inspect, TellsTheKindsOfCurves) {
+    const Json json = Json::parse(inspection_json(inspect_cam()));
+    std::map<std::string, std::string> kinds;
+    for (const Json& part : json["parts"])
+        for (const Json& edge : part["edges"]) kinds[edge["name"]] = edge["kind"];
+    EXPECT_EQ(kinds, (std::map<std::string, std::string>{
+                         {"ellipse", "ellipse"}, {"e0", "line"}, {"e1", "line"}, {"e2", "nurbs"}, {"side", "bezier"}}));
+    EXPECT_NEAR(json["parts"][0]["area"].get<double>(), 3 * pi, 1e-12);
+}
+
+TEST(Inspect, ShowsRepairsOfTheScenesOwnGeometry) {
+    Inspection inspection = inspect_cam();
+    inspection.scene.parts[1].repairs = {{"sliver left out", {1, 2}, 1e-9}};
+    const Json json = Json::parse(inspection_json(inspection));
+    ASSERT_EQ(json["repairs"].size(), 1u);
+    EXPECT_EQ(json["repairs"][0], Json::parse(R"({"what": "part flat: sliver left out", "at": [1, 2], "size": 1e-9})"));
+    EXPECT_TRUE(has(inspection_table(inspection), "part flat: sliver left out, 1e-09, at (1, 2)"));
+    EXPECT_TRUE(has(inspection_svg(inspection), "repair: part flat: sliver left out"));
+}
+
+std::string picture(const Inspection& inspection, const std::string& file) {
+    for (const InspectionPicture& p : stage_pictures(inspection))
+        if (p.file == file) return p.svg;
+    return "";
+}
+
+TEST(Inspect, DrawsTheCellsOfTheFirstGrids) {
+    const Inspection inspection =
+        inspect_cam(R"(, "accuracy": {"grids": {"cam": {"cells": [6, 2]}, "flat": {"cells": [4, 4]}}})");
+    const std::string svg = picture(inspection, "inspect_cells.svg");
+    // The ellipse with half axes 3 and 1 runs through every cell of side 1 around its middle.
+    EXPECT_TRUE(has(svg, "cam: 6 x 2 cells, 0 inner, 12 boundary, 0 outer")) << svg.substr(svg.size() - 600);
+    EXPECT_TRUE(has(svg, "flat: 4 x 4 cells, "));
+    for (const char* name : {"class=\"inner\"", "class=\"boundary\"", "class=\"outer\"", "class=\"outline\""})
+        EXPECT_EQ(count(svg, name), 2) << name;
+}
+
+TEST(Inspect, DrawsEveryBoundaryPieceWithItsEnds) {
+    const Inspection inspection =
+        inspect_cam(R"(, "accuracy": {"grids": {"cam": {"cells": [6, 2]}, "flat": {"cells": [2, 1]}}})");
+    const std::string svg = picture(inspection, "inspect_pieces.svg");
+    EXPECT_TRUE(has(svg, "cam: 12 pieces of 1 edges") || has(svg, "cam: 13 pieces of 1 edges")) << svg.substr(svg.size() - 600);
+    EXPECT_EQ(count(svg, "class=\"tick_mark\""), 2);
+}
+
+TEST(Inspect, DrawsWherePartsFaceEachOther) {
+    const std::string svg = picture(inspect_cam(), "inspect_candidates.svg");
+    EXPECT_EQ(count(svg, "class=\"zone\""), 1);
+    EXPECT_TRUE(has(svg, "cam/ellipse - flat/e0: gap ")) << svg.substr(svg.size() - 600);
+    EXPECT_TRUE(has(svg, "ended by the search distance"));
+    EXPECT_GE(count(svg, "class=\"pair\""), 3);
+}
+
+TEST(Inspect, StagesNeedPartsAndCandidatesTwo) {
+    EXPECT_TRUE(stage_pictures(inspect(dxf_record("SPLINE", "E", "plate", {}))).empty());
+    EXPECT_EQ(stage_pictures(inspect(dxf_rectangle("A", "plate", 0, 0, 100, 50))).size(), 2u);
+    EXPECT_EQ(stage_pictures(inspect_cam()).size(), 3u);
+}
+
 TEST(Inspect, DrawsPartsEdgesAndMarks) {
     const std::string svg = inspection_svg(inspect_mixture());
     EXPECT_EQ(count(svg, "class=\"part\""), 2);
     EXPECT_EQ(count(svg, "class=\"loose\""), 3);  // the lines of the outline that is open
+    EXPECT_EQ(count(svg, "class=\"way\""), 9);    // a head on every edge tells its direction
     for (const char* name : {">hA0<", ">hA2<", ">hB<", ">hC2<", ">plate<", ">x [mm]<"}) EXPECT_EQ(count(svg, name), 1) << name;
     EXPECT_EQ(count(svg, "class=\"problem\""), 2);  // at its place and in the legend
     EXPECT_EQ(count(svg, "class=\"repair\""), 2);
@@ -136,11 +216,11 @@ TEST(Inspect, EscapesNames) {
 
 TEST(Inspect, RefusesUnknownKindsOfFiles) {
     try {
-        inspect_file("part.stl", 0, "");
+        inspect_file("part.step", {});
         FAIL() << "not refused";
     } catch (const InputError& error) {
-        EXPECT_EQ(error.problems().at(0).where, "part.stl");
-        EXPECT_TRUE(has(error.what(), ".stl"));
+        EXPECT_EQ(error.problems().at(0).where, "part.step");
+        EXPECT_TRUE(has(error.what(), ".step"));
     }
 }
 
@@ -150,7 +230,7 @@ TEST(Inspect, DescribesAScene) {
         "abut": 1, "units": {"length": "mm", "force": "N"}, "materials": {"steel": {"E": 210000, "nu": 0.3}},
         "parts": [{"name": "block", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [4, 2]}}}],
         "supports": [{"on": "block/bottom", "fix": ["x", "y"]}]})");
-    const Json json = Json::parse(inspection_json(inspect_file(path, 0, "")));
+    const Json json = Json::parse(inspection_json(inspect_file(path, {})));
     EXPECT_EQ(json["unit"], "mm");
     ASSERT_EQ(json["parts"].size(), 1u);
     EXPECT_NEAR(json["parts"][0]["area"].get<double>(), 8, 1e-12);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/scene.hpp"
+#include "src/selection.hpp"
 #include "tests/src/temporary_folder.hpp"
 
 namespace abut {
@@ -144,6 +145,166 @@ TEST(ReadScene, edges_of_loops_have_names_in_file_order) {
         [{"arc": {"from": [1.5, 1], "to": [1.5, 1], "center": [1, 1], "ccw": true}}]]})");
     EXPECT_EQ(edge_names(scene.parts[0].part), Names({"e0", "e2", "e3", "slope"}));
     EXPECT_NEAR(area_of(scene), 8 - 0.25 * pi, 1e-12);
+}
+
+TEST(ReadScene, ellipses_and_slots) {
+    EXPECT_NEAR(area_of(with_geometry(R"({"ellipse": {"center": [1, 2], "radii": ["R", 1]}})")), 2 * pi, 1e-12);
+    const Scene turned = with_geometry(R"({"ellipse": {"center": [0, 0], "radii": [3, 1], "angle": 90}})");
+    const geometry::Box2 box = geometry::bounding_box(turned.parts[0].part);
+    EXPECT_NEAR(box.max.x(), 1, 1e-12);
+    EXPECT_NEAR(box.max.y(), 3, 1e-12);
+    EXPECT_EQ(edge_names(turned.parts[0].part), Names({"ellipse"}));
+    EXPECT_EQ(geometry::kind_name(turned.parts[0].part.edges[0].curve), "ellipse");
+    const Scene slot = with_geometry(R"({"slot": {"from": [0, 0], "to": [3, 4], "radius": "R/4"}})");
+    EXPECT_NEAR(area_of(slot), 5 + 0.25 * pi, 1e-12);
+    EXPECT_EQ(edge_names(slot.parts[0].part), Names({"end0", "end1", "side0", "side1"}));
+}
+
+TEST(ReadScene, place_scales_and_mirrors_before_it_turns) {
+    // (1..3, 0..1) about (1, 0): doubled (1..5, 0..2), mirrored (-3..1, 0..2), turned by 90 degrees (-1..1, -4..0).
+    const std::string rectangle = R"({"rectangle": {"min": [1, 0], "max": [3, 1]}})";
+    const std::string place = R"("scale": 2, "mirror": "x", "rotate": 90, "about": [1, 0], "translate": [0, 10])";
+    for (const Scene& scene : {with_geometry(R"({"place": {"of": )" + rectangle + ", " + place + "}}"),
+                               with_geometry(rectangle + R"(, "place": {)" + place + "}")}) {
+        const geometry::Box2 box = geometry::bounding_box(scene.parts[0].part);
+        EXPECT_NEAR(box.min.x(), -1, 1e-12);
+        EXPECT_NEAR(box.max.x(), 1, 1e-12);
+        EXPECT_NEAR(box.min.y(), 6, 1e-12);
+        EXPECT_NEAR(box.max.y(), 10, 1e-12);
+        EXPECT_NEAR(area_of(scene), 8, 1e-12);  // positive: the material stays on the left
+    }
+    const geometry::Box2 box = geometry::bounding_box(with_geometry(rectangle + R"(, "place": {"mirror": "y"})").parts[0].part);
+    EXPECT_NEAR(box.min.y(), -1, 1e-12);
+}
+
+TEST(ReadScene, selections_know_the_outside_of_a_mirrored_part) {
+    const std::string half = R"({"difference": [{"ellipse": {"center": [0, 0], "radii": [2, 1]}},
+                                                {"half_plane": {"point": [0, 0], "normal": [1, 0]}}]})";
+    for (const std::string& mirror : {std::string(), std::string(R"(, "place": {"mirror": "x"})")}) {
+        const Scene scene = with_geometry(half + mirror);
+        Selector selector;
+        selector.part = "p";
+        selector.facing = Vec2(mirror.empty() ? -1 : 1, 0);
+        // The cut lies at x = 0, the round side beyond it: all that faces away from the kept half.
+        const std::vector<EdgePortion> flat = select(scene, {selector});
+        ASSERT_EQ(flat.size(), 1u) << mirror;
+        EXPECT_EQ(geometry::kind_name(scene.parts[0].part.edges[static_cast<std::size_t>(flat[0].edge)].curve), "line");
+        selector.facing = Vec2(-*selector.facing);
+        const std::vector<EdgePortion> round = select(scene, {selector});
+        ASSERT_EQ(round.size(), 1u) << mirror;
+        const geometry::Curve& curve = scene.parts[0].part.edges[static_cast<std::size_t>(round[0].edge)].curve;
+        for (const double t : {round[0].t0, round[0].t1}) {
+            const Vec2 normal = geometry::outward_normal(curve, t);
+            EXPECT_NEAR(normal.dot(*selector.facing), std::cos(5 * pi / 180), 1e-12);
+            EXPECT_GT(geometry::point(curve, t).dot(*selector.facing), 1.9);
+        }
+    }
+}
+
+TEST(ReadScene, elliptic_arcs_of_loops) {
+    const auto area = [](const std::string& first, const std::string& second) {
+        return area_of(with_geometry(R"({"loops": [[)" + first + ", " + second + "]]}"));
+    };
+    const std::string flat = R"({"line": {"from": [3, 0], "to": [-3, 0]}})";
+    EXPECT_NEAR(area(flat, R"({"elliptic_arc": {"center": [0, 0], "radii": [3, 2], "start": 0, "end": 180}})"), 3 * pi, 1e-12);
+    EXPECT_NEAR(area(flat, R"({"elliptic_arc": {"center": [0, 0], "radii": [3, 2], "start": 180, "end": 0}})"), 3 * pi, 1e-12);
+    // Half axes exchanged and turned by a quarter: the same curve, from -90 to 90 degrees.
+    EXPECT_NEAR(
+        area(flat, R"({"elliptic_arc": {"center": [0, 0], "radii": ["R", 3], "angle": 90, "start": -90, "end": "180/2"}})"),
+        3 * pi, 1e-12);
+    for (const char* end : {"360", "0", "-360"})
+        EXPECT_NEAR(
+            area_of(with_geometry(R"({"loops": [[{"elliptic_arc": {"center": [1, 1], "radii": [3, 2], "start": 0, "end": )" +
+                                  std::string(end) + "}}]]}")),
+            6 * pi, 1e-12)
+            << end;
+}
+
+TEST(ReadScene, splines_of_loops) {
+    // Under the parabola y = 1 - x^2.
+    EXPECT_NEAR(area_of(with_geometry(R"({"loops": [[{"line": {"from": [-1, 0], "to": [1, 0]}},
+                                                     {"bezier": {"points": [[1, 0], [0, "R"], [-1, 0]]}}]]})")),
+                4.0 / 3, 1e-14);
+    const Scene half = with_geometry(R"({"loops": [[{"line": {"from": [-1, 0], "to": [1, 0]}},
+        {"bezier": {"points": [[1, 0], [1, 1], [0, 1]], "weights": [1, "sqrt(2)/2", 1]}},
+        {"bezier": {"points": [[0, 1], [-1, 1], [-1, 0]], "weights": [1, "sqrt(2)/2", 1]}, "name": "round"}]]})");
+    EXPECT_NEAR(area_of(half), pi / 2, 1e-13);
+    EXPECT_EQ(edge_names(half.parts[0].part), Names({"e0", "e1", "round"}));
+    EXPECT_EQ(geometry::kind_name(half.parts[0].part.edges[1].curve), "bezier");
+    const Scene circle = with_geometry(R"({"loops": [[{"nurbs": {"degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4],
+        "points": [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [1, 0]],
+        "weights": [1, "sqrt(2)/2", 1, "sqrt(2)/2", 1, "sqrt(2)/2", 1, "sqrt(2)/2", 1]}}]]})");
+    EXPECT_NEAR(area_of(circle), pi, 1e-13);
+    EXPECT_NEAR(geometry::perimeter(circle.parts[0].part), 2 * pi, 1e-12);
+    EXPECT_EQ(edge_names(circle.parts[0].part), Names({"e0"}));
+    EXPECT_EQ(geometry::kind_name(circle.parts[0].part.edges[0].curve), "nurbs");
+}
+
+TEST(ReadScene, a_nurbs_with_corners_is_numbered_pieces) {
+    const Scene scene = with_geometry(R"({"loops": [[{"nurbs": {"degree": 1, "knots": [0, 0, 1, 2, 3, 3],
+        "points": [[0, 0], [2, 0], [2, 2], [0, 2]]}, "name": "cam"}, {"line": {"from": [0, 2], "to": [0, 0]}}]]})");
+    EXPECT_NEAR(area_of(scene), 4, 1e-14);
+    EXPECT_EQ(edge_names(scene.parts[0].part), Names({"cam#0", "cam#1", "cam#2", "e1"}));
+    Selector selector;
+    selector.pattern = "p/cam";
+    EXPECT_EQ(select(scene, {selector}).size(), 3u);
+    selector.pattern = "p/cam#1";
+    ASSERT_EQ(select(scene, {selector}).size(), 1u);
+    const auto right = static_cast<std::size_t>(select(scene, {selector})[0].edge);
+    EXPECT_EQ(geometry::point(scene.parts[0].part.edges[right].curve, 0.5), Vec2(2, 1));
+}
+
+TEST(ReadScene, faults_of_curves_have_place_and_hint) {
+    const auto fault = [](const std::string& geometry) -> std::string {
+        try {
+            with_geometry(geometry);
+        } catch (const InputError& error) { return error.what(); }
+        return "no error";
+    };
+    struct Case {
+        std::string geometry;
+        std::vector<std::string> words;
+    };
+    const auto edge = [](const std::string& text) { return R"({"loops": [[)" + text + "]]}"; };
+    const std::string at = "/parts/0/geometry", at_edge = at + "/loops/0/0";
+    const std::vector<Case> cases{
+        {R"({"ellipse": {"center": [0, 0], "radii": [1, 0]}})", {at + "/ellipse/radii", "greater than 0"}},
+        {R"({"ellipse": {"center": [0, 0], "radii": 3}})", {at + "/ellipse/radii", "two numbers"}},
+        {R"({"ellipse": {"center": [0, 0], "radii": [1, 2], "radius": 3}})",
+         {at + "/ellipse/radius", "unknown key", "'radii'"}},
+        {R"({"slot": {"from": [1, 1], "to": [1, 1], "radius": 1}})", {at + "/slot", "begins where it ends", "circle"}},
+        {R"({"slot": {"from": [1, 1], "to": [2, 1], "radius": -1}})", {at + "/slot/radius", "greater than 0"}},
+        {R"({"mesh": {"file": "a.stl"}})", {at + "/mesh", "not supported yet"}},
+        {R"({"place": {"of": {"circle": {"center": [0, 0], "radius": 1}}, "scale": 0}})",
+         {at + "/place/scale", "greater than 0"}},
+        {R"({"place": {"of": {"circle": {"center": [0, 0], "radius": 1}}, "mirror": "z"}})",
+         {at + "/place/mirror", R"("x", "y")"}},
+        {R"({"circle": {"center": [0, 0], "radius": 1}}, "place": {"scale": -1})", {"/parts/0/place/scale", "greater than 0"}},
+        {edge(R"({"elliptic_arc": {"center": [0, 0], "radii": [1, 2], "start": 0}})"),
+         {at_edge + "/elliptic_arc", "'end' is missing"}},
+        {edge(R"({"elliptic_arc": {"center": [0, 0], "radii": [-1, 2], "start": 0, "end": 1}})"),
+         {at_edge + "/elliptic_arc/radii", "greater than 0"}},
+        {edge(R"({"bezier": {"points": [[0, 0]]}})"), {at_edge + "/bezier", "not valid"}},
+        {edge(R"({"bezier": {"points": [[0, 0], [1, 1]], "weights": [1]}})"), {at_edge + "/bezier", "not valid"}},
+        {edge(R"({"bezier": {"points": [[0, 0], [1, 1]], "weights": [1, -1]}})"), {at_edge + "/bezier", "not valid"}},
+        {edge(R"({"bezier": {"points": [[0, 0], [1, "a"]]}})"), {at_edge + "/bezier/points/1/1", "'a'"}},
+        {edge(R"({"nurbs": {"degree": 3, "knots": [0, 0, 1, 1], "points": [[0, 0], [1, 1]]}})"),
+         {at_edge + "/nurbs", "not valid"}},
+        {edge(R"({"nurbs": {"degree": 1, "knots": [0, 1, 0, 1], "points": [[0, 0], [1, 1]]}})"),
+         {at_edge + "/nurbs", "not valid"}},
+        {edge(R"({"nurbs": {"degree": 9, "knots": [0, 1], "points": [[0, 0], [1, 1]]}})"),
+         {at_edge + "/nurbs/degree", "from 1 to 8"}},
+        {edge(R"({"nurbs": {"knots": [0, 1], "points": [[0, 0], [1, 1]]}})"), {at_edge + "/nurbs", "'degree' is missing"}},
+        {edge(R"({"nurb": {}})"), {at_edge + "/nurb", "unknown key", "'nurbs'"}},
+        {edge(R"({"bezier": {"points": [[0, 0], [1, 1]]}, "line": {"from": [0, 0], "to": [1, 1]}})"),
+         {at_edge, "cannot be combined"}},
+    };
+    for (const Case& c : cases) {
+        const std::string message = fault(c.geometry);
+        for (const std::string& word : c.words)
+            EXPECT_NE(message.find(word), std::string::npos) << c.geometry << "\n" << message;
+        EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
+    }
 }
 
 TEST(ReadScene, supports) {
@@ -331,15 +492,17 @@ TEST(ReadScene, files_are_relative_to_the_scene) {
 }
 
 TEST(ReadScene, a_bare_sketch_becomes_a_scene_without_materials) {
-    const SketchReading reading = read_sketch(drawing, 0, "");
+    const SketchReading reading = read_sketch(drawing, {});
     ASSERT_EQ(reading.scene.parts.size(), 3u);
     EXPECT_EQ(reading.scene.parts[1].name, "pin");
     EXPECT_EQ(reading.scene.parts[1].material, -1);
     EXPECT_EQ(reading.scene.length_unit, "mm");
     EXPECT_EQ(reading.sketch.parts.size(), 3u);
     EXPECT_EQ(reading.scene.imports.size(), 1u);
-    EXPECT_EQ(read_sketch(drawing, 0, "in").scene.length_unit, "in");
-    EXPECT_THROW(read_sketch("/nowhere.dxf", 0, ""), InputError);
+    ImportOptions inches;
+    inches.units = "in";
+    EXPECT_EQ(read_sketch(drawing, inches).scene.length_unit, "in");
+    EXPECT_THROW(read_sketch("/nowhere.dxf", {}), InputError);
 }
 
 }  // namespace abut

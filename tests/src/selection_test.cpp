@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/spline_shape.hpp"
+
 namespace abut {
 
 namespace {
@@ -175,14 +177,67 @@ TEST(Selection, takes_what_faces_a_direction) {
     EXPECT_NEAR(hole[0].t1, 100.0 / 360, 1e-15);
 }
 
+TEST(Selection, takes_the_closest_of_curved_edges) {
+    Scene scene;
+    scene.parts.push_back(part_of("p", {{"shell", geometry::EllipticArc{{0, 0}, {3, 0}, {0, 1}, 0, pi}},
+                                        {"wave", geometry::bezier_curve({{-3, 0}, {-1, -2}, {1, 2}, {3, 0}}, {})}}));
+    Selector selector = of_part("p");
+    selector.near = Vec2(0.8, 0.55);  // 0.4 below the ellipse, 0.3 above the spline
+    EXPECT_EQ(names(scene, {selector}), Names({"p/wave"}));
+    selector.near = Vec2(0.8, 0.75);
+    EXPECT_EQ(names(scene, {selector}), Names({"p/shell"}));
+}
+
+TEST(Selection, takes_all_pieces_of_pieces) {
+    Scene scene;
+    scene.parts.push_back(part_of("p", {{"cam#0", Segment{{0, 0}, {1, 0}}},
+                                        {"cam#1#0", Segment{{1, 0}, {1, 1}}},
+                                        {"cam#1#1", Segment{{1, 1}, {0, 1}}},
+                                        {"came", Segment{{0, 1}, {0, 0}}}}));
+    EXPECT_EQ(names(scene, {named("p/cam")}), Names({"p/cam#0", "p/cam#1#0", "p/cam#1#1"}));
+    EXPECT_EQ(names(scene, {named("p/cam#1")}), Names({"p/cam#1#0", "p/cam#1#1"}));
+    EXPECT_EQ(names(scene, {named("p/cam#1#1")}), Names({"p/cam#1#1"}));
+}
+
+TEST(Selection, several_portions_of_one_spline_may_face_a_direction) {
+    // A wave with two crests: its normal, outward on the right of the way to the left, points up at both.
+    const Curve wave = geometry::bezier_curve({{4, 0}, {3, 6}, {2, -10}, {2, -10}, {1, 6}, {0, 0}}, {});
+    Scene scene;
+    scene.parts.push_back(part_of("p", {{"wave", wave}}));
+    const auto up = select(scene, {facing("p", {0, 1}, 10)});
+    ASSERT_EQ(up.size(), 3u);  // two crests and the trough between them
+    for (const EdgePortion& portion : up)
+        for (const double t : {portion.t0, portion.t1})
+            EXPECT_NEAR(geometry::outward_normal(wave, t).y(), std::cos(10 * pi / 180), 1e-12) << t;
+}
+
+Curve random_curve(int kind, std::mt19937& random) {
+    std::uniform_real_distribution<double> real(-1, 1);
+    const auto point = [&] { return Vec2(real(random), real(random)); };
+    if (kind == 0) return Segment{point(), point()};
+    if (kind == 1) return Arc{point(), 0.2 + std::abs(real(random)), 7 * real(random), 2 * pi * real(random)};
+    if (kind == 2) {
+        const Vec2 a = point(), b = 2 * real(random) * geometry::left_of(a);  // either way round
+        return geometry::EllipticArc{point(), a, b, 7 * real(random), 2 * pi * real(random)};
+    }
+    std::vector<Vec2> points;
+    std::vector<double> weights;
+    for (int k = 0; k < 3 + kind; ++k) {
+        points.push_back(point());
+        weights.push_back(std::exp(real(random)));
+    }
+    if (kind == 3) return geometry::bezier_curve(points, weights);
+    const geometry::Nurbs closed{3, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, points, weights};
+    return geometry::nurbs_curves(closed).front();
+}
+
 // Portions against the definition at sampled points; samples within 1e-6 of a limit may go either way.
-TEST(Selection, agrees_with_sampling_on_random_arcs_and_segments) {
+TEST(Selection, agrees_with_sampling_on_random_curves) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> real(-1, 1);
     int n_inside = 0, n_facing = 0;
     for (int i = 0; i < 500; ++i) {
-        Curve curve = Arc{{real(random), real(random)}, 0.2 + std::abs(real(random)), 7 * real(random), 2 * pi * real(random)};
-        if (i % 4 == 0) curve = Segment{{real(random), real(random)}, {real(random), real(random)}};
+        const Curve curve = random_curve(i % 5, random);
         Scene scene;
         scene.parts.push_back(part_of("p", {{"e", curve}}));
         const Vec2 a(real(random), real(random)), b(real(random), real(random));

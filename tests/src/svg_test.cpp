@@ -7,7 +7,9 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <sstream>
 
+#include "geometry/spline_shape.hpp"
 #include "tests/src/synthetic_result.hpp"
 
 namespace abut {
@@ -65,6 +67,50 @@ TEST(Svg, FullCircleIsDrawnInPiecesBelowAHalfTurn) {
     View view;
     const std::string path = path_data(geometry::Curve(geometry::Arc{{0, 0}, 1, 0.3, 2 * std::numbers::pi}), 0, 1, view);
     EXPECT_GE(std::count(path.begin(), path.end(), 'A'), 3);
+}
+
+/// The points of path data at the ends of its commands, with the last five numbers of an "A" as they stand.
+std::vector<Vec2> path_points(const std::string& path) {
+    std::vector<Vec2> points;
+    std::istringstream text(path);
+    for (char command = 0; text >> command;) {
+        double skipped = 0;
+        for (int k = 0; k < (command == 'A' ? 5 : 0); ++k) text >> skipped;
+        Vec2 p;
+        text >> p.x() >> p.y();
+        points.push_back(p);
+    }
+    return points;
+}
+
+TEST(Svg, EllipsesAreArcsWithRotationAndSense) {
+    View view;  // scale 1, y down
+    const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
+    const geometry::EllipticArc quarter{{0, 0}, {20 * c, 20 * s}, {-10 * s, 10 * c}, 0, std::numbers::pi / 2};
+    EXPECT_EQ(path_data(geometry::Curve(quarter), 0, 1, view), "M17.32 -10A20 10 -30 0 0 -5 -8.66");
+    geometry::EllipticArc mirrored = quarter;
+    mirrored.b = -mirrored.b;
+    EXPECT_EQ(path_data(geometry::Curve(mirrored), 0, 1, view), "M17.32 -10A20 10 -30 0 1 5 8.66");
+    geometry::EllipticArc full = quarter;
+    full.sweep = 2 * std::numbers::pi;
+    const std::string path = path_data(geometry::Curve(full), 0, 1, view);
+    EXPECT_GE(std::count(path.begin(), path.end(), 'A'), 3);
+}
+
+TEST(Svg, SplinesAreDrawnAsArcsThroughTheirPoints) {
+    const View view = fit_view(box({0, 0}, {4, 3}), 1000, 800, 20);
+    const geometry::Curve spline = geometry::bezier_curve({{0, 0}, {1, 4}, {3, 4}, {4, 0}}, {});
+    for (const auto& [t0, t1] : {std::pair(0.0, 1.0), std::pair(0.25, 0.75)}) {
+        const std::vector<Vec2> points = path_points(path_data(spline, t0, t1, view));
+        ASSERT_GT(points.size(), 5u);
+        EXPECT_NEAR((points.front() - view(geometry::point(spline, t0))).norm(), 0, 0.01);
+        EXPECT_NEAR((points.back() - view(geometry::point(spline, t1))).norm(), 0, 0.01);
+        for (const Vec2& p : points) {
+            const Vec2 model((p.x() - view.offset.x()) / view.scale, (view.offset.y() - p.y()) / view.scale);
+            const Vec2 closest = geometry::point(spline, geometry::closest_parameter(spline, model));
+            EXPECT_LT((closest - model).norm() * view.scale, 0.06);
+        }
+    }
 }
 
 TEST(Svg, NumbersAreShort) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// abut init: a starter scene for a drawing or mesh, on standard output.
+#include "apps/commands.hpp"
+#include "apps/drawing_options.hpp"
+#include "apps/drawing_problems.hpp"
+#include "apps/print_text.hpp"
+#include "geometry/input_error.hpp"
+#include "src/detect.hpp"
+#include "src/starter_scene.hpp"
+
+namespace abut {
+
+CommandSpec init_spec() {
+    CommandSpec spec{"init", "FILE", "Writes a starter scene for a drawing or mesh to standard output.", {}, {}};
+    spec.options = drawing_option_specs();
+    spec.notes = "abut init clamp.dxf > clamp.json, then fill in supports and loads.\n";
+    return spec;
+}
+
+int init_command(const Arguments& arguments) {
+    if (kind_of_file(arguments.operand) == FileKind::scene)
+        throw InputError(arguments.operand, "this is a scene already", "give a drawing or a mesh");
+    const SketchReading reading = read_whole_sketch(arguments);
+    print_text(starter_scene(reading, detect_contacts(reading.scene, std::nullopt)));
+    return exit_done;
+}
+
+}  // namespace abut

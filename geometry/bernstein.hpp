@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Polynomials on [0, 1] by their Bernstein coefficients: as many roots as the coefficients change sign, or an even number less.
+#pragma once
+#include <vector>
+
+namespace abut::geometry {
+
+double bernstein_value(const std::vector<double>& coefficients, double t);
+
+/// Where the polynomial changes sign in [0, 1], ascending, and where it is zero at 0 or 1: found by halving until the
+/// coefficients change sign once, then narrowed down to neighbouring doubles. `errors` bounds the absolute error of each
+/// coefficient (empty: they are exact): what cannot be told from zero counts as zero. Of a root of odd multiplicity one or more
+/// are given, all within the stretch over which rounding smears it; of one of even multiplicity (the polynomial touches zero
+/// without crossing it) also none.
+/// A polynomial that is zero throughout has no roots.
+/// Cost: about degree^2 operations for each halving, up to 52 halvings for a multiple root.
+std::vector<double> bernstein_roots(const std::vector<double>& coefficients, const std::vector<double>& errors = {});
+
+}  // namespace abut::geometry

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is looked at in a mesh file before a library reads it: damage that libraries tell badly, or hang on.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace abut::geometry {
+
+/// No mesh within most_triangles needs more.
+inline constexpr std::uintmax_t most_mesh_bytes = 512u << 20;
+
+/// `format` as in MeshFile. Throws InputError where the file is missing, unreadable, empty or too large; a binary STL that is
+/// shorter than it states; a PLY whose header does not end, or that states more elements than it holds. Cost: a pass over the
+/// bytes of PLY files, else constant.
+void check_mesh_file(const std::string& path, const std::string& format);
+
+}  // namespace abut::geometry

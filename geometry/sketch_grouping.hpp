@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which entities may belong to one part.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "geometry/sketch.hpp"
+
+namespace abut::geometry {
+
+struct EntityGroup {
+    std::string name;  ///< the layer, block, instance, or colour ("color3"); empty of PartsBy::loop, where all is one group
+    std::vector<SketchEntity> entities;
+};
+
+/// In order of first appearance. Blocks: the outermost ones that differ (of ASSY/PIN and ASSY/BASE these are PIN and BASE),
+/// each insertion by itself; what lies in no block is the group "". `parts_by` is not automatic.
+std::vector<EntityGroup> group_entities(const std::vector<SketchEntity>& entities, PartsBy parts_by);
+
+/// What stands in one insertion of a block that is inserted several times, by insertion; all the rest as the first group, which
+/// may be empty.
+std::vector<std::vector<SketchEntity>> by_instance(const std::vector<SketchEntity>& entities);
+
+/// Does everything lie in blocks, and not all in the same?
+bool is_all_in_blocks(const std::vector<SketchEntity>& entities);
+
+/// Are there parts that lie wholly in the material of parts of another group (`group`: of each part)? Then the groups are not
+/// what separates the parts: a layer of holes, a block that is a hole. What a part has around a hole of the other is not meant:
+/// that is drawn in front of it.
+bool are_nested_in_material(const std::vector<Part>& parts, const std::vector<std::string>& group);
+
+}  // namespace abut::geometry

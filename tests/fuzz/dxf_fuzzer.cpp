@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/fuzz/dxf_target.hpp"
+#include "tests/fuzz/trap.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    abut::fuzz::trap_on(abut::fuzz::fault_of_dxf({reinterpret_cast<const char*>(data), size}));
+    return 0;
+}

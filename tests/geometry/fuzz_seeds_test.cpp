@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the fuzzers begin with, and every input that once broke a reader, through the fuzzers' own entries.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/fuzz/dxf_target.hpp"
+#include "tests/fuzz/scene_target.hpp"
+#include "tests/fuzz/section_target.hpp"
+
+namespace abut::fuzz {
+
+namespace {
+
+namespace fs = std::filesystem;
+using geometry::Vec2;
+
+const fs::path seeds = fs::path(ABUT_SOURCE_DIR) / "tests/fuzz/seeds";
+
+std::string bytes_of(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<fs::path> files_of(const std::string& target) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(seeds / target)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void replay(const std::string& target, std::string (*fault_of)(const std::string&)) {
+    const std::vector<fs::path> files = files_of(target);
+    EXPECT_GE(files.size(), 10U);
+    for (const fs::path& path : files) {
+        const std::string bytes = bytes_of(path);
+        EXPECT_FALSE(bytes.empty()) << path;
+        EXPECT_EQ(fault_of(bytes), "") << path;
+    }
+}
+
+geometry::Part square(double side) {
+    const Vec2 corners[] = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+    geometry::Part part;
+    part.name = "square";
+    part.loops.push_back({{0, 1, 2, 3}});
+    for (std::size_t i = 0; i < 4; ++i) part.edges.push_back({geometry::Segment{corners[i], corners[(i + 1) % 4]}, "e", "e"});
+    return part;
+}
+
+geometry::SketchParts parts_of_section(const std::string& seed) {
+    SectionInput input = section_input_of(bytes_of(seeds / "section" / seed));
+    const geometry::MeshFile file = mesh_file_of(input);
+    const geometry::SectionPlane plane = input.plane.value_or(geometry::default_plane(file.bodies));
+    return geometry::parts_of(geometry::section(file, plane, input.tolerance), {});
+}
+
+}  // namespace
+
+TEST(FuzzSeeds, drawings) {
+    replay("dxf", fault_of_dxf);
+}
+
+TEST(FuzzSeeds, scenes) {
+    replay("scene", fault_of_scene);
+}
+
+TEST(FuzzSeeds, sections) {
+    replay("section", fault_of_section);
+}
+
+TEST(FuzzSeeds, drawings_reach_the_parts) {
+    const auto drawing = geometry::read_dxf_bytes("", bytes_of(seeds / "dxf/plate_with_hole.dxf"));
+    const auto parts = geometry::parts_of(drawing, {}).parts;
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(geometry::count_holes(parts[0]), 1);
+}
+
+TEST(FuzzSeeds, scenes_reach_the_evaluation) {
+    int n_parts = 0;
+    for (const fs::path& path : files_of("scene")) {
+        try {
+            n_parts += static_cast<int>(read_scene_text(bytes_of(path), path.string()).parts.size());
+        } catch (const InputError&) {}
+    }
+    EXPECT_GE(n_parts, 15);
+}
+
+TEST(FuzzSeeds, sections_reach_the_parts) {
+    const geometry::SketchParts box = parts_of_section("box_split");
+    ASSERT_EQ(box.parts.size(), 1U);
+    EXPECT_DOUBLE_EQ(geometry::area(box.parts[0]), 200);
+    EXPECT_EQ(parts_of_section("two_boxes").parts.size(), 2U);
+    const geometry::SketchParts tube = parts_of_section("tube");
+    ASSERT_EQ(tube.parts.size(), 1U);
+    EXPECT_DOUBLE_EQ(geometry::area(tube.parts[0]), 18 * 18 - 8 * 8);
+}
+
+TEST(FuzzSeeds, faults_of_parts_are_seen) {
+    EXPECT_EQ(fault_of_part(square(2)), "");
+    geometry::Part part = square(2);
+    part.loops[0].edges = {3, 2, 1, 0};
+    EXPECT_NE(fault_of_part(part), "");
+    part = square(2);
+    std::get<geometry::Segment>(part.edges[1].curve).to.x() += 1e-4;
+    EXPECT_NE(fault_of_part(part), "");
+    part = square(2);
+    part.edges[2].curve = geometry::Segment{{2, 2}, {std::numeric_limits<double>::quiet_NaN(), 2}};
+    EXPECT_NE(fault_of_part(part), "");
+    part = square(2);
+    for (geometry::Edge& edge : part.edges) edge.curve = geometry::reversed(edge.curve);
+    std::reverse(part.loops[0].edges.begin(), part.loops[0].edges.end());
+    EXPECT_NE(fault_of_part(part), "") << "clockwise";
+}
+
+TEST(FuzzSeeds, lost_entities_are_seen) {
+    geometry::Drawing drawing;
+    drawing.counts["LINE"] = {3, 2, 1};
+    EXPECT_EQ(fault_of_drawing(drawing), "");
+    drawing.counts["LINE"] = {3, 2, 0};
+    EXPECT_NE(fault_of_drawing(drawing), "");
+}
+
+TEST(FuzzSeeds, large_geometry_is_not_evaluated) {
+    std::string points;
+    for (int i = 0; i < 200; ++i) points += "[0, 0], ";
+    const auto is_small_polygon = [](const std::string& polygon) {
+        return is_small(parse_json(R"({"parts": [{"geometry": {"polygon": [)" + polygon + "[1, 1]]}}]}", "").root);
+    };
+    EXPECT_TRUE(is_small_polygon("[0, 0], "));
+    EXPECT_FALSE(is_small_polygon(points));
+}
+
+}  // namespace abut::fuzz
