@@ -121,7 +121,7 @@ Inspection inspect_cam(const std::string& more = "") {
             {"nurbs": {"degree": 2, "knots": [0, 0, 0, 1, 2, 2, 2], "points": [[2, 1], [1, 2], [-1, 2], [-2, 1]]}},
             {"bezier": {"points": [[-2, 1], [-2.5, 0.5], [-2, 0]]}, "name": "side"}]]}}])" +
                                                      more + "}"),
-                        0, "");
+                        {});
 }
 
 TEST(Inspect, TellsTheKindsOfCurves) {
