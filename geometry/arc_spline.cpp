@@ -27,6 +27,7 @@ struct Carrier {
     double lo, hi;               ///< the portion, lo < hi
     bool backwards;              ///< does the original run from hi to lo?
     std::vector<double> breaks;  ///< joints there must be: ascending, from the last not above lo to the first not below hi
+    double smallest = 0;         ///< shorter portions need no arc
 };
 
 /// Both roundings together give the same two angles for an arc and its reverse: ((x + w) - w) + w - w = (x + w) - w in doubles
@@ -42,7 +43,7 @@ std::pair<double, double> angles(const EllipticArc& arc) {
 
 Carrier ellipse_carrier(const EllipticArc& arc) {
     const auto [lo, hi] = angles(arc);
-    Carrier carrier{EllipticArc{arc.center, arc.a, arc.b, 0, 1}, lo, hi, arc.sweep < 0, {}};
+    Carrier carrier{EllipticArc{arc.center, arc.a, arc.b, 0, 1}, lo, hi, arc.sweep < 0, {}, 0};
     const double half_turn = std::numbers::pi;
     const double first = std::atan2(arc.b.x(), arc.a.x()), second = std::atan2(arc.b.y(), arc.a.y());
     for (double k = std::floor(lo / half_turn) - 2; k * half_turn < hi + 2 * half_turn; ++k)
@@ -53,8 +54,12 @@ Carrier ellipse_carrier(const EllipticArc& arc) {
 
 Carrier spline_carrier(const Spline& spline) {
     const SplineShape& shape = *spline.shape;
-    Carrier carrier{Spline{spline.shape, 0, 1}, std::min(spline.begin, spline.end), std::max(spline.begin, spline.end),
-                    spline.end < spline.begin, shape.breaks};
+    Carrier carrier{Spline{spline.shape, 0, 1},
+                    std::min(spline.begin, spline.end),
+                    std::max(spline.begin, spline.end),
+                    spline.end < spline.begin,
+                    shape.breaks,
+                    0};
     for (const int axis : {0, 1})
         for (const double u : stationary_parameters(shape, axis)) carrier.breaks.push_back(u);
     std::sort(carrier.breaks.begin(), carrier.breaks.end());
@@ -87,13 +92,14 @@ HomogeneousSpan span_between(const Carrier& carrier, double u0, double u1, const
                    std::min(1.0, (u1 - begin) / width));
 }
 
-/// A monotone portion lies in the box of its ends: one this small, as a fraction of the tolerance, needs no arc. Without this
-/// the halving would not end beside a point where the curve stands still, whose tangents turn within rounding.
-constexpr double smallest_portion = 0.5;
+/// A monotone portion lies in the box of its ends: one this small, as a fraction of the curve's size and of the tolerance,
+/// needs no arc. Without this the halving would not end beside a point where the curve stands still, whose tangents turn within
+/// rounding.
+constexpr double smallest_portion = 1e-9, smallest_of_tolerance = 0.5;
 
 ArcFit fit(const Carrier& carrier, double u0, double u1, double tolerance) {
     const auto first = general_values(carrier.curve, u0), last = general_values(carrier.curve, u1);
-    if ((last[0] - first[0]).norm() <= smallest_portion * tolerance) return {Segment{first[0], last[0]}, 1};
+    if ((last[0] - first[0]).norm() <= carrier.smallest) return {Segment{first[0], last[0]}, 1};
     const Portion portion{first[0],
                           general_values(carrier.curve, 0.5 * (u0 + u1))[0],
                           last[0],
@@ -203,7 +209,9 @@ std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
     const auto* arc = std::get_if<EllipticArc>(&curve);
     Carrier carrier = arc ? ellipse_carrier(*arc) : spline_carrier(std::get<Spline>(curve));
     cut_breaks(carrier);
-    tolerance = std::max(tolerance, least_tolerance * bounding_box(curve).diagonal());
+    const double size = bounding_box(curve).diagonal();
+    tolerance = std::max(tolerance, least_tolerance * size);
+    carrier.smallest = std::min(smallest_portion * size, smallest_of_tolerance * tolerance);
     const std::vector<double> joints = portion_joints(carrier, tolerance);
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) append(pieces, carrier, joints[i], joints[i + 1], tolerance);

@@ -171,6 +171,10 @@ CsgResult evaluate(const CsgNode& tree) {
     result.repairs.insert(result.repairs.end(), merged.repairs.begin(), merged.repairs.end());
     const std::vector<Repair> touches = touching_loops(result.part);
     result.repairs.insert(result.repairs.end(), touches.begin(), touches.end());
+    if (!result.part.loops.empty() && !(area(result.part) > 0))
+        result.problems.push_back({tree.where, "the Boolean failed: its boundary encloses no area",
+                                   "move parts that nearly touch apart, or let them overlap",
+                                   point(result.part.edges.front().curve, 0)});
     if (result.part.loops.empty())
         result.problems.push_back({tree.where,
                                    "the part is empty: nothing is left of it",

@@ -191,7 +191,6 @@ TEST(BadInput, what_is_not_supported_yet_is_refused_by_name) {
              {"\"abut\": 1,", "\"abut\": 1, \"symmetry\": \"auto\",", "s.json:1 /symmetry: 'auto' is not supported yet"},
              {"\"material\": \"steel\"", "\"material\": \"rigid\"",
               "s.json:5 /parts/0/material: parts of the material 'rigid' are not supported yet"},
-             {"\"rectangle\": {", "\"mesh\": {", "s.json:5 /parts/0/geometry/mesh: 'mesh' is not supported yet"},
              {"\"fix\": [", "\"spring\": {\"normal\": 1}, \"fix\": [",
               "s.json:8 /supports/0/spring: 'spring' is not supported yet"},
              {"\"fix\": [", "\"at\": [[0, 0]], \"fix\": [", "s.json:8 /supports/0/at: 'at' is not supported yet"},

@@ -35,13 +35,13 @@ Inspection inspect(const std::string& entities) {
     return inspect_file(folder.write("drawing.dxf", dxf_file(entities)), in_unit("mm"));
 }
 
-/// A sound plate, a gap that is closed, one that is not, and a spline that is left out.
+/// A sound plate, a gap that is closed, one that is not, and a text that is left out.
 Inspection inspect_mixture() {
     return inspect(dxf_rectangle("A", "plate", 0, 0, 100, 50) + dxf_circle("B", "plate", 50, 25, 10) +
                    dxf_line("C0", "lid", 0, 60, 99.9999, 60) + dxf_line("C1", "lid", 100, 60, 100, 70) +
                    dxf_line("C2", "lid", 100, 70, 0, 70) + dxf_line("C3", "lid", 0, 70, 0, 60) +
                    dxf_line("D0", "open", 0, 80, 100, 80) + dxf_line("D1", "open", 100, 80, 50, 95) +
-                   dxf_line("D2", "open", 50, 95, 0, 81) + dxf_record("SPLINE", "E", "plate", {}));
+                   dxf_line("D2", "open", 50, 95, 0, 81) + dxf_record("TEXT", "E", "plate", {}));
 }
 
 int count(const std::string& text, const std::string& piece) {
@@ -90,15 +90,15 @@ TEST(Inspect, TellsOfRepairsProblemsAndOmissions) {
     EXPECT_EQ(json["problems"][0]["entity"], "hD0, hD2");
     EXPECT_NEAR(json["problems"][0]["at"][1].get<double>(), 80.5, 1e-9);
     EXPECT_GT(json["problems"][0]["line"], 0);
-    EXPECT_EQ(json["ignored"], Json::parse(R"([{"what": "SPLINE", "count": 1, "why": "not read by this version"}])"));
-    EXPECT_EQ(json["entities"]["SPLINE"]["ignored"], 1);
+    EXPECT_EQ(json["ignored"], Json::parse(R"([{"what": "TEXT", "count": 1, "why": "annotation"}])"));
+    EXPECT_EQ(json["entities"]["TEXT"]["ignored"], 1);
 }
 
 TEST(Inspect, PrintsATableForPeople) {
     const std::string table = inspection_table(inspect_mixture());
     EXPECT_TRUE(has(table, "plate  100 x 50")) << table;
     EXPECT_TRUE(has(table, "plate/: hA0, hA1, hA2, hA3, hB")) << table;
-    EXPECT_TRUE(has(table, "1 SPLINE: not read by this version")) << table;
+    EXPECT_TRUE(has(table, "1 TEXT: annotation")) << table;
     EXPECT_TRUE(has(table, "gap closed between hC0 and hC1, 0.0001, at (100, 60)")) << table;
     EXPECT_TRUE(has(table, "the ends of hD0, hD2 are 1 apart")) << table;
     EXPECT_TRUE(has(table, "drawing.dxf:")) << table;

@@ -274,7 +274,7 @@ TEST(ReadScene, faults_of_curves_have_place_and_hint) {
          {at + "/ellipse/radius", "unknown key", "'radii'"}},
         {R"({"slot": {"from": [1, 1], "to": [1, 1], "radius": 1}})", {at + "/slot", "begins where it ends", "circle"}},
         {R"({"slot": {"from": [1, 1], "to": [2, 1], "radius": -1}})", {at + "/slot/radius", "greater than 0"}},
-        {R"({"mesh": {"file": "a.stl"}})", {at + "/mesh", "not supported yet"}},
+        {R"({"mesh": {"file": "a.stl"}})", {at + "/mesh/file", "there is no such file"}},
         {R"({"place": {"of": {"circle": {"center": [0, 0], "radius": 1}}, "scale": 0}})",
          {at + "/place/scale", "greater than 0"}},
         {R"({"place": {"of": {"circle": {"center": [0, 0], "radius": 1}}, "mirror": "z"}})",
@@ -452,7 +452,7 @@ TEST(ReadScene, assembly_faults) {
         fault(R"(, "material": "m", "parts": {"pin": {"name": "base"}})").find("there are two parts with the name 'base'"),
         std::string::npos);
     EXPECT_NE(fault(R"(, "material": "m", "parts": {"pin": "ignored"})").find("expected one of \"ignore\""), std::string::npos);
-    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "block")").find("'block' is not supported yet"), std::string::npos);
+    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "component")").find("'component' is not supported yet"), std::string::npos);
 }
 
 TEST(ReadScene, imports_are_converted_where_both_units_are_stated) {
@@ -476,7 +476,7 @@ TEST(ReadScene, a_dxf_node_stands_for_one_part) {
         with_geometry(R"({"dxf": {"file": ")" + drawing + R"("}})");
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("the drawing bounds 3 parts here, not one: bracket, pin, base"),
+        EXPECT_NE(std::string(error.what()).find("the file bounds 3 parts here, not one: bracket, pin, base"),
                   std::string::npos)
             << error.what();
     }
