@@ -50,9 +50,10 @@ Outline read_arc(const Record& record) {
     Numbers numbers(record);
     const Vec2 center = numbers.point(10);
     const double radius = radius_of(numbers), from = numbers(50), to = numbers(51);
-    double sweep = std::fmod(to - from, 360.0);
+    const double start = std::fmod(from, 360.0);
+    double sweep = std::fmod(std::fmod(to, 360.0) - start, 360.0);
     if (sweep <= 0) sweep += 360;
-    return outline_of(numbers, arc_or_point(center, radius, from * degree, sweep * degree));
+    return outline_of(numbers, arc_or_point(center, radius, start * degree, sweep * degree));
 }
 
 /// Eccentric angles that differ by a full turn but for this are one: six decimals of 2 pi are 3e-7 off.
@@ -74,7 +75,8 @@ Outline read_ellipse(const Record& record) {
     const double from = numbers(41, 0), to = numbers(42, full_turn);
     if (std::abs(ratio) < least_ratio) numbers.fail("its axes have a ratio of less than 1e-6");
     if (!numbers.is_good() || a == Vec2(0, 0)) return outline_of(numbers, Segment{center, center});
-    return outline_of(numbers, circle_or_ellipse(center, a, side * ratio * left_of(a), from, elliptic_sweep(from, to)));
+    const double start = std::fmod(from, full_turn);  // billions of turns would leave no digit for the place on the ellipse
+    return outline_of(numbers, circle_or_ellipse(center, a, side * ratio * left_of(a), start, elliptic_sweep(from, to)));
 }
 
 // ---- polylines ----

@@ -167,26 +167,26 @@ std::string quoted_layers(const std::set<std::string>& layers) {
 }
 
 /// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline. Layers that
-/// do not close without each other, and layers or blocks that lie in each other's material (holes on a layer of their own), do
-/// not separate parts.
+/// do not close without each other do not separate parts, nor do layers or blocks that hold the holes of another one.
 SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
     SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
     const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
     std::string why = quoted_layers(layers);
     if (layers.size() > 1) {
-        const bool is_nested = are_nested_in_material(by_layer.parts, by_layer.layers);
-        if (!is_nested && by_layer.problems.empty()) return with_reason(std::move(by_layer), why);
+        const bool are_holes = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
+        if (!are_holes && by_layer.problems.empty()) return with_reason(std::move(by_layer), why);
         SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
-        if (is_nested) return with_reason(std::move(by_loop), why + ", but some lie in the material of others, as holes do");
-        if (by_loop.problems.empty())
-            return with_reason(std::move(by_loop), why + ", but not all close without what is on other layers");
+        const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
+                                             : why + ", but not all close without what is on other layers";
+        if (by_loop.problems.empty() || (are_holes && !by_layer.problems.empty()))
+            return with_reason(std::move(by_loop), reason);
         return with_reason(std::move(by_layer), why);
     }
     if (is_all_in_blocks(drawing.entities)) {
         SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
         why += ", and everything lies in several blocks";
-        if (!are_nested_in_material(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
-        why += ", but some lie in the material of others, as holes do";
+        if (!are_others_its_holes(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
+        why += ", but all others lie in the material of one, as holes do";
     }
     return with_reason(sketch_by(drawing, options, PartsBy::loop), why);
 }

@@ -53,8 +53,8 @@ Drawing read_dxf(const std::string& path);
 
 /// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
 /// whatever it is drawn on. `automatic`: by layer where more than one holds closed outlines, else by block where everything
-/// lies in several blocks or insertions of blocks, else by loop; by loop, too, where layers or blocks only hold the holes of
-/// others, or where layers close only together.
+/// lies in several blocks or insertions of blocks, else by loop. By loop, too, where layers close only together, or where all
+/// layers or blocks but one lie wholly in the material of that one: they hold its holes (bodies of meshes never do).
 enum class PartsBy { automatic, layer, block, loop, color };
 
 struct SketchOptions {

@@ -44,13 +44,14 @@ Layout lay_out(const std::vector<SketchPiece>& entities, const std::vector<Chain
     return layout;
 }
 
-/// What the chain bounds, run counter-clockwise; the edges' order does not matter here.
+/// What the chain bounds, run counter-clockwise.
 Part region_of(const Layout& layout, int chain) {
     const auto c = static_cast<std::size_t>(chain);
     Part region;
     region.edges.assign(layout.all.edges.begin() + layout.first[c], layout.all.edges.begin() + layout.first[c + 1]);
-    if (area(region) < 0)
-        for (Edge& edge : region.edges) edge.curve = reversed(edge.curve);
+    if (area(region) > 0) return region;
+    std::reverse(region.edges.begin(), region.edges.end());
+    for (Edge& edge : region.edges) edge.curve = reversed(edge.curve);
     return region;
 }
 
@@ -149,8 +150,9 @@ std::pair<int, int> nearest_joints(const Layout& layout, int chain, double toler
 
 SketchProblem crossing(const SketchPiece& a, const SketchPiece& b, const Vec2& at, bool is_same_chain) {
     const std::string names = a.name + ", " + b.name;
-    const std::string what = is_same_chain ? "an outline on layer " + a.layer + " crosses or touches itself: "
-                                           : "two outlines on layer " + a.layer + " cross: ";
+    const std::string where = a.layer == b.layer ? " on layer " + a.layer : " on layers " + a.layer + " and " + b.layer;
+    const std::string what =
+        is_same_chain ? "an outline" + where + " crosses or touches itself: " : "two outlines" + where + " cross: ";
     return {what + names, at, names, std::min(a.line, b.line),
             is_same_chain ? "mend it in CAD" : "put each part on a layer of its own, or mend it in CAD"};
 }

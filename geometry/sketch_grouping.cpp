@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "geometry/edge_tree.hpp"
@@ -114,10 +115,11 @@ bool is_all_in_blocks(const std::vector<SketchEntity>& entities) {
     return is_inside && group_entities(entities, PartsBy::block).size() > 1;
 }
 
-bool are_nested_in_material(const std::vector<Part>& parts, const std::vector<std::string>& group) {
+bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std::string>& group) {
     std::vector<Box2> boxes;
     for (const Part& part : parts) boxes.push_back(bounding_box(part));
     const EdgeTree tree(boxes);
+    std::vector<bool> is_nested(parts.size(), false);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         std::vector<std::size_t> inside;
         for (const int near : tree.near(boxes[i], 0)) {
@@ -128,10 +130,16 @@ bool are_nested_in_material(const std::vector<Part>& parts, const std::vector<st
         }
         if (inside.empty()) continue;
         const SlabbedPieces pieces = slabbed(monotone_pieces(parts[i]));
-        for (const std::size_t k : inside)
-            if (lies_in_material(parts[k], pieces, parts[i])) return true;
+        for (const std::size_t k : inside) is_nested[k] = is_nested[k] || lies_in_material(parts[k], pieces, parts[i]);
     }
-    return false;
+    std::set<std::string> all(group.begin(), group.end()), others;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!is_nested[i]) others.insert(group[i]);
+    return all.size() > 1 && others.size() == 1;
+}
+
+bool are_bodies(const std::vector<SketchEntity>& entities) {
+    return std::all_of(entities.begin(), entities.end(), [](const auto& entity) { return entity.layer == entity.block; });
 }
 
 }  // namespace abut::geometry

@@ -24,9 +24,12 @@ std::vector<std::vector<SketchEntity>> by_instance(const std::vector<SketchEntit
 /// Does everything lie in blocks, and not all in the same?
 bool is_all_in_blocks(const std::vector<SketchEntity>& entities);
 
-/// Are there parts that lie wholly in the material of parts of another group (`group`: of each part)? Then the groups are not
-/// what separates the parts: a layer of holes, a block that is a hole. What a part has around a hole of the other is not meant:
-/// that is drawn in front of it.
-bool are_nested_in_material(const std::vector<Part>& parts, const std::vector<std::string>& group);
+/// Is there only one group but for those that lie wholly in the material of others (`group`: of each part)? Then these are its
+/// holes: a layer of holes, a block that is a hole. Parts around a hole of the other are not meant: they are drawn in front of
+/// it.
+bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std::string>& group);
+
+/// Are the layers bodies of a mesh, which are parts whatever they overlap?
+bool are_bodies(const std::vector<SketchEntity>& entities);
 
 }  // namespace abut::geometry

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/edge_tree.hpp"
+#include "geometry/moved_ends.hpp"
 
 namespace abut::geometry {
 
@@ -188,26 +189,12 @@ Arc rebuilt(const Arc& arc, const Vec2& from, const Vec2& to) {
     return kept_radius;
 }
 
-/// Turned and scaled as a whole; what closes on itself is only moved.
-Curve similar(const Curve& curve, const Vec2& from, const Vec2& to) {
-    const Vec2 begin = point(curve, 0), drawn = point(curve, 1) - begin, wanted = to - from;
-    Similarity map;
-    if (from != to && drawn.norm() > 0) {
-        map.scale = wanted.norm() / drawn.norm();
-        const Vec2 turn(drawn.dot(wanted), cross(drawn, wanted));
-        map.c = turn.x() / turn.norm();
-        map.s = turn.y() / turn.norm();
-    }
-    map.d = from - map.turned(begin);
-    return transformed(curve, map);
-}
-
 Curve with_ends(const Curve& curve, const Vec2& from, const Vec2& to, double rounding) {
     if (std::holds_alternative<Segment>(curve)) return Segment{from, to};
     const double move = std::max((point(curve, 0) - from).norm(), (point(curve, 1) - to).norm());
     if (move <= rounding) return curve;
     const auto* arc = std::get_if<Arc>(&curve);
-    return arc ? Curve(rebuilt(*arc, from, to)) : similar(curve, from, to);
+    return arc ? Curve(rebuilt(*arc, from, to)) : with_moved_ends(curve, from, to);
 }
 
 }  // namespace

@@ -214,6 +214,19 @@ std::vector<Region> regions_of(const Outlines& outlines) {
     return regions;
 }
 
+/// Takes out what is thinner than the coincidence all along: lines drawn there and back.
+void remove_without_area(const std::vector<SketchPiece>& entities, std::vector<Region>& regions, double coincidence,
+                         std::vector<SketchProblem>& problems) {
+    std::erase_if(regions, [&](const Region& region) {
+        if (region.area > coincidence * perimeter(region.outline) / 2) return false;
+        const SketchPiece& first = entities[index(region.first_entity)];
+        problems.push_back(
+            {"the outline that begins with " + first.kind + " " + first.name + " on layer " + first.layer + " encloses no area",
+             point(first.curve, 0.5), first.name, first.line, "delete what is drawn twice in CAD"});
+        return true;
+    });
+}
+
 /// Simple outlines inside parts, and contours of divided outlines inside parts.
 std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>& regions) {
     std::vector<Region> holes;
@@ -293,6 +306,7 @@ NestedParts nest(const Outlines& outlines, double tolerance, double coincidence)
     const Outlines sound = without_crossings(outlines, tolerance, nested);
     for (const DividedOutline& divided : sound.divided) nested.remarks.push_back(remark(sound.entities, divided));
     std::vector<Region> regions = regions_of(sound);
+    remove_without_area(sound.entities, regions, coincidence, nested.problems);
     find_surroundings(regions, {tolerance, coincidence});
     fill(regions, sound.divided);
     std::vector<Region> holes = holes_of(sound, regions);

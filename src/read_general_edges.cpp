@@ -31,7 +31,7 @@ Vec2 direction_at(double degrees) {
 
 /// Counter-clockwise from one angle to the other (degrees), in (0, 360]; equal angles are a full turn.
 double turn_between(double start, double end) {
-    const double turn = std::fmod(end - start, full_turn);
+    const double turn = std::fmod(std::fmod(end, full_turn) - std::fmod(start, full_turn), full_turn);
     return turn > 0 ? turn : turn + full_turn;
 }
 
@@ -82,8 +82,8 @@ std::vector<Curve> read_elliptic_arc(SceneReading& reading, const JsonValue& val
     if (!center || !radii || !start || !end) return {};
     const Vec2 axis = direction_at(angle);
     constexpr double degree = std::numbers::pi / 180;
-    return {geometry::EllipticArc{*center, radii->x() * axis, radii->y() * geometry::left_of(axis), *start * degree,
-                                  turn_between(*start, *end) * degree}};
+    return {geometry::EllipticArc{*center, radii->x() * axis, radii->y() * geometry::left_of(axis),
+                                  std::fmod(*start, full_turn) * degree, turn_between(*start, *end) * degree}};
 }
 
 std::vector<Curve> read_bezier(SceneReading& reading, const JsonValue& value) {

@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What holds of every drawing, and of the parts that it bounds.
 #pragma once
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "geometry/sketch.hpp"
 #include "tests/fuzz/part_faults.hpp"
 
 namespace abut::fuzz {
+
+/// With more, one run would take as long as hundreds of small ones and show nothing else. Where two ellipses or splines meet is
+/// looked for on hundreds of arcs each.
+inline constexpr std::ptrdiff_t most_fuzzed_entities = 300, most_fuzzed_general_entities = 4;
+
+inline bool is_small(const geometry::Drawing& drawing) {
+    const auto n_general = std::count_if(drawing.entities.begin(), drawing.entities.end(), [](const auto& entity) {
+        return std::holds_alternative<geometry::EllipticArc>(entity.curve) ||
+               std::holds_alternative<geometry::Spline>(entity.curve);
+    });
+    return std::ssize(drawing.entities) <= most_fuzzed_entities && n_general <= most_fuzzed_general_entities;
+}
 
 /// Empty where all is well.
 inline std::string fault_of_drawing(const geometry::Drawing& drawing) {

@@ -8,9 +8,6 @@
 
 namespace abut::fuzz {
 
-/// With more, one run would take as long as hundreds of small ones and show nothing else.
-inline constexpr std::size_t most_fuzzed_entities = 300;
-
 /// The way to tell parts apart is a matter of the number of bytes, so that all of them are tried and each input gives one.
 inline geometry::PartsBy parts_by_of_size(std::size_t n) {
     using geometry::PartsBy;
@@ -23,7 +20,7 @@ inline std::string fault_of_dxf(const std::string& bytes) {
     try {
         const geometry::Drawing drawing = geometry::read_dxf_bytes("fuzzed.dxf", bytes);
         const std::string fault = fault_of_drawing(drawing);
-        if (!fault.empty() || drawing.entities.size() > most_fuzzed_entities) return fault;
+        if (!fault.empty() || !is_small(drawing)) return fault;
         geometry::SketchOptions options;
         options.parts_by = parts_by_of_size(bytes.size());
         return fault_of_parts(geometry::parts_of(drawing, options));

@@ -77,6 +77,18 @@ TEST(SketchGrouping, ByLoopWhereALayerOnlyHoldsHoles) {
     }
 }
 
+TEST(SketchGrouping, PartsThatAreDrawnThroughOthersStayParts) {
+    // a pin without a bore to hold it: with a third part it is an assembly, and the overlap is for the user to see
+    const Entities pin{drawn_circle({5, 5}, 2, "p", "PIN")};
+    const SketchParts assembly = parts_by(square + disc + pin, PartsBy::automatic);
+    EXPECT_EQ(assembly.parts_by, PartsBy::layer);
+    EXPECT_EQ(part_names(assembly), (Names{"A", "B", "PIN"}));
+    // bodies of a mesh are parts in any case
+    const SketchParts bodies = parts_by(in_block(square, "A") + in_block(pin, "PIN"), PartsBy::automatic);
+    EXPECT_EQ(bodies.parts_by, PartsBy::layer);
+    EXPECT_EQ(part_names(bodies), (Names{"A", "PIN"}));
+}
+
 TEST(SketchGrouping, ByBlockWhereEverythingLiesInBlocks) {
     const Entities all = in_block(square, "ASSY/PLATE") + in_block(moved(square, {30, 0}), "ASSY/BAR");
     const SketchParts sketch = parts_by(all, PartsBy::automatic);
@@ -90,7 +102,7 @@ TEST(SketchGrouping, ByBlockWhereEverythingLiesInBlocks) {
     const SketchParts bored =
         parts_by(in_block(square, "PLATE") + in_block(Entities{drawn_circle({5, 5}, 2, "c", "A")}, "HOLE"), PartsBy::automatic);
     EXPECT_EQ(bored.parts_by, PartsBy::loop);
-    EXPECT_TRUE(says(bored.why, "in the material of others")) << bored.why;
+    EXPECT_TRUE(says(bored.why, "all others lie in the material of one")) << bored.why;
 }
 
 TEST(SketchGrouping, BlocksAreToldApartAtTheOutermostDifference) {

@@ -116,6 +116,14 @@ TEST(SketchMending, NothingIsRemovedAcrossParts) {
     for (const Part& part : sketch.parts) EXPECT_EQ(part.edges.size(), 4u);
 }
 
+TEST(SketchMending, OutlinesWithoutAreaAreReported) {
+    const SketchParts sketch = parts_by(
+        {drawn_line({0, 0}, {7, 1}, "a"), drawn_line({7, 1}, {14, 2}, "b"), drawn_line({14, 2}, {0, 0}, "c")}, PartsBy::loop);
+    EXPECT_TRUE(sketch.parts.empty());
+    ASSERT_EQ(sketch.problems.size(), 1u);
+    EXPECT_EQ(sketch.problems[0].what, "the outline that begins with LINE a on layer 0 encloses no area");
+}
+
 TEST(SketchMending, SpursAndCutsOfPolylinesGo) {
     // one polyline around a plate, in to a hole, around it, and back: as cutters and simple exporters write it
     const std::vector<Vec2> corners{{0, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 10}, {5, 10}, {10, 14}, {10, 6}, {5, 10}, {0, 10}};
@@ -165,6 +173,21 @@ TEST(SketchMending, CirclesOfConstructionAreLeftOut) {
     const SketchParts circles = parts_by({drawn_circle({0, 0}, 5, "b"), drawn_circle({6, 0}, 5, "c")}, PartsBy::layer);
     EXPECT_EQ(circles.problems.size(), 1u);
     EXPECT_TRUE(circles.parts.empty());
+}
+
+TEST(SketchMending, CrossingsAreFoundWhateverTheDirection) {
+    const std::vector<Vec2> plate{{0, 0}, {20, 0}, {20, 10}, {0, 10}}, bar{{17, 3}, {25, 4}, {24, 7}, {16, 6}};
+    for (int which = 0; which < 4; ++which) {
+        std::vector<Vec2> a = plate, b = bar;
+        if (which % 2 == 1) std::reverse(a.begin(), a.end());
+        if (which / 2 == 1) std::reverse(b.begin(), b.end());
+        for (const Entities& drawing :
+             {drawn_polygon(a, "a") + drawn_polygon(b, "b"), drawn_polygon(b, "b") + drawn_polygon(a, "a")}) {
+            const SketchParts sketch = parts_by(drawing, PartsBy::loop);
+            EXPECT_EQ(sketch.problems.size(), 1u) << which;
+            EXPECT_TRUE(sketch.parts.empty()) << which;
+        }
+    }
 }
 
 // ---- facets and splines ----
@@ -257,6 +280,65 @@ TEST(SketchMending, TheSameInputGivesTheSameBits) {
         for (std::size_t e = 0; e < a.parts[k].edges.size(); ++e)
             for (const double t : {0.0, 0.3, 1.0})
                 EXPECT_EQ(point(a.parts[k].edges[e].curve, t), point(b.parts[k].edges[e].curve, t));
+}
+
+// ---- anything at all ----
+
+/// Lines, arcs and circles between the points of a coarse grid: full of coincidences, crossings, branchings and loose ends.
+Entities soup(std::mt19937& random) {
+    const auto anywhere = [&] { return Vec2(static_cast<double>(random() % 5), static_cast<double>(random() % 5)); };
+    Entities entities;
+    const int n = 1 + static_cast<int>(random() % 30);
+    for (int k = 0; k < n; ++k) {
+        const std::string name = (random() % 3 == 0 ? "h" + std::to_string(k / 4) + "." : "l") + std::to_string(k);
+        const Vec2 a = anywhere();
+        switch (random() % 6) {
+            case 0:
+                entities.push_back(drawn_circle(a, 0.5 * static_cast<double>(random() % 4), name));
+                break;
+            case 1:
+                entities.push_back(
+                    drawn(Arc{a, 1.0 + static_cast<double>(random() % 2), pi / 2 * static_cast<double>(random() % 4),
+                              pi / 2 * static_cast<double>(1 + random() % 4)},
+                          name));
+                break;
+            case 2:
+                entities = std::move(entities) + drawn_rectangle(a, a + anywhere() + Vec2(1, 1), name + "s");
+                break;
+            default:
+                entities.push_back(drawn_line(a, anywhere(), name));
+        }
+    }
+    return entities;
+}
+
+void check_soups(int n_cases, unsigned seed) {
+    std::mt19937 random(seed);
+    int n_parts = 0, n_problems = 0;
+    for (int trial = 0; trial < n_cases; ++trial) {
+        const Entities entities = soup(random);
+        for (const PartsBy way : {PartsBy::automatic, PartsBy::loop}) {
+            const SketchParts sketch = parts_by(entities, way, random() % 4 == 0 ? 0.3 : 0.0);
+            n_parts += static_cast<int>(sketch.parts.size());
+            n_problems += static_cast<int>(sketch.problems.size());
+            ASSERT_EQ(sketch.layers.size(), sketch.parts.size());
+            for (const Part& part : sketch.parts) {
+                expect_sound(part, 1e-9);
+                EXPECT_GT(area(part), 0);
+            }
+            ASSERT_FALSE(testing::Test::HasFailure()) << "case " << trial;
+        }
+    }
+    EXPECT_GT(n_parts, n_cases / 2);
+    EXPECT_GT(n_problems, n_cases / 2);
+}
+
+TEST(SketchMending, PartsAreSoundWhateverIsDrawn) {
+    check_soups(500, 1);
+}
+
+TEST(LongSketchMending, PartsAreSoundWhateverIsDrawn) {
+    check_soups(20000, 2);
 }
 
 TEST(SketchMending, ManyEntitiesTakeLittleTime) {
