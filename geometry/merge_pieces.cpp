@@ -127,6 +127,17 @@ void add_loop(std::vector<Run> loop, const RunContext& context, MergedBoundary& 
     for (const std::vector<Run>& simple : cut_necks(std::move(loop), context)) add_restored(simple, context, result);
 }
 
+/// A loop that is left with pieces of one source either goes all the way round it, or is the rounding of a corner whose other
+/// pieces were rounding too: their chords tell.
+bool turns_back(const RawLoop& loop, const std::vector<PlacedSource>& sources) {
+    double chords = 0;
+    for (const RawPiece& piece : loop) {
+        if (piece.source != loop.front().source) return false;
+        chords += (piece.to - piece.from).norm();
+    }
+    return chords < bounding_box(sources[static_cast<std::size_t>(loop.front().source)].curve).diagonal();
+}
+
 }  // namespace
 
 MergedBoundary merge_pieces(const std::vector<std::vector<RawPiece>>& loops, const std::vector<PlacedSource>& sources,
@@ -143,7 +154,8 @@ MergedBoundary merge_pieces(const std::vector<std::vector<RawPiece>>& loops, con
     for (const RawLoop& raw : simple) {
         RawLoop loop = without_bridges(raw, sources, context.lengths.rounding);
         std::erase_if(loop, [&](const RawPiece& piece) { return (piece.to - piece.from).norm() <= context.lengths.rounding; });
-        if (!loop.empty()) add_loop(runs_of(std::move(loop), sources, context.lengths.rounding), context, result);
+        if (!loop.empty() && !turns_back(loop, sources))
+            add_loop(runs_of(std::move(loop), sources, context.lengths.rounding), context, result);
     }
     return result;
 }
