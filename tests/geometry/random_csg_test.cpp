@@ -201,6 +201,12 @@ void run_scenes(unsigned first, unsigned n, Leaves leaves, bool all_laws) {
 
 }  // namespace
 
+/// Scenes in which the long sweeps once found something: a lost ellipse, an edge without length, a corner's rounding taken for
+/// a whole circle.
+TEST(RandomCsg, ScenesThatOnceFailed) {
+    for (const unsigned seed : {1520U, 3035U, 5417U, 5777U}) run_scenes(seed, 1, Leaves::all, true);
+}
+
 TEST(RandomCsg, LinesAndCircles) {
     run_scenes(1, 200, Leaves::lines_and_circles, false);
 }
