@@ -56,7 +56,8 @@ public:
                 take_operand(words[i]);
             }
         }
-        if (operands_ == 0) problem("no " + spec_.operand + " given", "write abut " + spec_.name + " " + spec_.operand);
+        if (spec_.operands == Operands::one && arguments_.operands.empty())
+            problem("no " + spec_.operand + " given", "write abut " + spec_.name + " " + spec_.operand);
         if (!problems_.empty()) throw InputError(std::move(problems_));
         return std::move(arguments_);
     }
@@ -117,23 +118,23 @@ private:
 
     void take_operand(const std::string& word) {
         if (word.empty()) problem("the name given for " + spec_.operand + " is empty", help_pointer(spec_));
-        if (operands_ == 1) {
+        if (spec_.operands == Operands::one && arguments_.operands.size() == 1) {
             problem("more than one " + spec_.operand + " given: '" + shortened(arguments_.operand) + "' and '" +
                         shortened(word) + "'",
                     "run it once for each");
         }
-        if (operands_ == 0) arguments_.operand = word;
-        ++operands_;
+        if (arguments_.operands.empty()) arguments_.operand = word;
+        arguments_.operands.push_back(word);
     }
 
     const CommandSpec& spec_;
     Arguments arguments_;
     std::vector<Problem> problems_;
-    int operands_ = 0;
 };
 
 std::string usage_line(const CommandSpec& spec) {
-    std::string line = "usage: abut " + spec.name + " " + spec.operand;
+    const std::string operand = spec.operands == Operands::one ? spec.operand : "[" + spec.operand + "]";
+    std::string line = "usage: abut " + spec.name + " " + operand;
     for (const OptionSpec& o : spec.options) line += " [" + o.name + (o.value.empty() ? "" : " " + o.value) + "]";
     return line + "\n";
 }

@@ -14,18 +14,22 @@ struct OptionSpec {
     std::string help;   ///< one line
 };
 
+enum class Operands { one, any };  ///< exactly one is required; any number of them, none included
+
 struct CommandSpec {
     std::string name;     ///< "analyze"
-    std::string operand;  ///< "SCENE": exactly one is required
+    std::string operand;  ///< what it is called in the help: "SCENE"
     std::string summary;  ///< one line
     std::vector<OptionSpec> options;
     std::string notes;  ///< paragraphs for the end of the help, may be empty
+    Operands operands = Operands::one;
 };
 
 struct Arguments {
-    std::string operand;
+    std::string operand;                         ///< the first
     std::map<std::string, std::string> options;  ///< by name, those given; the value is empty where the option takes none
     bool help = false;                           ///< --help or -h was given: nothing else has been checked
+    std::vector<std::string> operands{};         ///< all
 };
 
 /// `--name value`, `--name=value`, `-o value`, options and operand in any order; everything after `--` is an operand. A value

@@ -13,7 +13,7 @@ namespace abut {
 CommandSpec init_spec() {
     CommandSpec spec{"init", "FILE", "Writes a starter scene for a drawing or mesh to standard output.", {}, {}};
     spec.options = drawing_option_specs();
-    spec.notes = "abut init clamp.dxf > clamp.json, then fill in supports and loads.\n";
+    spec.notes = "abut init clamp.dxf > clamp.json, then fill in a support and a load, where the scene says so.\n";
     return spec;
 }
 
@@ -21,7 +21,7 @@ int init_command(const Arguments& arguments) {
     if (kind_of_file(arguments.operand) == FileKind::scene)
         throw InputError(arguments.operand, "this is a scene already", "give a drawing or a mesh");
     const SketchReading reading = read_whole_sketch(arguments);
-    print_text(starter_scene(reading, detect_contacts(reading.scene, std::nullopt)));
+    print_text(starter_scene(reading, drawing_options(arguments), detect_contacts(reading.scene, std::nullopt)));
     return exit_done;
 }
 

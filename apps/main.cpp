@@ -27,11 +27,12 @@ std::vector<Command> known_commands() {
     return {{analyze_spec(), analyze_command},
             {contacts_spec(), contacts_command},
             {inspect_spec(), inspect_command},
-            {init_spec(), init_command}};
+            {init_spec(), init_command},
+            {verify_spec(), verify_command}};
 }
 
 /// Named in the documentation of the command line, and refused by name until they exist.
-const std::vector<std::string> future_commands{"study", "batch", "merge", "verify"};
+const std::vector<std::string> future_commands{"study", "batch", "merge"};
 
 std::string general_help() {
     std::string text = "usage: abut COMMAND FILE [OPTIONS]\n\nContact analysis of plane assemblies.\n\ncommands:\n";

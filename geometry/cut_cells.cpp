@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/curve_moments.hpp"
+#include "geometry/contour_area.hpp"
 #include "geometry/grid_walk.hpp"
 
 namespace abut::geometry {
@@ -64,15 +64,6 @@ void append_right_sides(CutCells& cells, std::vector<LineCrossing>& crossings) {
                 cells.contours.push_back({cell, -1, a, b});
         });
     }
-}
-
-/// Contribution of a contour piece to the area of its cell: the integral of (x - x0) dy, x0 the cell's left side.
-double area_share(const Part& part, const ContourPiece& c, double x0, double x1) {
-    if (c.edge < 0) return (x1 - x0) * (c.t1 - c.t0);
-    const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;
-    const Vec2 a = point(curve, c.t0), b = point(curve, c.t1);
-    const double share = (0.5 * (a.x() + b.x()) - x0) * (b.y() - a.y());
-    return std::holds_alternative<Segment>(curve) ? share : share + bulge(curve, c.t0, c.t1, a).area;
 }
 
 CellClass class_by(double fraction) {
@@ -170,20 +161,18 @@ void inherit_cells(std::vector<BoundaryPiece>& pieces, Key key) {
 
 /// For needles whose area is a rounding in cell after cell: within their loop, or else (a loop of no area) in the whole part.
 void inherit_cells(std::vector<BoundaryPiece>& pieces, const Part& part) {
-    std::vector<int> loop_of(part.edges.size(), -1);
-    for (std::size_t l = 0; l < part.loops.size(); ++l)
-        for (int e : part.loops[l].edges) loop_of[static_cast<std::size_t>(e)] = static_cast<int>(l);
+    const std::vector<int> loop_of = loops_of_edges(part);
     inherit_cells(pieces, [&](const BoundaryPiece& p) { return loop_of[static_cast<std::size_t>(p.edge)]; });
     inherit_cells(pieces, [](const BoundaryPiece&) { return 0; });
 }
 
 void locate_pieces(CutCells& cells, const Part& part) {
-    const double merge = merge_length(part);
+    cells.merge = merge_length(part);
     bool all_found = true;
     for (BoundaryPiece& piece : cells.pieces) {
         const Curve& curve = part.edges[static_cast<std::size_t>(piece.edge)].curve;
         const double middle = 0.5 * (piece.t0 + piece.t1);
-        piece.cell = cell_near(cells, point(curve, middle) - merge * outward_normal(curve, middle));
+        piece.cell = cell_near(cells, point(curve, middle) - cells.merge * outward_normal(curve, middle));
         all_found = all_found && piece.cell >= 0;
     }
     if (!all_found) inherit_cells(cells.pieces, part);

@@ -60,11 +60,15 @@ struct BoundaryPiece {
     int cell;  ///< the cell that holds the point just inside the part; never an outer one (-1 where there is no other)
 };
 
+enum class CellSide : std::uint8_t { bottom, right, top, left, none };
+
 /// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
 struct ContourPiece {
     int cell;
     int edge;
     double t0, t1;
+    /// Sides through which the boundary comes into the cell and leaves it; none: it goes on, to the loop's neighbouring piece.
+    CellSide enters = CellSide::none, leaves = CellSide::none;
 };
 
 struct CutCells {
@@ -75,6 +79,7 @@ struct CutCells {
     std::vector<int> first_piece;        ///< n_edges + 1 offsets into pieces
     std::vector<ContourPiece> contours;  ///< of all cells that an edge enters, and of no inner ones besides, by cell
     std::vector<int> first_contour;      ///< n_cells + 1 offsets into contours
+    double merge = 0;                    ///< the part's merge length: finding it takes as long as the rest
     double area = 0;                     ///< sum over the cells: equals the part's area where the grid covers it
 };
 

@@ -63,6 +63,7 @@ public:
             const int code = take_code();
             take_value(code, place);
             const std::string_view value = std::string_view(pool_).substr(begin);
+            note_code_page(code, value);
             is_end = code == 0 && value == "EOF";
             if (code != 999) raw_.push_back({code, static_cast<int>(place), begin, value.size()});
         }
@@ -121,8 +122,14 @@ private:
         const std::size_t end = bytes_.find('\0', at_);
         if (end == std::string_view::npos) throw_truncated(place);
         const std::string_view text = bytes_.substr(at_, end - at_);
-        pool_ += is_utf8(text) ? std::string(text) : latin1_to_utf8(text);
+        pool_ += to_utf8(std::string(text), code_page_);
         at_ = end + 1;
+    }
+
+    /// The header comes before all names.
+    void note_code_page(int code, std::string_view value) {
+        if (code == 3 && is_code_page_next_) code_page_ = value;
+        is_code_page_next_ = code == 9 && value == "$DWGCODEPAGE";
     }
 
     /// Pictures and the like: nothing of it is read.
@@ -159,7 +166,8 @@ private:
     const std::string& file_;
     std::string_view bytes_;
     std::size_t at_;
-    bool has_short_codes_ = false;
+    bool has_short_codes_ = false, is_code_page_next_ = false;
+    std::string code_page_;
     std::string pool_;
     std::vector<Raw> raw_;
 };

@@ -18,6 +18,10 @@ namespace {
 
 constexpr const char* mend_in_cad = "mend or delete it in CAD";
 
+std::string most_entities_text() {
+    return std::to_string(most_entities);
+}
+
 /// An instance of a block; the model space is one of no block.
 struct Instance {
     const Block* block = nullptr;
@@ -25,6 +29,7 @@ struct Instance {
     std::string path;        ///< names of the blocks around it and its own: "CLAMP/PIN"
     Look look;               ///< of the insert
     Placement placement;     ///< into the model space
+    double n_copies = 1;     ///< that the arrays around it make of it; whole, but larger than any int
 };
 
 /// Gives each record a name that no other has: the handle, or the place where there is none or the file gives it twice.
@@ -168,21 +173,42 @@ private:
         Insert insert = read_insert(record, base);
         if (insert.wrong.empty()) insert.wrong = numbers.wrong();
         if (!insert.wrong.empty()) return refuse_insert(record, "INSERT cannot be read: " + insert.wrong, in);
+        draw_once_in_one_place(record, insert, in);
+        const double n_copies = in.n_copies * insert.n_rows * insert.n_columns;
+        if (n_copies > static_cast<double>(most_entities))
+            return refuse_insert(record, "INSERT repeats block " + block.name + " more than " + most_entities_text() + " times",
+                                 in);
         open_blocks_.push_back(&block);
         bool is_good = true;
         for (int row = 0; row < insert.n_rows && is_good; ++row)
             for (int column = 0; column < insert.n_columns && is_good; ++column)
-                is_good = add_instance(record, block, placement_of(insert, row, column), look, in);
+                is_good = add_instance(record, block, placement_of(insert, row, column), look, in, n_copies);
         open_blocks_.pop_back();
         return is_good;
     }
 
+    /// Rows (columns) without a distance between them lie on each other: one says it all. Files that leave the distance out,
+    /// and damaged ones, ask for thousands.
+    void draw_once_in_one_place(const Record& record, Insert& insert, const Instance& in) {
+        const double n_drawn = 1.0 * insert.n_rows * insert.n_columns;
+        if (insert.row == Vec2(0, 0)) insert.n_rows = 1;
+        if (insert.column == Vec2(0, 0)) insert.n_columns = 1;
+        if (1.0 * insert.n_rows * insert.n_columns == n_drawn || !drawn_once_.insert(&record).second) return;
+        drawing_.repairs.push_back({"rows or columns of an INSERT of block " + insert.block.substr(0, 40) +
+                                        " that lie on each other drawn once (line " + std::to_string(record.line) + ")",
+                                    in.placement(first_point(record)), 0});
+    }
+
     bool add_instance(const Record& record, const Block& block, const Placement& placement, const Look& look,
-                      const Instance& in) {
+                      const Instance& in, double n_copies) {
         check_size(record);
         if (is_too_large_) return false;
-        Instance instance{&block, n_instances_[&block]++, in.path.empty() ? block.name : in.path + "/" + block.name, look,
-                          composed(in.placement, placement)};
+        Instance instance{&block,
+                          n_instances_[&block]++,
+                          in.path.empty() ? block.name : in.path + "/" + block.name,
+                          look,
+                          composed(in.placement, placement),
+                          n_copies};
         if (const std::string fault = placement_fault(instance.placement, largest_coordinate); !fault.empty())
             return refuse_insert(record, "INSERT cannot be read: " + fault, in);
         add_records(block.entities, instance);
@@ -213,7 +239,7 @@ private:
         if (is_too_large_ || (++n_steps_ <= 2 * most_entities && drawing_.entities.size() < most_entities)) return;
         is_too_large_ = true;
         drawing_.problems.push_back(
-            {"the drawing holds more than " + std::to_string(most_entities) + " lines and arcs with its blocks inserted",
+            {"the drawing holds more than " + most_entities_text() + " lines and arcs with its blocks inserted",
              first_point(record), "", record.line, "divide it, or delete what is no outline"});
     }
 
@@ -230,7 +256,7 @@ private:
     std::vector<const Block*> open_blocks_;
     std::unordered_map<const Block*, std::size_t> n_instances_;
     std::unordered_map<const Record*, NamedOutline> block_outlines_;
-    std::unordered_set<const Record*> reported_;
+    std::unordered_set<const Record*> reported_, drawn_once_;
     std::vector<InstanceOf> instance_of_;
     std::size_t n_steps_ = 0;
     bool is_too_large_ = false;

@@ -97,7 +97,8 @@ Groups split_groups(const std::string& file, std::string bytes) {
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
     Groups groups;
     groups.file = file;
-    groups.text = std::make_shared<const std::string>(is_utf8(bytes) ? std::move(bytes) : latin1_to_utf8(bytes));
+    const std::string code_page(stated_code_page(bytes));
+    groups.text = std::make_shared<const std::string>(to_utf8(std::move(bytes), code_page));
     split_lines(groups);
     return groups;
 }

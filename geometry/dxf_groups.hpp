@@ -29,8 +29,9 @@ struct Groups {
 
 /// Splits the bytes of a file into groups, up to and including the first "0 EOF"; at the end of the bytes if there is none:
 /// what is missing then is for the reader of sections to say. CR LF, LF and CR line ends, blank-padded codes and a byte order
-/// mark are accepted; text that is not UTF-8 is taken as Latin-1. Throws InputError (file, line or byte) where a group code is
-/// expected and none stands there. Cost: a pass over the bytes, 24 bytes of memory for each group.
+/// mark are accepted; text that is not UTF-8 is of the code page that the header states, or else Latin-1. Throws InputError
+/// (file, line or byte) where a group code is expected and none stands there. Cost: a pass over the bytes, 24 bytes of memory
+/// for each group.
 Groups split_groups(const std::string& file, std::string bytes);
 
 /// The number that a value stands for; a decimal comma counts as a point. False unless all of it is one finite number.

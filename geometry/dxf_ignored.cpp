@@ -46,12 +46,17 @@ const std::array reasons{
 /// and hyphens.
 constexpr std::array construction_linetypes{"CENTER"sv,  "CENTRE"sv, "HIDDEN"sv, "PHANTOM"sv, "DASHED"sv,     "DASH"sv,
                                             "DASHDOT"sv, "DOT"sv,    "DIVIDE"sv, "CHAIN"sv,   "DASHEDSPACE"sv};
-constexpr std::array construction_layers{"CENTER"sv,       "CENTRE"sv,           "CENTERLINE"sv,        "CENTRELINE"sv,
-                                         "CENTERLINES"sv,  "CENTRELINES"sv,      "CENTERMARKS"sv,       "CENTREMARKS"sv,
-                                         "HIDDEN"sv,       "HIDDENLINES"sv,      "PHANTOM"sv,           "DIM"sv,
-                                         "DIMS"sv,         "DIMENSION"sv,        "DIMENSIONS"sv,        "DEFPOINTS"sv,
-                                         "CONSTRUCTION"sv, "CONSTRUCTIONLINE"sv, "CONSTRUCTIONLINES"sv, "MITTELLINIE"sv,
-                                         "MITTELLINIEN"sv};
+constexpr std::array construction_layers{
+    "CENTER"sv,           "CENTRE"sv,      "CENTERLINE"sv,        "CENTRELINE"sv,  "CENTERLINES"sv,
+    "CENTRELINES"sv,      "CENTERMARKS"sv, "CENTREMARKS"sv,       "MITTELLINIE"sv, "MITTELLINIEN"sv,
+    "HIDDEN"sv,           "HIDDENLINES"sv, "VERDECKT"sv,          "PHANTOM"sv,     "CONSTRUCTION"sv,
+    "CONSTRUCTIONLINE"sv, "HILFSLINIE"sv,  "CONSTRUCTIONLINES"sv, "HILFSLINIEN"sv, "DEFPOINTS"sv};
+/// What explains a drawing and what it is drawn on. Words that may as well name a part (frame, axis) are not among them.
+constexpr std::array annotation_layers{
+    "DIM"sv,      "DIMS"sv,       "DIMENSION"sv,   "DIMENSIONS"sv,      "BEMASSUNG"sv,   "BEMA\xC3\x9FUNG"sv,
+    "COTATION"sv, "TEXT"sv,       "TEXTS"sv,       "NOTES"sv,           "ANNOTATION"sv,  "ANNOTATIONS"sv,
+    "HATCHING"sv, "SCHRAFFUR"sv,  "BORDER"sv,      "BORDERS"sv,         "SHEETBORDER"sv, "DRAWINGFRAME"sv,
+    "TITLE"sv,    "TITLEBLOCK"sv, "SCHRIFTFELD"sv, "ZEICHNUNGSRAHMEN"sv};
 
 template <std::size_t n>
 bool is_one_of(std::string_view text, const std::array<std::string_view, n>& names) {
@@ -137,6 +142,7 @@ std::string why_ignored(const Record& entity, const Look& look) {
     if (entity.type == "INSERT") return {};
     if (is_construction_linetype(look.linetype)) return "line type " + look.linetype;
     if (is_one_of(plain_name(look.layer), construction_layers)) return "layer of construction lines";
+    if (is_one_of(plain_name(look.layer), annotation_layers)) return "layer of annotation, or of the sheet";
     return {};
 }
 

@@ -20,6 +20,9 @@ struct GridWalk {
     std::vector<BoundaryPiece> pieces;    ///< all of every edge, in the order of the walk; cells not yet given (-1)
 };
 
+/// By edge: its loop. A part without loops counts as one loop of all its edges in order.
+std::vector<int> loops_of_edges(const Part& part);
+
 /// Cost O(edges x (log lines) + contours).
 GridWalk walk_boundary(const Part& part, const Grid& grid);
 

@@ -51,43 +51,72 @@ void add_contour(CellRule& rule, const Part& part, const Grid& grid, const Conto
     }
 }
 
-}  // namespace
-
-std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree) {
+/// Of the boundary cells in order, in each of its elements in ascending order. element_of(contour): -1 for what does not count.
+template <class ElementOf>
+std::vector<CellRule> rules_by_element(const Part& part, const CutCells& cells, int degree, ElementOf element_of) {
     std::vector<CellRule> rules;
     std::vector<GaussPortion> portions;
     for (std::size_t c = 0; c < cells.cell_class.size(); ++c) {
         if (cells.cell_class[c] != CellClass::boundary) continue;
-        CellRule rule{static_cast<int>(c), {}, {}};
-        for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
-            add_contour(rule, part, cells.grid, cells.contours[static_cast<std::size_t>(k)], degree, portions);
-        rules.push_back(std::move(rule));
+        const auto first = static_cast<std::ptrdiff_t>(rules.size());  // the cell's own; further elements are numbered beyond
+        rules.push_back({static_cast<int>(c), {}, {}});
+        for (auto k = static_cast<std::size_t>(cells.first_contour[c]);
+             k < static_cast<std::size_t>(cells.first_contour[c + 1]); ++k) {
+            const int element = element_of(k);
+            if (element < 0) continue;
+            auto rule = std::lower_bound(rules.begin() + first, rules.end(), element,
+                                         [](const CellRule& r, int e) { return r.element < e; });
+            if (rule == rules.end() || rule->element != element) rule = rules.insert(rule, {element, {}, {}});
+            add_contour(*rule, part, cells.grid, cells.contours[k], degree, portions);
+        }
     }
     return rules;
 }
 
-std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n) {
+template <class ElementOf>
+std::vector<BoundaryPoint> rule_along(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n,
+                                      ElementOf element_of) {
     std::vector<BoundaryPoint> points;
     std::vector<GaussPortion> portions;
     const auto e = static_cast<std::size_t>(edge);
     const Curve& curve = part.edges[e].curve;
-    for (int k = cells.first_piece[e]; k < cells.first_piece[e + 1]; ++k) {
-        const BoundaryPiece& piece = cells.pieces[static_cast<std::size_t>(k)];
+    for (auto k = static_cast<std::size_t>(cells.first_piece[e]); k < static_cast<std::size_t>(cells.first_piece[e + 1]); ++k) {
+        const BoundaryPiece& piece = cells.pieces[k];
         const double a = std::max(t0, piece.t0), b = std::min(t1, piece.t1);
         if (b <= a) continue;
         portions.clear();
         append_length_portions(portions, curve, a, b, n, cell_size(cells.grid, piece.cell));
+        const int element = element_of(k);
         for (const GaussPortion& portion : portions) {
             const GaussRule& rule = gauss_rule(portion.n);
             const double width = portion.t1 - portion.t0;
             for (std::size_t i = 0; i < rule.points.size(); ++i) {
                 const double t = portion.t0 + rule.points[i] * width;
-                points.push_back({piece.cell, edge, t, point(curve, t), outward_normal(curve, t),
+                points.push_back({element, edge, t, point(curve, t), outward_normal(curve, t),
                                   rule.weights[i] * width * derivative(curve, t).norm()});
             }
         }
     }
     return points;
+}
+
+}  // namespace
+
+std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree) {
+    return rules_by_element(part, cells, degree, [&](std::size_t contour) { return cells.contours[contour].cell; });
+}
+
+std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, const Elements& elements, int degree) {
+    return rules_by_element(part, cells, degree, [&](std::size_t contour) { return elements.of_contour[contour]; });
+}
+
+std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n) {
+    return rule_along(part, cells, edge, t0, t1, n, [&](std::size_t piece) { return cells.pieces[piece].cell; });
+}
+
+std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, const Elements& elements, int edge, double t0,
+                                         double t1, int n) {
+    return rule_along(part, cells, edge, t0, t1, n, [&](std::size_t piece) { return elements.of_piece[piece]; });
 }
 
 }  // namespace abut::geometry

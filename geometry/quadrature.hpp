@@ -3,13 +3,13 @@
 #pragma once
 #include <vector>
 
-#include "geometry/cut_cells.hpp"
+#include "geometry/elements.hpp"
 
 namespace abut::geometry {
 
-/// Points (n) and weights (n) of one boundary cell.
+/// Points (n) and weights (n) of one element of a boundary cell.
 struct CellRule {
-    int cell;
+    int element;
     std::vector<Vec2> points;
     std::vector<double> weights;
 };
@@ -19,9 +19,11 @@ struct CellRule {
 /// Exact but for rounding along segments, ellipses and splines, to 1e-9 along circular arcs (gauss_portions.hpp). Points may
 /// lie outside the part and weights may be negative.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree);
+/// One for every element of every boundary cell: by cell, then by element. Where no cell is split, the same bit for bit.
+std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, const Elements& elements, int degree);
 
 struct BoundaryPoint {
-    int cell;
+    int element;
     int edge;
     double t;
     Vec2 x, normal;  ///< normal: unit, outward
@@ -31,5 +33,8 @@ struct BoundaryPoint {
 /// Gauss points of the portion [t0, t1] of an edge, cell by cell, for polynomials of total degree 2n - 1 times the arc length:
 /// n points a cell, more where the edge curves. As exact as cell_rules.
 std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n);
+/// The same points, with the elements in whose cells they are in place of the cells.
+std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, const Elements& elements, int edge, double t0,
+                                         double t1, int n);
 
 }  // namespace abut::geometry

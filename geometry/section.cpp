@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "geometry/arc_fit.hpp"
 #include "geometry/message_text.hpp"
+#include "geometry/section_bulges.hpp"
 #include "geometry/section_loops.hpp"
 
 namespace abut::geometry {
@@ -100,63 +99,74 @@ SectionPlane off_faces(const std::vector<const Mesh*>& bodies, const SectionPlan
 
 // ---- one body ----
 
-class BodySection {
-public:
-    BodySection(const Mesh& body, double tolerance, Section& section) : body_(body), tolerance_(tolerance), section_(section) {}
-
-    /// Does the plane meet the body?
-    bool add() {
-        const SectionLoops found = section_loops(body_, section_.plane);
-        if (found.box.empty() || (found.loops.empty() && found.open.empty())) return false;
-        const double size = found.box.diagonal();
-        const double fit = std::max(tolerance_ > 0 ? tolerance_ : arc_fraction * size, least_arc_fraction * size);
-        for (const std::vector<Vec2>& loop : found.loops)
-            for (const FittedPiece& piece : fit_lines_and_arcs(loop, true, fit)) add(piece, loop.size());
-        for (const SectionGap& gap : found.closed_cracks)
-            section_.repairs.push_back(
-                {"crack in the section of " + body_.name + " closed", gap.from, (gap.to - gap.from).norm()});
-        for (const SectionGap& gap : found.open) report(gap);
-        is_open_ = !found.open.empty();
-        return true;
-    }
-    bool is_open() const { return is_open_; }
-
-private:
-    void add(const FittedPiece& piece, std::size_t n_points) {
-        SketchEntity entity;
-        entity.curve = piece.curve;
-        if (Arc* arc = std::get_if<Arc>(&entity.curve)) {
-            const bool is_full = piece.first == piece.last;
-            // Whole circles as drawings hold them.
-            if (is_full) arc->start = 0, arc->sweep = 2 * std::numbers::pi;
-            report(*arc, piece, is_full, static_cast<int>(n_points));
-        }
-        entity.kind = "SECTION";
-        entity.layer = entity.block = body_.name;
-        entity.name = "e" + std::to_string(n_entities_++);
-        section_.drawing.entities.push_back(std::move(entity));
-    }
-
-    void report(const Arc& arc, const FittedPiece& piece, bool is_full, int n_points) {
-        const int n = is_full ? n_points : (piece.last - piece.first + n_points) % n_points + 1;
-        section_.repairs.push_back({std::string(is_full ? "circle" : "arc") + " of radius " + number_text(arc.radius) +
-                                        " through " + std::to_string(n) + " points of " + body_.name,
-                                    point(arc, 0.5), piece.residual});
-    }
-
-    void report(const SectionGap& gap) {
-        section_.drawing.problems.push_back({"the section of " + body_.name + " does not close: it ends at " +
-                                                 place_text(gap.from) + ", a gap of " +
-                                                 number_text((gap.to - gap.from).norm()) + " from " + place_text(gap.to),
-                                             gap.from, body_.name, 0, "mend the mesh, or cut it at another place"});
-    }
-
-    const Mesh& body_;
-    double tolerance_;
-    Section& section_;
-    int n_entities_ = 0;
-    bool is_open_ = false;
+/// What the plane cuts out of a body.
+struct BodyCut {
+    const Mesh* body;
+    std::vector<SectionGap> open, closed_cracks;
 };
+
+std::string counted_points(int n, const Mesh& body) {
+    return " through " + std::to_string(n) + " points of " + body.name;
+}
+
+/// What was recovered, and how far the points are from it.
+void report(const OutlinePiece& piece, const Mesh& body, std::vector<Repair>& repairs) {
+    using Kind = OutlinePiece::Kind;
+    if (piece.kind == Kind::line) return;
+    const Vec2 at = point(piece.curves[piece.curves.size() / 2], piece.curves.size() > 1 ? 0 : 0.5);
+    if (piece.kind == Kind::curve) {
+        repairs.push_back({"curve of " + std::to_string(piece.curves.size()) + " arcs" + counted_points(piece.n_facets + 1, body) +
+                               ", up to " + number_text(piece.sagitta) + " from its facets",
+                           at, piece.residual});
+        return;
+    }
+    const bool is_full = piece.kind == Kind::circle;
+    repairs.push_back({std::string(is_full ? "circle" : "arc") + " of radius " +
+                           number_text(std::get<Arc>(piece.curves.front()).radius) +
+                           counted_points(piece.n_facets + (is_full ? 0 : 1), body),
+                       at, piece.residual});
+}
+
+void add_entities(const BodyOutlines& found, const Mesh& body, Section& section) {
+    int n = 0;
+    for (const Outline& outline : found.outlines)
+        for (const OutlinePiece& piece : outline.pieces) {
+            report(piece, body, section.repairs);
+            for (const Curve& curve : piece.curves) {
+                SketchEntity entity;
+                entity.curve = curve;
+                entity.kind = "SECTION";
+                entity.layer = entity.block = body.name;
+                entity.name = "e" + std::to_string(n++);
+                section.drawing.entities.push_back(std::move(entity));
+            }
+        }
+}
+
+void report(const SectionGap& gap, const Mesh& body, Section& section) {
+    section.drawing.problems.push_back({"the section of " + body.name + " does not close: it ends at " + place_text(gap.from) +
+                                            ", a gap of " + number_text((gap.to - gap.from).norm()) + " from " +
+                                            place_text(gap.to),
+                                        gap.from, body.name, 0, "mend the mesh, or cut it at another place"});
+}
+
+// ---- all bodies ----
+
+/// Curves that cross what their facets do not become facets again. Which may then be in the way of others, so once more.
+void leave_facets_where_curves_cross(const std::vector<BodyCut>& cuts, std::vector<BodyOutlines>& bodies, Section& section) {
+    for (auto conflicts = conflicts_of_bulges(bodies); !conflicts.empty(); conflicts = conflicts_of_bulges(bodies))
+        for (auto conflict = conflicts.rbegin(); conflict != conflicts.rend(); ++conflict) {  // places before stay valid
+            const auto own = static_cast<std::size_t>(conflict->body), other = static_cast<std::size_t>(conflict->other);
+            Outline& outline = bodies[own].outlines[static_cast<std::size_t>(conflict->outline)];
+            const auto place = outline.pieces.begin() + conflict->piece;
+            const std::vector<OutlinePiece> facets = facets_of(outline, *place);
+            section.repairs.push_back({std::to_string(facets.size()) + " facets of " + cuts[own].body->name +
+                                           " left as they are: a curve through their points would cross " +
+                                           (own == other ? "it elsewhere" : cuts[other].body->name),
+                                       conflict->at, conflict->depth});
+            outline.pieces.insert(outline.pieces.erase(place), facets.begin(), facets.end());
+        }
+}
 
 /// What is wrong with a body's mesh matters where its section does not close, and is told in any case.
 void pass_on_faults(const MeshFile& mesh, const std::string& body, bool is_open, Section& section) {
@@ -174,6 +184,20 @@ void report_missed(const Box3& box, Section& section) {
     section.drawing.problems.push_back({"the plane " + text_of(section.plane) + " meets no body", Vec2::Zero(), "", 0,
                                         "choose a section; the bodies lie between " + text_of({axis, box.low[axis]}) + " and " +
                                             text_of({axis, box.high[axis]})});
+}
+
+void report_missed_body(const Mesh& body, Section& section) {
+    section.drawing.ignored.push_back({"body " + body.name, 1, "the plane " + text_of(section.plane) + " does not meet it"});
+    EntityCount& count = section.drawing.counts["body"];
+    if (count.used > 0) --count.used, ++count.ignored;
+}
+
+void add(const BodyCut& cut, const BodyOutlines& outlines, const MeshFile& mesh, Section& section) {
+    add_entities(outlines, *cut.body, section);
+    for (const SectionGap& gap : cut.closed_cracks)
+        section.repairs.push_back({"crack in the section of " + cut.body->name + " closed", gap.from, (gap.to - gap.from).norm()});
+    for (const SectionGap& gap : cut.open) report(gap, *cut.body, section);
+    pass_on_faults(mesh, cut.body->name, !cut.open.empty(), section);
 }
 
 Drawing empty_drawing(const MeshFile& mesh) {
@@ -210,7 +234,7 @@ SectionPlane default_plane(const std::vector<Mesh>& bodies) {
     return {axis, 0.5 * (box.low[axis] + box.high[axis])};
 }
 
-Section cut(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {
+Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOptions& options) {
     Section section{empty_drawing(mesh), plane, mesh.repairs};
     const std::vector<const Mesh*> bodies = sound_bodies(mesh, section.drawing.problems);
     Box3 box;
@@ -224,21 +248,28 @@ Section cut(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {
     if (section.plane.at != plane.at)
         section.repairs.push_back({"the plane " + text_of(plane) + " runs along faces: cut at " + text_of(section.plane),
                                    Vec2::Zero(), std::abs(section.plane.at - plane.at)});
-    bool is_met = false;
+    std::vector<BodyCut> cuts;
+    std::vector<BodyOutlines> outlines;
     for (const Mesh* body : bodies) {
-        BodySection own(*body, tolerance, section);
-        if (own.add()) {
-            is_met = true;
-            pass_on_faults(mesh, body->name, own.is_open(), section);
+        SectionLoops found = section_loops(*body, section.plane);
+        if (found.box.empty() || (found.loops.empty() && found.open.empty())) {
+            report_missed_body(*body, section);
             continue;
         }
-        section.drawing.ignored.push_back(
-            {"body " + body->name, 1, "the plane " + text_of(section.plane) + " does not meet it"});
-        EntityCount& count = section.drawing.counts["body"];
-        if (count.used > 0) --count.used, ++count.ignored;
+        const double size = found.box.diagonal();
+        outlines.push_back({{}, std::max(options.tolerance > 0 ? options.tolerance : arc_fraction * size, least_arc_fraction * size)});
+        for (const std::vector<Vec2>& loop : found.loops)
+            outlines.back().outlines.push_back(outline_of(loop, outlines.back().tolerance, options.recognise_arcs));
+        cuts.push_back({body, std::move(found.open), std::move(found.closed_cracks)});
     }
-    if (!is_met) report_missed(box, section);
+    leave_facets_where_curves_cross(cuts, outlines, section);
+    for (std::size_t k = 0; k < cuts.size(); ++k) add(cuts[k], outlines[k], mesh, section);
+    if (cuts.empty()) report_missed(box, section);
     return section;
+}
+
+Section cut(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {
+    return cut(mesh, plane, SectionOptions{tolerance, true});
 }
 
 Drawing section(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {

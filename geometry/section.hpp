@@ -34,12 +34,20 @@ struct Section {
     std::vector<Repair> repairs;
 };
 
+struct SectionOptions {
+    double tolerance = 0;        ///< of arcs; 0: arc_fraction of the body's section
+    bool recognise_arcs = true;  ///< facets that are arcs within the tolerance, or stand for a curve, become arcs
+};
+
 /// Sections of all bodies as a drawing: one layer per body, named after it, with lines and arcs `e0`, `e1`, ... in order
 /// along each loop. A plane that runs along faces of a body is moved off them by a fraction of the size, and a repair says so.
-/// Sections that do not close (holes in the mesh) are problems with place; the problems of such a body's mesh join them. Arcs
-/// are recognised within `tolerance` (0: a default fraction of the body's size); the largest distance of the section's vertices
-/// from an arc is a repair's size. Bodies that the plane does not meet are counted as ignored; that it meets none is a problem.
+/// Sections that do not close (holes in the mesh) are problems with place; the problems of such a body's mesh join them. Facets
+/// of circles (arc_fit.hpp) and of other curves (arc_fit_curves.hpp) become arcs, unless these would cross another boundary
+/// that the facets do not (section_bulges.hpp; a repair says so); the largest distance of the section's vertices from an arc is
+/// a repair's size. Bodies that the plane does not meet are counted as ignored; that it meets none is a problem.
 /// Bodies with coordinates that are no numbers, or triangles of vertices that are not there, are problems. Cost O(n log n).
+Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOptions& options);
+/// The same with arcs recognised.
 Section cut(const MeshFile& mesh, const SectionPlane& plane, double tolerance);
 /// The drawing alone.
 Drawing section(const MeshFile& mesh, const SectionPlane& plane, double tolerance);

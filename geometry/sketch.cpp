@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "geometry/sketch_grouping.hpp"
@@ -80,18 +81,23 @@ void add_outlines(Outlines& to, Outlines from) {
     append(to.divided, std::move(from.divided));
 }
 
-/// What closes among the entities of a group, and the largest tolerance it took.
+/// What closes among the entities of a group, by blocks of very different size perhaps.
 struct GroupOutlines {
     Outlines outlines;
-    double tolerance = 0, coincidence = 0;
+    double tolerance = 0;                                          ///< the largest that outlines took
+    double coincidence = std::numeric_limits<double>::infinity();  ///< the smallest: what is large to one block is another
+    double largest_tolerance = 0;                                  ///< also of what did not close
 };
 
 void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch) {
+    group.largest_tolerance = std::max(group.largest_tolerance, closed.tolerance);
+    if (!closed.outlines.closed.empty() || !closed.outlines.divided.empty()) {
+        group.tolerance = std::max(group.tolerance, closed.tolerance);
+        group.coincidence = std::min(group.coincidence, closed.coincidence);
+    }
     add_outlines(group.outlines, std::move(closed.outlines));
     append(sketch.repairs, std::move(closed.repairs));
     append(sketch.problems, std::move(closed.problems));
-    group.tolerance = std::max(group.tolerance, closed.tolerance);
-    group.coincidence = std::max(group.coincidence, closed.coincidence);
 }
 
 /// An insertion of a block that does not close by itself is a portion of something larger.
@@ -119,7 +125,7 @@ struct FoundPart {
 void add_parts(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch,
                std::vector<FoundPart>& found) {
     const GroupOutlines closed = close_group(group, options, rounding, sketch);
-    sketch.tolerance = std::max(sketch.tolerance, closed.tolerance);
+    sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
     NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence);
     append(sketch.problems, std::move(nested.problems));
     append(sketch.repairs, std::move(nested.remarks));
@@ -166,29 +172,45 @@ std::string quoted_layers(const std::set<std::string>& layers) {
                               : std::to_string(layers.size()) + " layers hold closed outlines";
 }
 
-/// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline. Layers that
-/// do not close without each other do not separate parts, nor do layers or blocks that hold the holes of another one.
+/// A drawing's diagonal times this: closer outlines touch. Exporters write six digits or more.
+constexpr double touching_fraction = 1e-6;
+
+/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
+/// holes of one of them.
+SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
+    const double coincidence = touching_fraction * box_of(drawing.entities).diagonal();
+    const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
+    const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
+    const bool are_holes = is_inside && !is_assembly;
+    if (!are_holes && by_layer.problems.empty())
+        return with_reason(
+            std::move(by_layer),
+            is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
+    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+    const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
+                                         : why + ", but not all close without what is on other layers";
+    const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
+    if ((by_loop.problems.empty() && !is_cut_only) || (are_holes && !by_layer.problems.empty()))
+        return with_reason(std::move(by_loop), reason);
+    return with_reason(std::move(by_layer), why);
+}
+
+/// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline.
 SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
     SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
     const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
     std::string why = quoted_layers(layers);
-    if (layers.size() > 1) {
-        const bool are_holes = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
-        if (!are_holes && by_layer.problems.empty()) return with_reason(std::move(by_layer), why);
-        SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
-        const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
-                                             : why + ", but not all close without what is on other layers";
-        if (by_loop.problems.empty() || (are_holes && !by_layer.problems.empty()))
-            return with_reason(std::move(by_loop), reason);
-        return with_reason(std::move(by_layer), why);
-    }
+    if (layers.size() > 1) return by_layers(drawing, options, std::move(by_layer), why);
     if (is_all_in_blocks(drawing.entities)) {
         SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
         why += ", and everything lies in several blocks";
         if (!are_others_its_holes(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
         why += ", but all others lie in the material of one, as holes do";
     }
-    return with_reason(sketch_by(drawing, options, PartsBy::loop), why);
+    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+    // What other layers hold cuts this one's parts and bounds nothing else: edges that are hidden, bent or engraved.
+    if (!by_layer.problems.empty() && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
+    return with_reason(std::move(by_loop), why);
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct Drawing {
     std::vector<Ignored> ignored;
     std::vector<SketchProblem> problems;  ///< unreadable entities
     std::vector<Repair> repairs;          ///< of meshes: what was mended, arcs recovered, the plane moved
+    std::string replaced_unit;            ///< what the file states, where an option says that `unit` is meant
 };
 
 /// Reads a DXF file, ASCII or binary, with its blocks inserted. Throws InputError (file, line) if it is missing, empty,
@@ -54,7 +55,9 @@ Drawing read_dxf(const std::string& path);
 /// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
 /// whatever it is drawn on. `automatic`: by layer where more than one holds closed outlines, else by block where everything
 /// lies in several blocks or insertions of blocks, else by loop. By loop, too, where layers close only together, or where all
-/// layers or blocks but one lie wholly in the material of that one: they hold its holes (bodies of meshes never do).
+/// layers or blocks but one lie wholly in the material of that one: they hold its holes (bodies of meshes never do, nor do
+/// layers of which parts touch or lie in each other's holes: an assembly in the frame of a sheet). Never by loop where that
+/// only cuts the parts of one layer by lines of another.
 enum class PartsBy { automatic, layer, block, loop, color };
 
 struct SketchOptions {

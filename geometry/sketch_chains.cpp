@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "geometry/sketch_blocks.hpp"
 
@@ -159,6 +160,12 @@ struct Tracer {
                 e.name, e.line, "close the outline in CAD"};
     }
 
+    SketchProblem joined_to_nothing(int index) const {
+        const SketchPiece& e = entities[static_cast<std::size_t>(index)];
+        return {e.kind + " " + e.name + " on layer " + e.layer + " is joined to nothing", point(e.curve, 0.5), e.name, e.line,
+                "delete it, or switch its layer off, or give it the line type CENTER if it is a centre line"};
+    }
+
     SketchProblem gap_between(const EntityEnd& end, const EntityEnd& other) const {
         const SketchPiece &a = entity(end), &b = entity(other);
         const Vec2 p = position(entities, end), q = position(entities, other);
@@ -172,6 +179,38 @@ struct Tracer {
                     : "close the gap in CAD or give a larger tolerance (it was " + short_number(tolerance) + ")"};
     }
 
+    /// Does it hang together with nothing, with no end that something else nearly continues? Centre lines do.
+    bool is_lone(const std::vector<EntityEnd>& open, int e) const {
+        for (const bool is_begin : {true, false}) {
+            if (joint(joint_of(e, is_begin)).ends.size() != 1) return false;
+            const Vec2 here = position(entities, {e, is_begin});
+            for (const EntityEnd& other : open)
+                if ((other.entity != e || other.is_begin != is_begin) &&
+                    (position(entities, other) - here).norm() <= bridgeable * tolerance)
+                    return false;
+        }
+        return true;
+    }
+
+    SketchProblem rest_of(const EntityEnd& end, const std::vector<bool>& is_told) const {
+        SketchProblem rest = lone_end(end);
+        rest.what =
+            std::to_string(std::count(is_told.begin(), is_told.end(), false)) + " more open ends on layer " + entity(end).layer;
+        return rest;
+    }
+
+    /// The problem of the first end, and which other one it tells of.
+    std::pair<SketchProblem, std::size_t> open_problem(const std::vector<EntityEnd>& open, std::size_t i) const {
+        const int e = open[i].entity;
+        if (is_lone(open, e)) {
+            const auto other = std::find_if(open.begin() + static_cast<std::ptrdiff_t>(i) + 1, open.end(),
+                                            [&](const EntityEnd& end) { return end.entity == e; });
+            return {joined_to_nothing(e), other == open.end() ? i : static_cast<std::size_t>(other - open.begin())};
+        }
+        const std::size_t k = nearest(open, i);
+        return {k == i ? lone_end(open[i]) : gap_between(open[i], open[k]), k};
+    }
+
     std::vector<SketchProblem> open_problems() const {
         const std::vector<EntityEnd> open = open_ends();
         std::vector<bool> is_told(open.size(), false);
@@ -179,15 +218,12 @@ struct Tracer {
         for (std::size_t i = 0; i < open.size(); ++i) {
             if (is_told[i]) continue;
             if (problems.size() == max_open_ends) {
-                const auto n = std::count(is_told.begin(), is_told.end(), false);
-                SketchProblem rest = lone_end(open[i]);
-                rest.what = std::to_string(n) + " more open ends on layer " + entity(open[i]).layer;
-                problems.push_back(rest);
+                problems.push_back(rest_of(open[i], is_told));
                 break;
             }
-            const std::size_t k = nearest(open, i);
-            problems.push_back(k == i ? lone_end(open[i]) : gap_between(open[i], open[k]));
-            is_told[i] = is_told[k] = true;
+            auto [problem, other] = open_problem(open, i);
+            problems.push_back(std::move(problem));
+            is_told[i] = is_told[other] = true;
         }
         return problems;
     }

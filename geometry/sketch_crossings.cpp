@@ -26,22 +26,35 @@ struct Layout {
     Part all;
     std::vector<int> chain, entity;  ///< by edge
     std::vector<int> first;          ///< edge by chain, and the number of edges at last
+    std::vector<double> size;        ///< diagonal by chain
 };
 
 Layout lay_out(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains) {
     Layout layout;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         layout.first.push_back(static_cast<int>(layout.all.edges.size()));
+        Box2 box;
         for (const ChainLink& link : chains[c]) {
             const SketchPiece& entity = entities[static_cast<std::size_t>(link.entity)];
             layout.all.edges.push_back(
                 {link.along ? entity.curve : reversed(entity.curve), entity.name, entity.name, link.along, 0.0});
             layout.chain.push_back(static_cast<int>(c));
             layout.entity.push_back(link.entity);
+            box.extend(bounding_box(entity.curve));
         }
+        layout.size.push_back(box.diagonal());
     }
     layout.first.push_back(static_cast<int>(layout.all.edges.size()));
     return layout;
+}
+
+/// Of the smaller of two outlines they may overlap by this fraction at most and only touch: the tolerance of what is joined
+/// nearby, some large thing of other blocks perhaps, says little about small ones.
+constexpr double overlap_fraction = 0.01;
+
+double tolerance_between(const Layout& layout, int chain, int other, double tolerance) {
+    const auto c = static_cast<std::size_t>(chain), o = static_cast<std::size_t>(other);
+    return std::min(tolerance, overlap_fraction * std::min(layout.size[c], layout.size[o]));
 }
 
 /// What the chain bounds, run counter-clockwise.
@@ -116,11 +129,11 @@ std::map<std::pair<int, int>, std::vector<Meeting>> find_meetings(const Layout& 
         for (int k : tree.near(bounding_box(a), tolerance)) {
             if (k <= static_cast<int>(i)) continue;
             const Curve& b = layout.all.edges[static_cast<std::size_t>(k)].curve;
-            if (!may_meet(a, b, tolerance)) continue;
             const int chain = layout.chain[i], other = layout.chain[static_cast<std::size_t>(k)];
-            for (const Vec2& p : meeting_points(a, b, tolerance))
-                if (chain != other || !is_joint(a, b, p, tolerance))
-                    found[{chain, other}].push_back({static_cast<int>(i), k, p});
+            const double within = tolerance_between(layout, chain, other, tolerance);
+            if (!may_meet(a, b, within)) continue;
+            for (const Vec2& p : meeting_points(a, b, within))
+                if (chain != other || !is_joint(a, b, p, within)) found[{chain, other}].push_back({static_cast<int>(i), k, p});
         }
     }
     return found;
@@ -183,7 +196,8 @@ std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, c
     std::vector<bool> is_crossing_itself(chains.size(), false);
     for (const auto& [pair, meetings] : find_meetings(layout, tolerance)) {
         const auto [chain, other] = pair;
-        if (chain != other && !do_cross(layout, chain, other, meetings, tolerance)) continue;
+        const double within = tolerance_between(layout, chain, other, tolerance);
+        if (chain != other && !do_cross(layout, chain, other, meetings, within)) continue;
         const Meeting& first = meetings.front();
         crossings.push_back(
             {chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other)});

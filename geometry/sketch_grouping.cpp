@@ -2,11 +2,13 @@
 #include "geometry/sketch_grouping.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "geometry/closest_points.hpp"
 #include "geometry/edge_tree.hpp"
 #include "geometry/monotone.hpp"
 
@@ -79,6 +81,20 @@ bool lies_in_material(const Part& inner, const SlabbedPieces& outer_pieces, cons
     });
 }
 
+/// The group whose parts' boxes reach farthest: of a plate and its holes the plate's.
+std::string surrounding_group(const std::vector<Part>& parts, const std::vector<std::string>& group) {
+    std::map<std::string, Box2> boxes;
+    for (std::size_t i = 0; i < parts.size(); ++i) boxes[group[i]].extend(bounding_box(parts[i]));
+    const auto is_smaller = [](const auto& a, const auto& b) { return a.second.diagonal() < b.second.diagonal(); };
+    return std::max_element(boxes.begin(), boxes.end(), is_smaller)->first;
+}
+
+bool lies_in_hole(const Part& inner, const Part& outer) {
+    if (outer.loops.size() < 2 || inner.edges.empty()) return false;
+    const Vec2 p = point(inner.edges.front().curve, 0.5);
+    return contains(monotone_pieces(outer_outline(outer)), p) && !contains(monotone_pieces(outer), p);
+}
+
 }  // namespace
 
 std::vector<EntityGroup> group_entities(const std::vector<SketchEntity>& entities, PartsBy parts_by) {
@@ -136,6 +152,33 @@ bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std:
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (!is_nested[i]) others.insert(group[i]);
     return all.size() > 1 && others.size() == 1;
+}
+
+bool do_others_touch(const std::vector<Part>& parts, const std::vector<std::string>& group, double coincidence) {
+    if (parts.empty()) return false;
+    const std::string surrounding = surrounding_group(parts, group);
+    std::vector<Box2> boxes;
+    for (const Part& part : parts) boxes.push_back(bounding_box(part));
+    const EdgeTree tree(boxes);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (group[i] == surrounding) continue;
+        for (const int near : tree.near(boxes[i], coincidence)) {
+            const auto k = static_cast<std::size_t>(near);
+            if (group[k] == surrounding || group[k] == group[i]) continue;
+            if (lies_in_hole(parts[k], parts[i]) || (k > i && closest_points(parts[i], parts[k], coincidence))) return true;
+        }
+    }
+    return false;
+}
+
+bool are_divided(const std::vector<Part>& before, const std::vector<Part>& after) {
+    const auto total = [](const std::vector<Part>& parts) {
+        double sum = 0;
+        for (const Part& part : parts) sum += area(part);
+        return sum;
+    };
+    const double area_before = total(before);
+    return after.size() > before.size() && std::abs(total(after) - area_before) <= merge_fraction * area_before;
 }
 
 bool are_bodies(const std::vector<SketchEntity>& entities) {

@@ -29,6 +29,14 @@ bool is_all_in_blocks(const std::vector<SketchEntity>& entities);
 /// it.
 bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std::string>& group);
 
+/// Do parts of one group touch, or lie in holes of, those of another (`group`: of each part), what holds all else left aside?
+/// Holes never do: what looks like the holes of one group is an assembly drawn in front of it then, in a sheet's frame for
+/// instance. `coincidence`: parts that are closer touch.
+bool do_others_touch(const std::vector<Part>& parts, const std::vector<std::string>& group, double coincidence);
+
+/// Are `after` the same areas as `before`, but cut into more parts?
+bool are_divided(const std::vector<Part>& before, const std::vector<Part>& after);
+
 /// Are the layers bodies of a mesh, which are parts whatever they overlap?
 bool are_bodies(const std::vector<SketchEntity>& entities);
 

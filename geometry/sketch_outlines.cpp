@@ -57,13 +57,22 @@ struct Tolerances {
     double rounding = 0;
 };
 
+/// What is drawn is not larger than it is long: with a stray line far away the diagonal says nothing about the outlines' size,
+/// and half the shortest entity would be no limit worth the name.
+double size_of(const Pieces& entities, double total_length) {
+    return std::min(box_of(entities).diagonal(), total_length);
+}
+
 Tolerances tolerances_of(const Pieces& entities, const SketchOptions& options, double rounding) {
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const SketchPiece& entity : entities) shortest = std::min(shortest, length(entity.curve));
-    const double diagonal = box_of(entities).diagonal(), by_size = joining_fraction * diagonal;
+    double shortest = std::numeric_limits<double>::infinity(), total = 0;
+    for (const SketchPiece& entity : entities) {
+        const double own = length(entity.curve);
+        shortest = std::min(shortest, own);
+        total += own;
+    }
+    const double size = size_of(entities, total), by_size = joining_fraction * size;
     const double joining = std::max(std::min(options.tolerance > 0 ? options.tolerance : by_size, shortest / 2), rounding);
-    return {joining, std::max(std::min(joining, coincidence_fraction * diagonal), rounding), std::min(joining, by_size),
-            rounding};
+    return {joining, std::max(std::min(joining, coincidence_fraction * size), rounding), std::min(joining, by_size), rounding};
 }
 
 /// Entities, and what they make as they are now.

@@ -21,6 +21,10 @@ bool lies_on(const Curve& curve, const Curve& other, double tolerance) {
     });
 }
 
+bool is_within(const Box2& inner, const Box2& outer, double margin) {
+    return (inner.min.array() >= outer.min.array() - margin).all() && (inner.max.array() <= outer.max.array() + margin).all();
+}
+
 Repair removal(const SketchPiece& gone, const SketchPiece& kept) {
     return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve)};
 }
@@ -67,7 +71,8 @@ std::vector<int> find_covers(const std::vector<SketchPiece>& entities, const std
         Box2 middle;
         middle.extend(point(entities[i].curve, 0.5));
         for (const int j : tree.near(middle, tolerance)) {
-            if (static_cast<std::size_t>(j) == i) continue;
+            if (static_cast<std::size_t>(j) == i || !is_within(boxes[i], boxes[static_cast<std::size_t>(j)], tolerance))
+                continue;
             if (!lies_on(entities[i].curve, entities[static_cast<std::size_t>(j)].curve, tolerance)) continue;
             covers[i] = j;
             break;
@@ -79,12 +84,12 @@ std::vector<int> find_covers(const std::vector<SketchPiece>& entities, const std
 }  // namespace
 
 bool remove_duplicates(std::vector<SketchPiece>& entities, double tolerance, std::vector<Repair>& repairs) {
-    std::vector<Box2> centers(entities.size());  // twins have one box, and so one centre of it
-    for (std::size_t i = 0; i < entities.size(); ++i) centers[i].extend(bounding_box(entities[i].curve).center());
-    const EdgeTree tree(centers);
+    std::vector<Box2> corners(entities.size());  // twins have one box, and so one corner of it; circles one centre without that
+    for (std::size_t i = 0; i < entities.size(); ++i) corners[i].extend(bounding_box(entities[i].curve).min);
+    const EdgeTree tree(corners);
     std::vector<bool> is_gone(entities.size(), false);
     for (std::size_t i = 0; i < entities.size(); ++i)
-        for (const int near : tree.near(centers[i], tolerance)) {
+        for (const int near : tree.near(corners[i], tolerance)) {
             const auto j = static_cast<std::size_t>(near);
             if (j >= i || (!is_gone[j] && merge_twins(entities, j, i, tolerance, is_gone, repairs))) break;
         }

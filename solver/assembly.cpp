@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symbols: N local B-splines of a cell, gx and gy their derivatives; axx, ayy, axy the integrals of gx gx', gy gy', gx gy'.
 #include "solver/assembly.hpp"
 
 #include <utility>
@@ -9,98 +8,10 @@ namespace abut::solver {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Integrals over one cell from which the stiffness of an isotropic material follows.
-struct CellIntegrals {
-    MatrixXd axx, ayy, axy;
-};
-
-/// Integrals of N N', N_x N_x' and N_x N' of the univariate functions of one interval.
-struct LineIntegrals {
-    MatrixXd mass, stiffness, mixed;
-};
-
-LineIntegrals line_integrals(const KnotVector& knots, int interval, const LineRule& rule) {
-    const Index n = knots.degree + 1;
-    LineIntegrals m{MatrixXd::Zero(n, n), MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)};
-    const double a = knots.breakpoints[static_cast<std::size_t>(interval)];
-    const double h = knots.breakpoints[static_cast<std::size_t>(interval) + 1] - a;
-    for (std::size_t k = 0; k < rule.points.size(); ++k) {
-        LocalValues v, g;
-        evaluate(knots, interval, a + rule.points[k] * h, v, g);
-        const Eigen::Map<const VectorXd> value(v.data(), n), slope(g.data(), n);
-        const double w = rule.weights[k] * h;
-        m.mass += w * value * value.transpose();
-        m.stiffness += w * slope * slope.transpose();
-        m.mixed += w * slope * value.transpose();
-    }
-    return m;
-}
-
-CellIntegrals product(const LineIntegrals& x, const LineIntegrals& y) {
-    const Index p = x.mass.rows(), q = y.mass.rows(), n = p * q;
-    CellIntegrals c{MatrixXd(n, n), MatrixXd(n, n), MatrixXd(n, n)};
-    for (Index b = 0; b < q; ++b)
-        for (Index a = 0; a < q; ++a) {
-            c.axx.block(a * p, b * p, p, p) = y.mass(a, b) * x.stiffness;
-            c.ayy.block(a * p, b * p, p, p) = y.stiffness(a, b) * x.mass;
-            c.axy.block(a * p, b * p, p, p) = y.mixed(b, a) * x.mixed;
-        }
-    return c;
-}
-
-/// Values and derivatives of a cell's local B-splines at the points of a rule: (points x n_local).
-struct Sampled {
-    MatrixXd value, dx, dy;
-};
-
-Sampled sample(const SplineSpace& s, int cell, const std::vector<Vec2>& points) {
-    const int c = cell % s.columns(), r = cell / s.columns();
-    const Index p = s.x.degree + 1, q = s.y.degree + 1, n = static_cast<Index>(points.size());
-    Sampled out{MatrixXd(n, p * q), MatrixXd(n, p * q), MatrixXd(n, p * q)};
-    for (Index k = 0; k < n; ++k) {
-        LocalValues vx, gx, vy, gy;
-        evaluate(s.x, c, points[static_cast<std::size_t>(k)].x(), vx, gx);
-        evaluate(s.y, r, points[static_cast<std::size_t>(k)].y(), vy, gy);
-        const Eigen::Map<const Eigen::RowVectorXd> x(vx.data(), p), xd(gx.data(), p);
-        for (Index b = 0; b < q; ++b) {
-            const double y = vy[static_cast<std::size_t>(b)], yd = gy[static_cast<std::size_t>(b)];
-            out.value.row(k).segment(b * p, p) = y * x;
-            out.dx.row(k).segment(b * p, p) = y * xd;
-            out.dy.row(k).segment(b * p, p) = yd * x;
-        }
-    }
-    return out;
-}
 
 Eigen::Map<const VectorXd> as_vector(const std::vector<double>& v) {
     return {v.data(), static_cast<Index>(v.size())};
-}
-
-CellIntegrals cut_integrals(const SplineSpace& space, const CellRule& rule) {
-    const Sampled s = sample(space, rule.cell, rule.points);
-    const auto w = as_vector(rule.weights);
-    const MatrixXd wx = w.asDiagonal() * s.dx, wy = w.asDiagonal() * s.dy;
-    return {s.dx.transpose() * wx, s.dy.transpose() * wy, s.dx.transpose() * wy};
-}
-
-void add_to_functions(MatrixXd& m, const Extraction& e) {
-    if (!e.identity) m = e.matrix.transpose() * m * e.matrix;
-}
-
-void scatter(BlockMatrix& k, const std::vector<int>& f, const CellIntegrals& c, const Elasticity& d, double thickness) {
-    const auto n = static_cast<Index>(f.size());
-    for (Index i = 0; i < n; ++i)
-        for (Index j = 0; j < n; ++j) {
-            const int row = f[static_cast<std::size_t>(i)], col = f[static_cast<std::size_t>(j)];
-            if (col > row) continue;
-            Eigen::Matrix2d b;
-            b << d.d11 * c.axx(i, j) + d.d33 * c.ayy(i, j), d.d12 * c.axy(i, j) + d.d33 * c.axy(j, i),
-                d.d12 * c.axy(j, i) + d.d33 * c.axy(i, j), d.d11 * c.ayy(i, j) + d.d33 * c.axx(i, j);
-            k.at(row, col) += thickness * b;
-        }
 }
 
 bool is_full(const SplineSpace& s, int cell) {
@@ -136,7 +47,72 @@ void for_all_cells(const PartInput& input, F f) {
         const std::vector<Vec2> points = tensor_points(input.space, cell, input.line_rule, weights);
         f(cell, points, weights);
     });
-    for (const CellRule& rule : input.cut_rules) f(rule.cell, rule.points, rule.weights);
+    for (const CellRule& rule : input.cut_rules) f(rule.element, rule.points, rule.weights);
+}
+
+/// The elements of a part that hold material: full cells first, then those of the cut rules.
+struct Elements {
+    std::vector<int> element;
+    std::vector<char> own;  ///< whose functions are the B-splines themselves
+    FunctionSets functions;
+};
+
+Elements elements_of(const PartInput& input) {
+    Elements e;
+    const auto add = [&](int element) {
+        const Extraction x = extraction(input.space, element);
+        e.element.push_back(element);
+        e.own.push_back(x.identity);
+        e.functions.add(x.functions);
+    };
+    for_full_cells(input.space, add);
+    for (const CellRule& rule : input.cut_rules) add(rule.element);
+    return e;
+}
+
+/// The assembly under way, with room for one element.
+struct Stiffness {
+    const PartInput& input;
+    const Elements& elements;
+    BlockScatter scatter;
+    CellIntegrals integrals;
+    std::vector<Eigen::Matrix2d> blocks;
+
+    /// The blocks of element k from its integrals over the B-splines, which are used up.
+    void make_blocks(std::size_t k) {
+        if (!elements.own[k]) extract(extraction(input.space, elements.element[k]), integrals);
+        stiffness_blocks(integrals, input.elasticity, input.thickness, blocks);
+    }
+    void add_blocks(std::size_t k) { scatter.add(elements.functions[k], blocks); }
+};
+
+void add_full_cells(Stiffness& s) {
+    const SplineSpace& space = s.input.space;
+    const IntervalIntegrals x = interval_integrals(space.x, s.input.line_rule);
+    const IntervalIntegrals y = interval_integrals(space.y, s.input.line_rule);
+    std::pair<int, int> last(-1, -1);  // the intervals whose blocks are at hand
+    for (std::size_t k = 0; k + s.input.cut_rules.size() < s.elements.element.size(); ++k) {
+        const int cell = s.elements.element[k];
+        const std::pair sides(x.of_interval[static_cast<std::size_t>(space.column_of(cell))],
+                              y.of_interval[static_cast<std::size_t>(space.row_of(cell))]);
+        if (!s.elements.own[k] || sides != last) {
+            integrate_full_cell(x.integrals[static_cast<std::size_t>(sides.first)],
+                                y.integrals[static_cast<std::size_t>(sides.second)], s.integrals);
+            s.make_blocks(k);
+            last = s.elements.own[k] ? sides : std::pair(-1, -1);
+        }
+        s.add_blocks(k);
+    }
+}
+
+void add_cut_cells(Stiffness& s) {
+    CutWorkspace work;
+    std::size_t k = s.elements.element.size() - s.input.cut_rules.size();
+    for (const CellRule& rule : s.input.cut_rules) {
+        integrate_cut_cell(s.input.space, rule.element, rule.points, rule.weights, work, s.integrals);
+        s.make_blocks(k);
+        s.add_blocks(k++);
+    }
 }
 
 void add_at(VectorXd& to, const Extraction& e, const VectorXd& local) {
@@ -147,37 +123,20 @@ void add_at(VectorXd& to, const Extraction& e, const VectorXd& local) {
 }  // namespace
 
 BlockMatrix assemble_stiffness(const PartInput& input) {
-    const SplineSpace& s = input.space;
-    std::vector<int> cells;
-    for_full_cells(s, [&](int cell) { cells.push_back(cell); });
-    for (const CellRule& rule : input.cut_rules) cells.push_back(rule.cell);
-    std::vector<Extraction> extractions;
-    std::vector<std::vector<int>> coupled;
-    for (int cell : cells) {
-        extractions.push_back(extraction(s, cell));
-        coupled.push_back(extractions.back().functions);
-    }
-    BlockMatrix k = make_block_matrix(s.n_functions, coupled);
-
-    std::vector<LineIntegrals> x, y;
-    for (int i = 0; i < s.columns(); ++i) x.push_back(line_integrals(s.x, i, input.line_rule));
-    for (int i = 0; i < s.rows(); ++i) y.push_back(line_integrals(s.y, i, input.line_rule));
-    const std::size_t n_full = cells.size() - input.cut_rules.size();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        CellIntegrals c = i < n_full ? product(x[static_cast<std::size_t>(cells[i] % s.columns())],
-                                               y[static_cast<std::size_t>(cells[i] / s.columns())])
-                                     : cut_integrals(s, input.cut_rules[i - n_full]);
-        for (MatrixXd* m : {&c.axx, &c.ayy, &c.axy}) add_to_functions(*m, extractions[i]);
-        scatter(k, extractions[i].functions, c, input.elasticity, input.thickness);
-    }
+    const Elements elements = elements_of(input);
+    BlockMatrix k = make_block_matrix(input.space.n_functions, elements.functions);
+    Stiffness stiffness{input, elements, BlockScatter(k), {}, {}};
+    add_full_cells(stiffness);
+    add_cut_cells(stiffness);
     return k;
 }
 
 FunctionIntegrals integrate_functions(const PartInput& input) {
     const SplineSpace& s = input.space;
     FunctionIntegrals f{VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions)};
+    Sampled at;
     for_all_cells(input, [&](int cell, const std::vector<Vec2>& points, const std::vector<double>& weights) {
-        const Sampled at = sample(s, cell, points);
+        sample(s, cell, points, at);
         const Extraction e = extraction(s, cell);
         const auto w = as_vector(weights);
         add_at(f.value, e, at.value.transpose() * w);
@@ -190,8 +149,9 @@ FunctionIntegrals integrate_functions(const PartInput& input) {
 VectorXd body_load(const PartInput& input, const std::function<Vec2(const Vec2&)>& force) {
     const SplineSpace& s = input.space;
     VectorXd fx = VectorXd::Zero(s.n_functions), fy = fx;
+    Sampled at;
     for_all_cells(input, [&](int cell, const std::vector<Vec2>& points, const std::vector<double>& weights) {
-        const Sampled at = sample(s, cell, points);
+        sample(s, cell, points, at);
         const Extraction e = extraction(s, cell);
         VectorXd wx(static_cast<Index>(points.size())), wy = wx;
         for (std::size_t k = 0; k < points.size(); ++k) {
@@ -210,7 +170,7 @@ VectorXd body_load(const PartInput& input, const std::function<Vec2(const Vec2&)
 VectorXd boundary_load(const PartInput& input, const std::vector<TractionPoint>& points) {
     VectorXd load = VectorXd::Zero(2 * input.space.n_functions);
     for (const TractionPoint& p : points) {
-        const PointBasis b = evaluate(input.space, p.cell, p.x);
+        const PointBasis b = evaluate(input.space, p.element, p.x);
         for (std::size_t i = 0; i < b.functions.size(); ++i)
             load.segment<2>(2 * b.functions[i]) += input.thickness * p.weight * b.value[static_cast<Index>(i)] * p.traction;
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/block_matrix.hpp"
+#include "solver/cell_integrals.hpp"
 #include "solver/elasticity.hpp"
 #include "solver/spline_space.hpp"
 
@@ -12,14 +13,9 @@ namespace abut::solver {
 
 /// Quadrature of one cut cell.
 struct CellRule {
-    int cell;
+    int element;
     std::vector<Vec2> points;
     std::vector<double> weights;
-};
-
-/// Rule on [0, 1] for cells that are wholly inside; exact to degree 2p.
-struct LineRule {
-    std::vector<double> points, weights;
 };
 
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
@@ -31,7 +27,8 @@ struct PartInput {
     double thickness = 1;
 };
 
-/// Stiffness over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices.
+/// Stiffness over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices,
+/// once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
 BlockMatrix assemble_stiffness(const PartInput& input);
 
 /// Integrals of every function and of its derivatives over the part (not times the thickness).
@@ -45,7 +42,7 @@ Eigen::VectorXd body_load(const PartInput& input, const std::function<Vec2(const
 
 /// A traction at a boundary point; weight: arc length.
 struct TractionPoint {
-    int cell;
+    int element;
     Vec2 x;
     double weight;
     Vec2 traction;

@@ -3,9 +3,21 @@
 // component).
 #pragma once
 #include <Eigen/Core>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace abut::solver {
+
+/// Sets of functions, one after the other.
+struct FunctionSets {
+    std::vector<int> first{0};  ///< size() + 1 offsets
+    std::vector<int> function;
+
+    std::size_t size() const { return first.size() - 1; }
+    std::span<const int> operator[](std::size_t set) const;
+    void add(std::span<const int> functions);
+};
 
 /// Blocks of the lower triangle (row >= column); diagonal blocks are stored whole.
 struct BlockMatrix {
@@ -18,8 +30,23 @@ struct BlockMatrix {
     Eigen::Matrix2d& at(int row, int column_index);
 };
 
-/// Zero matrix whose pattern couples all functions of each given set.
-BlockMatrix make_block_matrix(int n, const std::vector<std::vector<int>>& coupled);
+/// Zero matrix whose pattern couples all functions of each given set. Cost: sum of the sets' sizes squared.
+BlockMatrix make_block_matrix(int n, const FunctionSets& coupled);
+
+/// Adds the blocks of sets of functions to a matrix whose pattern couples them. Without a search: each row's columns are looked
+/// up in a table of n numbers.
+class BlockScatter {
+public:
+    explicit BlockScatter(BlockMatrix& matrix);
+
+    /// blocks: by columns, block (i, j) of functions[i] and functions[j] at j * size + i; those of the upper triangle are not
+    /// read. Functions in any order, each once.
+    void add(std::span<const int> functions, const std::vector<Eigen::Matrix2d>& blocks);
+
+private:
+    BlockMatrix& matrix_;
+    std::vector<int> place_;  ///< of a function in the set at hand; -1: not in it
+};
 
 /// A x, x of size 2n.
 Eigen::VectorXd multiply(const BlockMatrix& a, const Eigen::VectorXd& x);

@@ -25,30 +25,66 @@ void cox_de_boor(const double* t, int p, double x, double* values) {
 }
 
 const double* interval_start(const KnotVector& knots, int interval) {
-    return knots.knots.data() + interval + knots.degree;
+    return knots.knots.data() + knots.first[static_cast<std::size_t>(interval)] + knots.degree;
+}
+
+/// Blossom of an interval's polynomials at p arguments: one value for each of the interval's functions.
+LocalValues blossom(const KnotVector& knots, int interval, const double* arguments) {
+    const int p = knots.degree;
+    const double* t = interval_start(knots, interval);
+    LocalValues result{};
+    for (int unit = 0; unit <= p; ++unit) {
+        LocalValues d{};
+        d[static_cast<std::size_t>(unit)] = 1;
+        for (int r = 1; r <= p; ++r) {
+            const double u = arguments[r - 1];
+            for (int i = p; i >= r; --i) {
+                const double left = t[i - p], right = t[i + 1 - r];
+                const double a = (u - left) / (right - left);
+                d[static_cast<std::size_t>(i)] =
+                    (1 - a) * d[static_cast<std::size_t>(i) - 1] + a * d[static_cast<std::size_t>(i)];
+            }
+        }
+        result[static_cast<std::size_t>(unit)] = d[static_cast<std::size_t>(p)];
+    }
+    return result;
 }
 
 }  // namespace
 
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree) {
-    KnotVector result{degree, std::move(breakpoints), {}};
-    const auto p = static_cast<std::size_t>(degree);
-    result.knots.assign(p, result.breakpoints.front());
-    result.knots.insert(result.knots.end(), result.breakpoints.begin(), result.breakpoints.end());
-    result.knots.insert(result.knots.end(), p, result.breakpoints.back());
+    const std::vector<int> simple(breakpoints.size(), 1);
+    return clamped_knots(std::move(breakpoints), degree, simple);
+}
+
+KnotVector clamped_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity) {
+    KnotVector result{degree, std::move(breakpoints), {}, {}};
+    const std::size_t last = result.breakpoints.size() - 1;
+    for (std::size_t k = 0; k <= last; ++k) {
+        const int times = k == 0 || k == last ? degree + 1 : multiplicity[k];
+        result.knots.insert(result.knots.end(), static_cast<std::size_t>(times), result.breakpoints[k]);
+        if (k < last) result.first.push_back(static_cast<int>(result.knots.size()) - 1 - degree);
+    }
     return result;
 }
 
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree) {
-    KnotVector result{degree, std::move(breakpoints), {}};
+    KnotVector result{degree, std::move(breakpoints), {}, {}};
     const std::vector<double>& b = result.breakpoints;
     const double period = b.back() - b.front();
     const int n = result.n_intervals();
+    for (int k = 0; k < n; ++k) result.first.push_back(k);
     for (int k = -degree; k <= n + degree; ++k) {
         const int turns = (k < 0 ? k - n + 1 : k) / n;  // rounded down
         result.knots.push_back(k == n ? b.back() : b[static_cast<std::size_t>(k - turns * n)] + period * turns);
     }
     return result;
+}
+
+IntervalRange support(const KnotVector& knots, int i) {
+    const auto& f = knots.first;
+    return {static_cast<int>(std::lower_bound(f.begin(), f.end(), i - knots.degree) - f.begin()),
+            static_cast<int>(std::upper_bound(f.begin(), f.end(), i) - f.begin())};
 }
 
 int interval_of(const KnotVector& knots, double x) {
@@ -83,24 +119,18 @@ double greville(const KnotVector& knots, int i) {
 }
 
 LocalValues extension_coefficients(const KnotVector& knots, int interval, int j) {
-    const int p = knots.degree;
-    const double* t = interval_start(knots, interval);
-    LocalValues result{};
-    for (int unit = 0; unit <= p; ++unit) {
-        LocalValues d{};
-        d[static_cast<std::size_t>(unit)] = 1;
-        for (int r = 1; r <= p; ++r) {
-            const double u = knots.knots[static_cast<std::size_t>(j + r)];
-            for (int i = p; i >= r; --i) {
-                const double left = t[i - p], right = t[i + 1 - r];
-                const double a = (u - left) / (right - left);
-                d[static_cast<std::size_t>(i)] =
-                    (1 - a) * d[static_cast<std::size_t>(i) - 1] + a * d[static_cast<std::size_t>(i)];
-            }
-        }
-        result[static_cast<std::size_t>(unit)] = d[static_cast<std::size_t>(p)];
+    return blossom(knots, interval, knots.knots.data() + j + 1);
+}
+
+std::vector<RefinedCoefficient> refinement(const KnotVector& coarse, const KnotVector& fine) {
+    std::vector<RefinedCoefficient> rows;
+    for (int j = 0; j < fine.n_functions(); ++j) {
+        // any interval of the function will do: the middle of one holds no coarse knot
+        const auto on = static_cast<std::size_t>(support(fine, j).begin);
+        const int from = interval_of(coarse, 0.5 * (fine.breakpoints[on] + fine.breakpoints[on + 1]));
+        rows.push_back({coarse.first[static_cast<std::size_t>(from)], blossom(coarse, from, fine.knots.data() + j + 1)});
     }
-    return result;
+    return rows;
 }
 
 }  // namespace abut::solver

@@ -10,22 +10,33 @@ inline constexpr int max_degree = 6;
 /// Values of the at most max_degree + 1 functions that live on one interval.
 using LocalValues = std::array<double, max_degree + 1>;
 
-/// Knot vector of degree p over breakpoints x_0 < ... < x_n, the inner knots simple. Functions i to i + p live on the interval
-/// [x_i, x_i+1]. Clamped: the ends are repeated p + 1 times, and only function 0 (n + p - 1) is not zero at x_0 (x_n).
+/// Knot vector of degree p over breakpoints x_0 < ... < x_n, inner knots of multiplicity m: C^(p-m) there. On the interval
+/// [x_i, x_i+1] live the functions first[i] to first[i] + p. Clamped: the ends are repeated p + 1 times, and only function 0
+/// (the last) is not zero at x_0 (x_n).
 struct KnotVector {
     int degree;
     std::vector<double> breakpoints;
     std::vector<double> knots;
+    std::vector<int> first;  ///< function of each interval
 
     int n_intervals() const { return static_cast<int>(breakpoints.size()) - 1; }
-    int n_functions() const { return n_intervals() + degree; }
+    int n_functions() const { return static_cast<int>(knots.size()) - degree - 1; }
 };
 
+/// Simple inner knots.
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree);
+/// multiplicity: of every breakpoint, 1 to p for the inner ones; those of the ends are not read.
+KnotVector clamped_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity);
 
 /// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then
 /// one periodic function; nothing is special about the seam.
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree);
+
+/// Intervals [begin, end) on which function i lives.
+struct IntervalRange {
+    int begin, end;
+};
+IntervalRange support(const KnotVector& knots, int i);
 
 /// Interval that holds x; the last for the right end, the nearest for points outside.
 int interval_of(const KnotVector& knots, double x);
@@ -41,5 +52,14 @@ double greville(const KnotVector& knots, int i);
 /// those for function j, one for each function of the interval, are the blossom at j's inner knots. This is the extension of
 /// [Grishin10, eqs 3.16-3.17] (Hoellig) on non-uniform knots.
 LocalValues extension_coefficients(const KnotVector& knots, int interval, int j);
+
+/// Knot insertion: rows of the matrix that takes coefficients over `coarse` to those of the same function over `fine`, whose
+/// knots hold all of the coarse ones. Row j: coefficient of the coarse functions first + k in the fine function j (Oslo
+/// algorithm, by blossoms).
+struct RefinedCoefficient {
+    int first;
+    LocalValues value;
+};
+std::vector<RefinedCoefficient> refinement(const KnotVector& coarse, const KnotVector& fine);
 
 }  // namespace abut::solver

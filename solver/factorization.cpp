@@ -1,64 +1,157 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/factorization.hpp"
 
-#include <cholmod.h>
-
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+
+#include "solver/condition.hpp"
+#include "solver/ordering.hpp"
 
 namespace abut::solver {
 
-struct Factorization::Data {
-    cholmod_common common;
-    cholmod_factor* factor = nullptr;
-    Eigen::VectorXd scale;
-    int failed_at = -1;
+namespace {
 
-    Data() {
-        cholmod_start(&common);
-        common.supernodal = CHOLMOD_SUPERNODAL;
-        common.final_ll = 1;
-        common.nmethods = 1;
-        common.method[0].ordering = CHOLMOD_AMD;
-        common.postorder = 1;
-        common.print = 0;
-        common.quick_return_if_not_posdef = 1;
+using Eigen::VectorXd;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// FNV-1a.
+std::uint64_t checksum(const SparseSymmetric& m) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const std::vector<int>* numbers : {&m.first, &m.row})
+        for (int i : *numbers) hash = (hash ^ static_cast<std::uint32_t>(i)) * 1099511628211u;
+    return hash;
+}
+
+/// The banded factor is chosen up to this bandwidth, in entries of the matrix in a row of its lower triangle: measured, see the
+/// header's table.
+constexpr double largest_relative_bandwidth = 8;
+
+bool is_worthwhile(const SparseSymmetric& m, int bandwidth) {
+    return bandwidth * static_cast<double>(m.n) <= largest_relative_bandwidth * static_cast<double>(m.row.size());
+}
+
+Band make_band(const SparseSymmetric& m, std::vector<int> order) {
+    Band band{std::move(order), {}, 0};
+    band.position = inverse_order(band.order);
+    band.width = bandwidth(m, band.position);
+    return band;
+}
+
+Band given_band(const SparseSymmetric& m) {
+    std::vector<int> order(at(m.n));
+    std::iota(order.begin(), order.end(), 0);
+    return make_band(m, std::move(order));
+}
+
+/// The narrower of the given order and reverse Cuthill-McKee's.
+Band narrow_band(const SparseSymmetric& m, const MergedPattern& pattern, const Neighbours& graph) {
+    Band given = given_band(m), other = make_band(m, expanded(pattern, reverse_cuthill_mckee(graph)));
+    return other.width < given.width ? std::move(other) : std::move(given);
+}
+
+/// norm_one: of the matrix before. Diagonal entries come first in their columns. Result: row of the first that is not positive
+/// or of an entry that is not a number.
+int scale_to_unit_diagonal(SparseSymmetric& m, VectorXd& scale, double& norm_one) {
+    scale.resize(m.n);
+    VectorXd column_sums = VectorXd::Zero(m.n);
+    for (int c = 0; c < m.n; ++c) {
+        const double d = m.value[at(m.first[at(c)])];
+        if (!(d > 0)) return c;
+        scale[c] = 1 / std::sqrt(d);
     }
-    Data(const Data&) = delete;
-    Data& operator=(const Data&) = delete;
-    ~Data() {
-        if (factor != nullptr) cholmod_free_factor(&factor, &common);
-        cholmod_finish(&common);
+    for (int c = 0; c < m.n; ++c)
+        for (int k = m.first[at(c)]; k < m.first[at(c) + 1]; ++k) {
+            double& value = m.value[at(k)];
+            const int r = m.row[at(k)];
+            if (!std::isfinite(value)) return r;
+            column_sums[c] += std::abs(value);
+            if (r != c) column_sums[r] += std::abs(value);
+            value *= scale[c] * scale[r];
+        }
+    norm_one = m.n > 0 ? column_sums.maxCoeff() : 0;
+    return -1;
+}
+
+}  // namespace
+
+namespace {
+
+using Structure = std::variant<Band, SupernodalStructure>;
+
+Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> method) {
+    const MergedPattern pattern = merged_pattern(m);
+    if (method == FactorMethod::supernodal) return SupernodalStructure(m, pattern);
+    const Neighbours graph = neighbours(pattern);
+    if (method == FactorMethod::banded || is_worthwhile(m, least_bandwidth(graph))) {
+        Band band = narrow_band(m, pattern, graph);
+        if (method == FactorMethod::banded || is_worthwhile(m, band.width)) return band;
+    }
+    return SupernodalStructure(m, pattern);
+}
+
+}  // namespace
+
+struct SymbolicFactorization::Data {
+    std::uint64_t checksum;
+    Structure structure;
+    int given_bandwidth;
+};
+
+SymbolicFactorization::SymbolicFactorization(const SparseSymmetric& m, std::optional<FactorMethod> method)
+    : data_(std::make_shared<const Data>(Data{checksum(m), structure_for(m, method), given_band(m).width})) {}
+
+FactorMethod SymbolicFactorization::method() const {
+    return data_->structure.index() == 0 ? FactorMethod::banded : FactorMethod::supernodal;
+}
+int SymbolicFactorization::bandwidth() const {
+    const Band* band = std::get_if<Band>(&data_->structure);
+    return band != nullptr ? band->width : data_->given_bandwidth;
+}
+double SymbolicFactorization::entries() const {
+    return std::visit([](const auto& s) { return s.entries(); }, data_->structure);
+}
+bool SymbolicFactorization::fits(const SparseSymmetric& m) const {
+    return data_->checksum == checksum(m);
+}
+
+struct Factorization::Data {
+    SymbolicFactorization symbolic;
+    VectorXd scale;
+    double norm_one = 0;  // of the matrix as it was given
+    int failed_at = -1;
+    std::variant<std::monostate, BandedFactor, SupernodalFactor> factor;
+
+    int n() const { return static_cast<int>(scale.size()); }
+
+    template <class F>
+    auto with_factor(F f) const {
+        const auto* banded = std::get_if<BandedFactor>(&factor);
+        return banded != nullptr ? f(*banded) : f(std::get<SupernodalFactor>(factor));
+    }
+    VectorXd solved(const VectorXd& b) const {
+        return with_factor([&](const auto& l) { return l.solve(b); });
+    }
+    VectorXd product(const VectorXd& x) const {
+        return with_factor([&](const auto& l) { return l.product(x); });
     }
 };
 
 namespace {
 
-using Eigen::Index;
-
-Eigen::VectorXd inverse_root_of_diagonal(const SparseSymmetric& m, int& bad_row) {
-    Eigen::VectorXd scale(m.n);
-    bad_row = -1;
-    for (int c = 0; c < m.n; ++c) {
-        // lower triangle by columns, rows ascending: the diagonal comes first
-        const double d = m.value[static_cast<std::size_t>(m.first[static_cast<std::size_t>(c)])];
-        if (!(d > 0) && bad_row < 0) bad_row = c;
-        scale[c] = d > 0 ? 1 / std::sqrt(d) : 1;
-    }
-    return scale;
-}
-
-cholmod_dense dense_view(double* values, Index rows, Index columns) {
-    cholmod_dense d{};
-    d.nrow = static_cast<std::size_t>(rows);
-    d.ncol = static_cast<std::size_t>(columns);
-    d.nzmax = d.nrow * d.ncol;
-    d.d = d.nrow;
-    d.x = values;
-    d.xtype = CHOLMOD_REAL;
-    d.dtype = CHOLMOD_DOUBLE;
-    return d;
+/// The first row whose pivot is not positive, or lost in rounding.
+template <class Factor>
+int failed_row(const Factor& l) {
+    if (l.failed_at() >= 0) return l.failed_at();
+    int row = -1;
+    return l.smallest_pivot(row) > std::numeric_limits<double>::epsilon() ? -1 : row;
 }
 
 }  // namespace
@@ -68,35 +161,23 @@ Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 Factorization::~Factorization() = default;
 
-Factorization::Factorization(const SparseSymmetric& matrix) : data_(std::make_unique<Data>()) {
-    Data& d = *data_;
-    d.scale = inverse_root_of_diagonal(matrix, d.failed_at);
-    if (d.failed_at >= 0 || matrix.n == 0) return;
-    std::vector<double> scaled(matrix.value);
-    for (int c = 0; c < matrix.n; ++c)
-        for (int k = matrix.first[static_cast<std::size_t>(c)]; k < matrix.first[static_cast<std::size_t>(c) + 1]; ++k)
-            scaled[static_cast<std::size_t>(k)] *= d.scale[c] * d.scale[matrix.row[static_cast<std::size_t>(k)]];
+Factorization::Factorization(SparseSymmetric matrix) {
+    SymbolicFactorization symbolic(matrix);
+    *this = Factorization(std::move(matrix), std::move(symbolic));
+}
 
-    cholmod_sparse a{};
-    a.nrow = a.ncol = static_cast<std::size_t>(matrix.n);
-    a.nzmax = matrix.value.size();
-    a.p = const_cast<int*>(matrix.first.data());
-    a.i = const_cast<int*>(matrix.row.data());
-    a.x = scaled.data();
-    a.stype = -1;
-    a.itype = CHOLMOD_INT;
-    a.xtype = CHOLMOD_REAL;
-    a.dtype = CHOLMOD_DOUBLE;
-    a.sorted = 1;
-    a.packed = 1;
-    d.factor = cholmod_analyze(&a, &d.common);
-    if (d.factor == nullptr) throw std::bad_alloc();
-    cholmod_factorize(&a, d.factor, &d.common);
-    if (d.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    if (d.common.status != CHOLMOD_OK || d.factor->minor < d.factor->n) {
-        const auto column = std::min(d.factor->minor, d.factor->n - 1);
-        d.failed_at = static_cast<int*>(d.factor->Perm)[column];
-    }
+Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic)
+    : data_(new Data{std::move(symbolic), {}, 0, -1, {}}) {
+    Data& d = *data_;
+    if (!d.symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
+    d.failed_at = scale_to_unit_diagonal(matrix, d.scale, d.norm_one);
+    if (d.failed_at >= 0 || matrix.n == 0) return;
+    const Structure& structure = d.symbolic.data_->structure;
+    if (const Band* band = std::get_if<Band>(&structure))
+        d.factor.emplace<BandedFactor>(matrix, *band);
+    else
+        d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
+    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
 }
 
 bool Factorization::ok() const {
@@ -105,36 +186,47 @@ bool Factorization::ok() const {
 int Factorization::failed_at() const {
     return data_ ? data_->failed_at : -1;
 }
-
-double Factorization::condition_estimate() const {
-    if (data_->factor == nullptr) return 1;  // of an empty matrix
-    return 1 / cholmod_rcond(data_->factor, &data_->common);
+FactorMethod Factorization::method() const {
+    return data_->symbolic.method();
+}
+int Factorization::bandwidth() const {
+    return data_->symbolic.bandwidth();
+}
+double Factorization::entries() const {
+    return data_->symbolic.entries();
+}
+double Factorization::bytes() const {
+    return entries() * sizeof(double);
 }
 
-Eigen::VectorXd Factorization::solve(const Eigen::VectorXd& b) const {
-    Eigen::VectorXd scaled = data_->scale.cwiseProduct(b);
-    if (b.size() == 0) return scaled;
-    cholmod_dense rhs = dense_view(scaled.data(), scaled.size(), 1);
-    cholmod_dense* x = cholmod_solve(CHOLMOD_A, data_->factor, &rhs, &data_->common);
-    if (x == nullptr) throw std::bad_alloc();
-    const Eigen::Map<const Eigen::VectorXd> solution(static_cast<double*>(x->x), b.size());
-    Eigen::VectorXd result = data_->scale.cwiseProduct(solution);
-    cholmod_free_dense(&x, &data_->common);
-    return result;
+double Factorization::condition_estimate() const {
+    const Data& d = *data_;
+    return condition_by_lanczos(
+        d.n(), [&](const VectorXd& x) { return d.product(x); }, [&](const VectorXd& b) { return d.solved(b); });
+}
+
+double Factorization::unscaled_condition_two() const {
+    const Data& d = *data_;
+    const auto product = [&](const VectorXd& x) -> VectorXd {
+        return d.product(x.cwiseQuotient(d.scale)).cwiseQuotient(d.scale);
+    };
+    return condition_by_lanczos(d.n(), product, [&](const VectorXd& b) { return solve(b); });
+}
+
+double Factorization::unscaled_condition_one() const {
+    if (data_->n() == 0) return 1;
+    return data_->norm_one * solver::norm_one(data_->n(), [&](const VectorXd& b) { return solve(b); });
+}
+
+VectorXd Factorization::solve(const VectorXd& b) const {
+    if (b.size() == 0) return b;
+    return data_->scale.cwiseProduct(data_->solved(data_->scale.cwiseProduct(b)));
 }
 
 Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
-    Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
-    if (b.size() == 0) return scaled;
-    cholmod_dense rhs = dense_view(scaled.data(), scaled.rows(), scaled.cols());
-    cholmod_dense* permuted = cholmod_solve(CHOLMOD_P, data_->factor, &rhs, &data_->common);
-    if (permuted == nullptr) throw std::bad_alloc();
-    cholmod_dense* y = cholmod_solve(CHOLMOD_L, data_->factor, permuted, &data_->common);
-    cholmod_free_dense(&permuted, &data_->common);
-    if (y == nullptr) throw std::bad_alloc();
-    Eigen::MatrixXd result = Eigen::Map<const Eigen::MatrixXd>(static_cast<double*>(y->x), b.rows(), b.cols());
-    cholmod_free_dense(&y, &data_->common);
-    return result;
+    if (b.size() == 0) return b;
+    const Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
+    return data_->with_factor([&](const auto& l) { return l.solve_lower(scaled); });
 }
 
 }  // namespace abut::solver

@@ -38,14 +38,16 @@ void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface
     }
     for (std::size_t side = 0; side < 2; ++side) {
         const auto part = static_cast<std::size_t>(face.part[side]);
-        const PointBasis b = evaluate(parts[part].input.space, p.cell[side], p.x[side]);
+        const DisplacementBasis b = displacement_basis(parts[part].input, p.element[side], p.x[side]);
         const Vec2 along = (side == 0 ? -1 : 1) * p.normal[side];
-        for (int k = 0; k <= face.pressure.degree; ++k)
-            for (std::size_t i = 0; i < b.functions.size(); ++i)
+        for (int k = 0; k <= face.pressure.degree; ++k) {
+            const double share = w * n[static_cast<std::size_t>(k)];
+            rows.gap0[row(k)] += share * along.dot(b.data.value);
+            for (std::size_t i = 0; i < b.x.functions.size(); ++i)
                 for (int c = 0; c < 2; ++c)
                     rows.by_part[part].push_back(
-                        {row(k), 2 * b.functions[i] + c,
-                         w * n[static_cast<std::size_t>(k)] * b.value[static_cast<Index>(i)] * along[c]});
+                        {row(k), 2 * b.x.functions[i] + c, share * b.of(c).value[static_cast<Index>(i)] * along[c]});
+        }
     }
 }
 

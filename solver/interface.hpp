@@ -16,7 +16,7 @@ struct InterfacePoint {
     double s;       ///< arc length along the interface's middle curve
     double weight;  ///< arc length
     double gap;     ///< drawn, positive open
-    std::array<int, 2> cell;
+    std::array<int, 2> element;
     std::array<Vec2, 2> x;       ///< in each body's frame
     std::array<Vec2, 2> normal;  ///< the direction from body 0 towards body 1, in each body's frame
 };

@@ -6,49 +6,79 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/structure_reactions.hpp"
+
 namespace abut::solver {
 
 namespace {
 
 using Eigen::Index;
 
-/// Drops the functions of an aligned set; false where the basis or an earlier set with another value does not allow it.
-bool drop_aligned(PartSystem& s, SupportRecord& record) {
-    if (!record.set.side) return false;
+/// Drops the functions of an aligned set. What stands against it: the basis, an earlier set with another value, or a weight.
+/// Empty: done.
+std::string drop_aligned(PartSystem& s, SupportRecord& record) {
+    const auto component = static_cast<std::size_t>(record.set.component);
+    if (structure_of(s.input) && structure_of(s.input)->weight[component])
+        return "another support weights this displacement component";
     const auto functions = functions_on_side(s.input.space, *record.set.side, record.set.stretches);
-    if (!functions) return false;
+    if (!functions) return "dropping functions there would hold more than this edge";
+    const auto prescribed = [&](int f) { return coefficient_of_one(s.input.space, f) * record.set.value; };
     const auto dof = [&](int f) { return static_cast<std::size_t>(2 * f + record.set.component); };
     for (int f : *functions)
-        if (s.dropped[dof(f)] && s.prescribed[static_cast<Index>(dof(f))] != record.set.value) return false;
+        if (s.dropped[dof(f)] && s.prescribed[static_cast<Index>(dof(f))] != prescribed(f))
+            return "an adjacent support prescribes another value";
     for (int f : *functions) {
         if (s.dropped[dof(f)]) continue;
         s.dropped[dof(f)] = 1;
-        s.prescribed[static_cast<Index>(dof(f))] = record.set.value;
+        s.prescribed[static_cast<Index>(dof(f))] = prescribed(f);
         record.dropped.push_back(f);
     }
-    return true;
+    return "";
+}
+
+void apply_support(PartSystem& s, SupportRecord& record) {
+    if (record.set.by_structure) {
+        record.method = SupportMethod::structure;
+        record.why = record.set.note;
+        return;
+    }
+    record.why = record.set.note.empty() ? "does not lie along the grid's outermost lines" : record.set.note;
+    if (record.set.side) {
+        record.why = drop_aligned(s, record);
+        if (record.why.empty()) {
+            record.method = SupportMethod::aligned;
+            record.why = "lies along the grid's outermost lines: exact and free";
+            return;
+        }
+    }
+    record.method = SupportMethod::nitsche;
+    add_nitsche(s.input, record.set, s.stiffness, s.load);
 }
 
 void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
     for (SupportSet& set : sets) {
-        SupportRecord record{std::move(set), SupportMethod::aligned, {}};
-        if (!drop_aligned(s, record)) {
-            record.method = SupportMethod::nitsche;
-            add_nitsche(s.input, record.set, s.stiffness, s.load);
-        }
-        s.supports.push_back(std::move(record));
+        s.supports.push_back({std::move(set), SupportMethod::nitsche, {}, {}});
+        apply_support(s, s.supports.back());
     }
+    for (const SpringSet& set : s.springs) add_springs(s.input, set, s.stiffness, s.load);
 }
 
-/// Motions that no support resists: the null space of sum w (d.r_k)(d.r_l) over the three unit motions r.
+/// Motions that neither supports nor springs resist: the null space of sum w (d.r_k)(d.r_l) over the three unit motions r. A
+/// spring's stiffness does not count: what it resists at all it holds.
 std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, double size) {
     const RigidMotion unit[3] = {{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1 / size, center}};
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
+    const auto resist = [&](const Vec2& x, const Vec2& direction, double weight) {
+        Eigen::Vector3d along;
+        for (int k = 0; k < 3; ++k) along[k] = direction.dot(unit[k].at(x));
+        gram += weight * along * along.transpose();
+    };
     for (const SupportRecord& record : s.supports)
-        for (const SupportPoint& p : record.set.points) {
-            Eigen::Vector3d along;
-            for (int k = 0; k < 3; ++k) along[k] = p.direction.dot(unit[k].at(p.x));
-            gram += p.weight * along * along.transpose();
+        for (const SupportPoint& p : record.set.points) resist(p.x, p.direction, p.weight);
+    for (const SpringSet& set : s.springs)
+        for (const SpringPoint& p : set.points) {
+            if (set.normal > 0) resist(p.x, p.normal, p.weight);
+            if (set.tangential > 0) resist(p.x, {-p.normal.y(), p.normal.x()}, p.weight);
         }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(gram);
     std::vector<RigidMotion> motions;
@@ -103,34 +133,91 @@ void number_unknowns(PartSystem& s) {
     }
 }
 
-}  // namespace
-
-Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion) {
-    Eigen::VectorXd c(2 * space.n_functions);
-    for (int f = 0; f < space.n_functions; ++f) c.segment<2>(2 * f) = motion.at(greville_point(space, f));
-    return c;
+/// The weighted functions of a component hold none of its rigid motions: a motion that is free must not move it. False where
+/// one does.
+bool follow_structure(PartSystem& s, double size) {
+    constexpr double rounding = 1e-6;  // of unit motion: what the eigenvectors of the Gram matrix leave
+    for (RigidMotion& m : s.free_motions)
+        for (int c = 0; c < 2; ++c) {
+            if (!structure_of(s.input)->weight[static_cast<std::size_t>(c)]) continue;
+            if (std::abs(m.translation[c]) > rounding || std::abs(m.rotation) * size > rounding) return false;
+            m.translation[c] = m.rotation = 0;
+        }
+    return true;
 }
 
-PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
-                            double size) {
-    PartSystem s;
-    s.input = std::move(input);
-    s.stiffness = assemble_stiffness(s.input);
-    s.applied = std::move(applied);
-    s.load = s.applied;
-    s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
-    s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
-    apply_supports(s, std::move(supports));
-    s.free_motions = free_motions(s, center, size);
+/// The stiffness and the loads before any support but the structure.
+void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
+    if (structure_of(s.input)) {
+        WeightedStiffness k = assemble_weighted(s.input);
+        s.stiffness = std::move(k.stiffness);
+        s.load = weighted + k.load;
+    } else {
+        s.stiffness = assemble_stiffness(s.input);
+        s.load = s.applied;
+    }
+}
+
+void set_modes(PartSystem& s) {
     s.modes.resize(2 * s.n(), static_cast<Index>(s.free_motions.size()));
     for (std::size_t k = 0; k < s.free_motions.size(); ++k) {
         s.modes.col(static_cast<Index>(k)) = coefficients_of(s.input.space, s.free_motions[k]);
         for (std::size_t i = 0; i < s.dropped.size(); ++i)
             if (s.dropped[i]) s.modes(static_cast<Index>(i), static_cast<Index>(k)) = 0;
     }
+}
+
+/// What a pivot that is not positive means here, and what to do about it.
+std::string failure_text(const PartSystem& s) {
+    const std::string text = "the stiffness matrix is not positive definite to working precision: ";
+    if (structure_of(s.input))
+        return text + "the weight functions of its supports leave too little there; take dirichlet \"nitsche\", or smaller cells";
+    if (!s.springs.empty())
+        return text + "its springs are too soft against its material to hold it; make them stiffer, or add a support";
+    if (s.input.space.basis != Basis::web)
+        return text + "functions of the basis hardly reach into the part there; take basis \"web\", or move the grid lines";
+    return text + "part of it hangs on too little there to carry anything; refine the grid, or look for a stray sliver";
+}
+
+void note_failure(PartSystem& s) {
+    s.failure = failure_text(s);
+    for (std::size_t i = 0; i < s.number.size(); ++i)
+        if (s.number[i] >= 0 && s.number[i] == s.factor.failed_at()) {
+            const auto dof = static_cast<int>(i);
+            s.failed_at = FailedPivot{greville_point(s.input.space, dof / 2), dof % 2};
+        }
+}
+
+}  // namespace
+
+Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion) {
+    Eigen::VectorXd c(2 * space.n_functions);
+    for (int f = 0; f < space.n_functions; ++f)
+        c.segment<2>(2 * f) = coefficient_of_one(space, f) * motion.at(greville_point(space, f));
+    return c;
+}
+
+PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
+                            double size, std::vector<SpringSet> springs, const Eigen::VectorXd& weighted) {
+    PartSystem s;
+    s.input = std::move(input);
+    s.applied = std::move(applied);
+    s.springs = std::move(springs);
+    assemble(s, weighted);
+    s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
+    s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
+    apply_supports(s, std::move(supports));
+    s.free_motions = free_motions(s, center, size);
+    if (structure_of(s.input) && !follow_structure(s, size)) {
+        s.failure =
+            "its supports leave it a rigid motion that weight functions cannot follow (one point, or one straight edge held "
+            "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
+        return s;
+    }
+    set_modes(s);
     number_unknowns(s);
     s.factor = Factorization(restricted(s.stiffness, s.number, s.n_kept));
-    if (!s.factor.ok()) s.failure = "the stiffness matrix is not positive definite";
+    if (!s.factor.ok()) note_failure(s);
     return s;
 }
 
@@ -146,39 +233,69 @@ Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
     return u;
 }
 
+namespace {
+
+Resultant dropped_reaction(const PartSystem& system, const SupportRecord& record, const Eigen::VectorXd& residual) {
+    Resultant sum;
+    for (int f : record.dropped) {
+        Vec2 force = Vec2::Zero();
+        force[record.set.component] = residual[2 * f + record.set.component];
+        sum.add(greville_point(system.input.space, f), coefficient_of_one(system.input.space, f) * force);
+    }
+    return sum;
+}
+
+}  // namespace
+
 std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
-                                         const Eigen::VectorXd& load) {
+                                         const Eigen::VectorXd& load, const Eigen::VectorXd& plain) {
     const Eigen::VectorXd residual = multiply(system.stiffness, displacement) - load;
     std::vector<Resultant> reactions;
-    for (const SupportRecord& record : system.supports) {
-        Resultant sum;
-        if (record.method == SupportMethod::nitsche) sum = nitsche_reaction(system.input, record.set, displacement);
-        for (int f : record.dropped) {
-            Vec2 force = Vec2::Zero();
-            force[record.set.component] = residual[2 * f + record.set.component];
-            sum.add(greville_point(system.input.space, f), force);
-        }
-        reactions.push_back(sum);
-    }
+    for (const SupportRecord& record : system.supports)
+        reactions.push_back(record.method == SupportMethod::nitsche
+                                ? nitsche_reaction(system.input, record.set, displacement)
+                                : dropped_reaction(system, record, residual));
+    if (structure_of(system.input)) add_structure_reactions(system, displacement, plain, reactions);
     return reactions;
+}
+
+Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
+    Resultant sum;
+    for (const SupportPoint& p : set.points) {
+        const Eigen::Vector3d s =
+            stress_of(input.elasticity, displacement_at(input, displacement, p.element, p.x).gradient);
+        const Vec2 traction(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y());
+        sum.add(p.x, p.weight * input.thickness * p.direction.dot(traction) * p.direction);
+    }
+    return sum;
 }
 
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
     Resultant sum;
-    for (int f = 0; f < space.n_functions; ++f) sum.add(greville_point(space, f), load.segment<2>(2 * f));
+    for (int f = 0; f < space.n_functions; ++f)
+        sum.add(greville_point(space, f), coefficient_of_one(space, f) * load.segment<2>(2 * f));
     return sum;
 }
 
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    if (structure_of(system.input)) return weighted_strain_energy(system.input, displacement);
     double twice = displacement.dot(multiply(system.stiffness, displacement));
+    for (const SpringSet& set : system.springs) twice -= 2 * spring_answer(system.input, set, displacement).energy;
     for (const SupportRecord& record : system.supports)
         if (record.method == SupportMethod::nitsche) twice -= nitsche_energy(system.input, record.set, displacement);
     return 0.5 * twice;
 }
 
-DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int cell, const Vec2& x) {
-    const PointBasis b = evaluate(space, cell, x);
-    DisplacementAt d{Vec2::Zero(), Eigen::Matrix2d::Zero()};
+double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement) {
+    if (structure_of(input)) return largest_weighted_displacement(input, displacement);
+    double largest = 0;
+    for (Index f = 0; f + 1 < displacement.size(); f += 2) largest = std::max(largest, displacement.segment<2>(f).norm());
+    return largest;
+}
+
+DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x) {
+    const PointBasis b = evaluate(space, element, x);
+    DisplacementAt d;
     for (std::size_t i = 0; i < b.functions.size(); ++i) {
         const auto k = static_cast<Index>(i);
         const Vec2 c = displacement.segment<2>(2 * b.functions[i]);

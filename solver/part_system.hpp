@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One part ready to be solved: stiffness with supports, its free rigid motions, its factor.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "solver/factorization.hpp"
+#include "solver/springs.hpp"
 #include "solver/supports.hpp"
 
 namespace abut::solver {
@@ -18,24 +20,32 @@ struct RigidMotion {
 };
 
 /// How a support set was imposed.
-enum class SupportMethod { aligned, nitsche };
+enum class SupportMethod { aligned, nitsche, structure };
 
 struct SupportRecord {
     SupportSet set;
     SupportMethod method;
     std::vector<int> dropped;  ///< functions whose `component` the set holds (aligned); each belongs to one set only
+    std::string why;           ///< the method, in words
 };
 
 /// Whether two rigid motions of a part count as held or free: the smallest eigenvalue of the supports' Gram matrix, with
 /// rotations measured at the part's size, below this fraction of the largest is free.
 inline constexpr double rigid_mode_fraction = 1e-10;
 
+/// The unknown at which a factorisation ended.
+struct FailedPivot {
+    Vec2 at;  ///< of its function
+    int component;
+};
+
 struct PartSystem {
     PartInput input;
     BlockMatrix stiffness;    ///< with Nitsche's terms, nothing dropped
-    Eigen::VectorXd load;     ///< (2n) with Nitsche's data
-    Eigen::VectorXd applied;  ///< (2n) external loads only
+    Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
+    Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
     std::vector<SupportRecord> supports;
+    std::vector<SpringSet> springs;
     Eigen::VectorXd prescribed;  ///< (2n) values of dropped coefficients, 0 elsewhere
     std::vector<int> number;     ///< (2n) row in the factorised matrix; negative: dropped or pinned
     std::vector<char> dropped;   ///< (2n)
@@ -43,16 +53,18 @@ struct PartSystem {
     std::vector<RigidMotion> free_motions;  ///< 0 to 3, unit displacement at the part's size
     Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
-    std::string failure;  ///< not empty: not solvable, and why
+    std::string failure;  ///< not empty: not solvable, what that means and what to do
+    std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
 
     int n() const { return input.space.n_functions; }
 };
 
 /// size: the length at which rotations are measured (the part's diagonal); center: about which they turn.
 /// The free motions are held by pinning as many coefficients: exact as long as the loads on the part balance, which the
-/// equilibrium rows of the contact problem see to.
+/// equilibrium rows of the contact problem see to. Springs hold a motion that they resist, however soft they are.
+/// applied: on the plain functions; weighted: the same loads on the weighted ones, with a structure only.
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
-                            double size);
+                            double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
 
 /// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
@@ -62,19 +74,26 @@ Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& mot
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
 /// Forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by support.
+/// Those of structures follow from equilibrium: the residual of the plain functions, each function's to the support nearest to
+/// it; plain: loads (2n) besides `applied` (contact, constraints) on the plain functions, read for these only.
 std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
-                                         const Eigen::VectorXd& load);
+                                         const Eigen::VectorXd& load, const Eigen::VectorXd& plain = {});
 
-/// Resultant of a load vector (2n).
+/// Resultant of the stresses of a displacement along a support's points, in the held direction: a second opinion on the
+/// reaction of a structure, which converges more slowly.
+Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
+
+/// Resultant of a load vector (2n) on the plain functions.
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
 
+/// Of the part alone, without its springs.
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
 
-/// Displacement and its gradient (rows: components) at a point.
-struct DisplacementAt {
-    Vec2 value;
-    Eigen::Matrix2d gradient;
-};
-DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int cell, const Vec2& x);
+/// No displacement of the part is larger but for the overshoot of sampling: the largest coefficient, or with a structure the
+/// largest value at its points.
+double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement);
+
+/// For spaces without a structure; displacement_at(PartInput, ...) serves all.
+DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 
 }  // namespace abut::solver

@@ -15,17 +15,17 @@ struct NormalEquations {
     Eigen::MatrixX3d rhs;
 };
 
-/// Adds one cell's samples: dense within the cell, then its lower triangle.
-void add_cell(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement,
-              int cell, const std::vector<Vec2>& points) {
-    const std::vector<int> functions = extraction(space, cell).functions;
+/// Adds one element's samples: dense within it, then its lower triangle.
+void add_element(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement,
+                 int element, const std::vector<Vec2>& points) {
+    const std::vector<int> functions = extraction(space, element).functions;
     const auto n = static_cast<Index>(functions.size());
     Eigen::MatrixXd b(static_cast<Index>(points.size()), n);
     Eigen::MatrixX3d s(b.rows(), 3);
     for (std::size_t k = 0; k < points.size(); ++k) {
-        b.row(static_cast<Index>(k)) = evaluate(space, cell, points[k]).value.transpose();
+        b.row(static_cast<Index>(k)) = evaluate(space, element, points[k]).value.transpose();
         s.row(static_cast<Index>(k)) =
-            stress_of(input.elasticity, displacement_at(input.space, displacement, cell, points[k]).gradient).transpose();
+            stress_of(input.elasticity, displacement_at(input, displacement, element, points[k]).gradient).transpose();
     }
     const Eigen::MatrixXd m = b.transpose() * b;
     const Eigen::MatrixX3d r = b.transpose() * s;
@@ -60,8 +60,8 @@ SparseSymmetric assembled(std::vector<std::tuple<int, int, double>>& entries, in
     return m;
 }
 
-std::vector<Vec2> full_cell_points(const SplineSpace& s, int cell, const std::vector<double>& inside) {
-    const auto c = static_cast<std::size_t>(cell % s.columns()), r = static_cast<std::size_t>(cell / s.columns());
+std::vector<Vec2> full_cell_points(const SplineSpace& s, int element, const std::vector<double>& inside) {
+    const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
     const Vec2 a(s.x.breakpoints[c], s.y.breakpoints[r]), b(s.x.breakpoints[c + 1], s.y.breakpoints[r + 1]);
     std::vector<Vec2> points{a, {b.x(), a.y()}, b, {a.x(), b.y()}};
     for (double v : inside)
@@ -75,19 +75,24 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
                        const std::vector<SamplePoint>& cut) {
     const SplineSpace& from = input.space;
     StressField field;
-    field.space = make_space(from.x.breakpoints, from.y.breakpoints, std::max(1, from.x.degree - 1),
-                             std::max(1, from.y.degree - 1), from.fraction, Basis::web);
+    field.space = make_space({clamped_knots(from.x.breakpoints, std::max(1, from.x.degree - 1)),
+                              clamped_knots(from.y.breakpoints, std::max(1, from.y.degree - 1)),
+                              from.fraction,
+                              from.splits,
+                              Basis::web,
+                              {}});
     field.out_of_plane = input.elasticity.out_of_plane;
     field.failure = field.space.failure;
     if (!field.failure.empty()) return field;
 
     NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3)};
     std::vector<std::vector<Vec2>> points(from.fraction.size());
-    for (std::size_t cell = 0; cell < from.fraction.size(); ++cell)
-        if (from.fraction[cell] == 1) points[cell] = full_cell_points(from, static_cast<int>(cell), inside);
-    for (const SamplePoint& p : cut) points[static_cast<std::size_t>(p.cell)].push_back(p.x);
-    for (std::size_t cell = 0; cell < points.size(); ++cell)
-        if (!points[cell].empty()) add_cell(eq, input, field.space, displacement, static_cast<int>(cell), points[cell]);
+    for (std::size_t element = 0; element < from.fraction.size(); ++element)
+        if (from.fraction[element] == 1) points[element] = full_cell_points(from, static_cast<int>(element), inside);
+    for (const SamplePoint& p : cut) points[static_cast<std::size_t>(p.element)].push_back(p.x);
+    for (std::size_t element = 0; element < points.size(); ++element)
+        if (!points[element].empty())
+            add_element(eq, input, field.space, displacement, static_cast<int>(element), points[element]);
 
     const Factorization factor(assembled(eq.entries, field.space.n_functions));
     if (!factor.ok()) {
@@ -99,8 +104,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     return field;
 }
 
-Eigen::Vector4d stress_at(const StressField& field, int cell, const Vec2& x) {
-    const PointBasis b = evaluate(field.space, cell, x);
+Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) {
+    const PointBasis b = evaluate(field.space, element, x);
     Eigen::Vector3d s = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < b.functions.size(); ++i)
         s += b.value[static_cast<Index>(i)] * field.coefficients.row(b.functions[i]).transpose();

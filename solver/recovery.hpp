@@ -9,7 +9,7 @@
 namespace abut::solver {
 
 struct SamplePoint {
-    int cell;
+    int element;
     Vec2 x;
 };
 
@@ -25,7 +25,7 @@ struct StressField {
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
                        const std::vector<SamplePoint>& cut);
 
-/// (xx, yy, xy, zz) at a point of a cell.
-Eigen::Vector4d stress_at(const StressField& field, int cell, const Vec2& x);
+/// (xx, yy, xy, zz) at a point of an element.
+Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x);
 
 }  // namespace abut::solver

@@ -6,149 +6,210 @@
 #include <limits>
 #include <utility>
 
+#include "solver/branches.hpp"
+
 namespace abut::solver {
 
 namespace {
 
-struct Range {
-    int begin, end;
-};
-
-/// Intervals on which a univariate function lives.
-Range support(const KnotVector& knots, int i) {
-    return {std::max(0, i - knots.degree), std::min(knots.n_intervals(), i + 1)};
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
 }
 
-template <class OnCell>
-void for_support_cells(const SplineSpace& s, int tensor, OnCell on_cell) {
-    const Range columns = support(s.x, tensor % s.x.n_functions()), rows = support(s.y, tensor / s.x.n_functions());
-    for (int r = rows.begin; r < rows.end; ++r)
-        for (int c = columns.begin; c < columns.end; ++c) on_cell(r * s.columns() + c);
+double distance_squared(const SplineSpace& s, int element, const Vec2& p) {
+    const auto middle = [](const std::vector<double>& b, int i) { return 0.5 * (b[at(i)] + b[at(i) + 1]); };
+    return (Vec2(middle(s.x.breakpoints, s.column_of(element)), middle(s.y.breakpoints, s.row_of(element))) - p).squaredNorm();
 }
 
-double distance_squared(const SplineSpace& s, int cell, const Vec2& p) {
-    const int c = cell % s.columns(), r = cell / s.columns();
-    const auto middle = [](const std::vector<double>& b, int i) {
-        return 0.5 * (b[static_cast<std::size_t>(i)] + b[static_cast<std::size_t>(i) + 1]);
-    };
-    return (Vec2(middle(s.x.breakpoints, c), middle(s.y.breakpoints, r)) - p).squaredNorm();
+Vec2 greville_of_tensor(const SplineSpace& s, int tensor) {
+    return {greville(s.x, tensor % s.x.n_functions()), greville(s.y, tensor / s.x.n_functions())};
 }
 
-/// The inner cell to extend from: the nearest in steps from cell to cell inside the part (so that no function is continued from
-/// across a slot); of several the one whose middle is closest. -1: none can be reached.
-int nearest_inner_cell(const SplineSpace& s, int tensor, std::vector<int>& mark, int stamp) {
-    std::vector<int> front, next;
-    for_support_cells(s, tensor, [&](int cell) {
-        if (s.fraction[static_cast<std::size_t>(cell)] <= 0) return;
-        front.push_back(cell);
-        mark[static_cast<std::size_t>(cell)] = stamp;
-    });
-    const Vec2 middle(greville(s.x, tensor % s.x.n_functions()), greville(s.y, tensor / s.x.n_functions()));
-    while (!front.empty()) {
-        int best = -1;
+int tensor_of_branch(const SplineSpace& s, int branch) {
+    return branch < s.n_tensor() ? branch : s.tensor_of_extra[at(branch - s.n_tensor())];
+}
+
+/// Walks from element to element through the part's material until it meets inner ones.
+class InnerSearch {
+public:
+    InnerSearch(const SplineSpace& space, const ElementGraph& graph)
+        : space_(space), graph_(graph), mark_(space.fraction.size(), -1) {}
+
+    /// Of the inner elements in the fewest steps, or one more (a step to a diagonal neighbour takes two), the one whose middle
+    /// is closest to a point. -1: none can be reached.
+    int nearest(const std::vector<int>& from, const Vec2& to) {
+        ++stamp_;
+        front_ = from;
+        for (int e : front_) mark_[at(e)] = stamp_;
+        int best = -1, steps_left = 1;
         double closest = std::numeric_limits<double>::infinity();
-        next.clear();
-        for (int cell : front) {
-            if (s.fraction[static_cast<std::size_t>(cell)] >= inner_cell_fraction &&
-                distance_squared(s, cell, middle) < closest) {
-                closest = distance_squared(s, cell, middle);
-                best = cell;
+        while (!front_.empty() && steps_left >= 0) {
+            for (int e : front_) {
+                if (space_.fraction[at(e)] < inner_cell_fraction || distance_squared(space_, e, to) >= closest) continue;
+                closest = distance_squared(space_, e, to);
+                best = e;
             }
-            const int c = cell % s.columns(), r = cell / s.columns();
-            for (int dr = -1; dr <= 1; ++dr)
-                for (int dc = -1; dc <= 1; ++dc) {
-                    if (c + dc < 0 || c + dc >= s.columns() || r + dr < 0 || r + dr >= s.rows()) continue;
-                    const int other = cell + dr * s.columns() + dc;
-                    if (mark[static_cast<std::size_t>(other)] == stamp || s.fraction[static_cast<std::size_t>(other)] <= 0)
-                        continue;
-                    mark[static_cast<std::size_t>(other)] = stamp;
-                    next.push_back(other);
-                }
+            if (best >= 0) --steps_left;
+            step();
         }
-        if (best >= 0) return best;
-        front.swap(next);
+        return best;
     }
-    return -1;
-}
+
+private:
+    void step() {
+        next_.clear();
+        for (int e : front_)
+            graph_.for_neighbours(e, [&](int other) {
+                if (mark_[at(other)] == stamp_) return;
+                mark_[at(other)] = stamp_;
+                next_.push_back(other);
+            });
+        front_.swap(next_);
+    }
+
+    const SplineSpace& space_;
+    const ElementGraph& graph_;
+    std::vector<int> mark_, front_, next_;
+    int stamp_ = -1;
+};
 
 enum class Role : std::uint8_t { absent, own, extended };
 
-std::vector<Role> roles(const SplineSpace& s, Basis basis) {
-    std::vector<Role> role(static_cast<std::size_t>(s.x.n_functions() * s.y.n_functions()), Role::absent);
-    for (std::size_t k = 0; k < role.size(); ++k)
-        for_support_cells(s, static_cast<int>(k), [&](int cell) {
-            const double f = s.fraction[static_cast<std::size_t>(cell)];
-            if (f >= inner_cell_fraction || (f > 0 && basis == Basis::plain))
-                role[k] = Role::own;
-            else if (f > 0 && role[k] == Role::absent)
-                role[k] = Role::extended;
-        });
+std::vector<Role> roles(const SplineSpace& s) {
+    std::vector<Role> role(at(s.n_tensor()) + s.tensor_of_extra.size(), Role::absent);
+    for (std::size_t e = 0; e < s.fraction.size(); ++e) {
+        if (s.fraction[e] <= 0) continue;
+        const bool inner = s.fraction[e] >= inner_cell_fraction || s.basis != Basis::web;
+        for (int branch : tensor_functions(s, static_cast<int>(e)))
+            if (role[at(branch)] != Role::own) role[at(branch)] = inner ? Role::own : Role::extended;
+    }
     return role;
 }
 
-void append_extended(SplineSpace& s, int tensor, int from_cell, const std::vector<int>& own) {
-    const int nx = s.x.n_functions(), c = from_cell % s.columns(), r = from_cell / s.columns();
-    const LocalValues ex = extension_coefficients(s.x, c, tensor % nx), ey = extension_coefficients(s.y, r, tensor / nx);
-    for (int b = 0; b <= s.y.degree; ++b)
-        for (int a = 0; a <= s.x.degree; ++a) {
-            const double e = ex[static_cast<std::size_t>(a)] * ey[static_cast<std::size_t>(b)];
-            if (e == 0) continue;
-            s.function.push_back(own[static_cast<std::size_t>((r + b) * nx + c + a)]);
-            s.coefficient.push_back(e);
-        }
+/// Row of a branch that is continued from an element's polynomials.
+void append_extended(SplineSpace& s, int branch, int from, const std::vector<int>& own) {
+    const int nx = s.x.n_functions(), tensor = tensor_of_branch(s, branch);
+    const LocalValues ex = extension_coefficients(s.x, s.column_of(from), tensor % nx),
+                      ey = extension_coefficients(s.y, s.row_of(from), tensor / nx);
+    const std::vector<int> local = tensor_functions(s, from);
+    std::vector<std::pair<int, double>> row;
+    for (std::size_t k = 0; k < local.size(); ++k) {
+        const auto p = at(s.x.degree + 1);
+        const double e = ex[k % p] * ey[k / p];
+        if (e != 0) row.emplace_back(own[at(local[k])], e);
+    }
+    std::sort(row.begin(), row.end());
+    for (const auto& [function, coefficient] : row) {
+        s.function.push_back(function);
+        s.coefficient.push_back(coefficient);
+    }
     ++s.n_extended;
 }
 
-}  // namespace
-
-SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines, int degree_x, int degree_y,
-                       std::vector<double> fraction, Basis basis) {
-    SplineSpace s;
-    s.x = clamped_knots(std::move(x_lines), degree_x);
-    s.y = clamped_knots(std::move(y_lines), degree_y);
-    s.fraction = std::move(fraction);
-    const std::vector<Role> role = roles(s, basis);
-    std::vector<int> own(role.size(), -1);
+void number_functions(SplineSpace& s, const std::vector<Role>& role, std::vector<int>& own) {
+    own.assign(role.size(), -1);
     for (std::size_t k = 0; k < role.size(); ++k)
         if (role[k] == Role::own) {
             own[k] = s.n_functions++;
-            s.tensor_of.push_back(static_cast<int>(k));
+            s.tensor_of.push_back(tensor_of_branch(s, static_cast<int>(k)));
         }
-    std::vector<int> mark(s.fraction.size(), -1);
+}
+
+void make_rows(SplineSpace& s, const ElementGraph& graph, const std::vector<Role>& role, const std::vector<int>& own) {
+    InnerSearch search(s, graph);
     s.first.push_back(0);
     for (std::size_t k = 0; k < role.size(); ++k) {
+        const int branch = static_cast<int>(k);
         if (role[k] == Role::own) {
             s.function.push_back(own[k]);
             s.coefficient.push_back(1);
         } else if (role[k] == Role::extended) {
-            const int from = nearest_inner_cell(s, static_cast<int>(k), mark, static_cast<int>(k));
+            const int from =
+                search.nearest(support_elements(s, graph, branch), greville_of_tensor(s, tensor_of_branch(s, branch)));
             if (from < 0)
                 s.failure = "no cell is filled to a quarter where the part is thin: the grid is too coarse";
             else
-                append_extended(s, static_cast<int>(k), from, own);
+                append_extended(s, branch, from, own);
         }
         s.first.push_back(static_cast<int>(s.function.size()));
     }
+}
+
+/// Divides the functions that live on one cut element only by their largest value there.
+void normalize(SplineSpace& s, const ElementGraph& graph, const std::vector<int>& own,
+               const std::function<std::vector<Vec2>(int)>& outline) {
+    s.coefficient_of_one.assign(at(s.n_functions), 1);
+    for (std::size_t branch = 0; branch < own.size(); ++branch) {
+        if (own[branch] < 0) continue;
+        const std::vector<int> elements = support_elements(s, graph, static_cast<int>(branch));
+        if (elements.size() != 1 || s.fraction[at(elements[0])] == 1) continue;
+        const int tensor = tensor_of_branch(s, static_cast<int>(branch)), nx = s.x.n_functions();
+        const int c = s.column_of(elements[0]), r = s.row_of(elements[0]);
+        double largest = 0;
+        for (const Vec2& p : outline(elements[0])) {
+            LocalValues vx, vy;
+            evaluate(s.x, c, p.x(), vx);
+            evaluate(s.y, r, p.y(), vy);
+            largest = std::max(largest, vx[at(tensor % nx - s.x.first[at(c)])] * vy[at(tensor / nx - s.y.first[at(r)])]);
+        }
+        if (largest <= 0) continue;
+        s.coefficient[at(s.first[branch])] = 1 / largest;
+        s.coefficient_of_one[at(own[branch])] = largest;
+    }
+}
+
+}  // namespace
+
+SplineSpace make_space(SpaceInput input) {
+    SplineSpace s;
+    s.x = std::move(input.x);
+    s.y = std::move(input.y);
+    s.basis = input.basis;
+    s.fraction = std::move(input.fraction);
+    s.splits = std::move(input.splits);
+    const ElementGraph graph(s.columns(), s.rows(), s.fraction, s.splits);
+    Branches branches = find_branches(s.x, s.y, graph);
+    s.tensor_of_extra = std::move(branches.tensor_of_extra);
+    s.branches = std::move(branches.of_element);
+    const std::vector<Role> role = roles(s);
+    std::vector<int> own;
+    number_functions(s, role, own);
+    make_rows(s, graph, role, own);
+    if (s.basis == Basis::normalized) normalize(s, graph, own, input.outline);
     return s;
 }
 
-std::vector<int> tensor_functions(const SplineSpace& space, int cell) {
-    const int c = cell % space.columns(), r = cell / space.columns();
+SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines, int degree_x, int degree_y,
+                       std::vector<double> fraction, Basis basis) {
+    return make_space({clamped_knots(std::move(x_lines), degree_x),
+                       clamped_knots(std::move(y_lines), degree_y),
+                       std::move(fraction),
+                       {},
+                       basis,
+                       {}});
+}
+
+std::vector<int> tensor_functions(const SplineSpace& space, int element) {
+    if (!space.branches.empty()) {
+        const auto own = space.branches.find(element);
+        if (own != space.branches.end()) return own->second;
+    }
+    const int c = space.x.first[at(space.column_of(element))], r = space.y.first[at(space.row_of(element))];
     std::vector<int> result;
-    result.reserve(static_cast<std::size_t>((space.x.degree + 1) * (space.y.degree + 1)));
+    result.reserve(at((space.x.degree + 1) * (space.y.degree + 1)));
     for (int b = 0; b <= space.y.degree; ++b)
         for (int a = 0; a <= space.x.degree; ++a) result.push_back((r + b) * space.x.n_functions() + c + a);
     return result;
 }
 
-Extraction extraction(const SplineSpace& space, int cell) {
-    const std::vector<int> tensors = tensor_functions(space, cell);
+Extraction extraction(const SplineSpace& space, int element) {
+    const std::vector<int> tensors = tensor_functions(space, element);
     Extraction e;
     e.identity = true;
     for (int t : tensors) {
         const auto begin = static_cast<std::size_t>(space.first[static_cast<std::size_t>(t)]);
         const auto end = static_cast<std::size_t>(space.first[static_cast<std::size_t>(t) + 1]);
-        e.identity = e.identity && end == begin + 1 && space.tensor_of[static_cast<std::size_t>(space.function[begin])] == t;
+        e.identity = e.identity && end == begin + 1 && space.coefficient[begin] == 1;
         e.functions.insert(e.functions.end(), space.function.begin() + static_cast<std::ptrdiff_t>(begin),
                            space.function.begin() + static_cast<std::ptrdiff_t>(end));
     }
@@ -167,12 +228,12 @@ Extraction extraction(const SplineSpace& space, int cell) {
     return e;
 }
 
-PointBasis evaluate(const SplineSpace& space, int cell, const Vec2& p) {
-    const int c = cell % space.columns(), r = cell / space.columns();
+PointBasis evaluate(const SplineSpace& space, int element, const Vec2& p) {
+    const int c = space.column_of(element), r = space.row_of(element);
     LocalValues vx, gx, vy, gy;
     evaluate(space.x, c, p.x(), vx, gx);
     evaluate(space.y, r, p.y(), vy, gy);
-    const Extraction e = extraction(space, cell);
+    const Extraction e = extraction(space, element);
     const Eigen::Index n = (space.x.degree + 1) * (space.y.degree + 1);
     Eigen::VectorXd value(n), dx(n), dy(n);
     Eigen::Index k = 0;
@@ -188,8 +249,7 @@ PointBasis evaluate(const SplineSpace& space, int cell, const Vec2& p) {
 }
 
 Vec2 greville_point(const SplineSpace& space, int function) {
-    const int tensor = space.tensor_of[static_cast<std::size_t>(function)];
-    return {greville(space.x, tensor % space.x.n_functions()), greville(space.y, tensor / space.x.n_functions())};
+    return greville_of_tensor(space, space.tensor_of[at(function)]);
 }
 
 }  // namespace abut::solver

@@ -3,39 +3,46 @@
 
 #include <algorithm>
 
+#include "solver/solution_structure.hpp"
+
 namespace abut::solver {
 
 namespace {
 
 using Eigen::Index;
 
-/// d.u and d.t at a point as linear forms over the coefficients: (functions x 2), component by component.
+/// d.u and d.t at a point as linear forms over the coefficients: (functions x 2), component by component; and what they are
+/// without any (of phi, with a solution structure).
 struct PointForms {
     std::vector<int> functions;
     Eigen::MatrixX2d displacement, traction;
+    double displacement_of_data = 0, traction_of_data = 0;
 };
 
+/// direction . traction of a stress (xx, yy, xy).
+double traction_along(const SupportPoint& p, const Eigen::Vector3d& s) {
+    return p.direction.dot(Vec2(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y()));
+}
+
 PointForms forms(const PartInput& input, const SupportPoint& p) {
-    const PointBasis b = evaluate(input.space, p.cell, p.x);
+    const DisplacementBasis b = displacement_basis(input, p.element, p.x);
+    const PointBasis &x = b.of(0), &y = b.of(1);
     const Elasticity& e = input.elasticity;
-    PointForms f{b.functions, Eigen::MatrixX2d(b.value.size(), 2), Eigen::MatrixX2d(b.value.size(), 2)};
-    for (Index i = 0; i < b.value.size(); ++i) {
-        f.displacement.row(i) = b.value[i] * p.direction.transpose();
+    PointForms f{x.functions, Eigen::MatrixX2d(x.value.size(), 2), Eigen::MatrixX2d(x.value.size(), 2)};
+    f.displacement << p.direction.x() * x.value, p.direction.y() * y.value;
+    for (Index i = 0; i < x.value.size(); ++i) {
         // traction of a unit coefficient in x and in y
-        const Eigen::Vector3d sx(e.d11 * b.dx[i], e.d12 * b.dx[i], e.d33 * b.dy[i]);
-        const Eigen::Vector3d sy(e.d12 * b.dy[i], e.d11 * b.dy[i], e.d33 * b.dx[i]);
-        const auto along = [&](const Eigen::Vector3d& s) {
-            return p.direction.dot(Vec2(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y()));
-        };
-        f.traction(i, 0) = along(sx);
-        f.traction(i, 1) = along(sy);
+        f.traction(i, 0) = traction_along(p, {e.d11 * x.dx[i], e.d12 * x.dx[i], e.d33 * x.dy[i]});
+        f.traction(i, 1) = traction_along(p, {e.d12 * y.dy[i], e.d11 * y.dy[i], e.d33 * y.dx[i]});
     }
+    f.displacement_of_data = p.direction.dot(b.data.value);
+    f.traction_of_data = traction_along(p, stress_of(e, b.data.gradient));
     return f;
 }
 
-double penalty(const PartInput& input, int cell) {
+double penalty(const PartInput& input, int element) {
     const SplineSpace& s = input.space;
-    const auto c = static_cast<std::size_t>(cell % s.columns()), r = static_cast<std::size_t>(cell / s.columns());
+    const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
     const double h = std::min(s.x.breakpoints[c + 1] - s.x.breakpoints[c], s.y.breakpoints[r + 1] - s.y.breakpoints[r]);
     const double p = std::max(s.x.degree, s.y.degree);
     return nitsche_factor * p * p * input.elasticity.d11 / h;
@@ -53,11 +60,12 @@ double apply(const PointForms& f, const Eigen::MatrixX2d& form, const Eigen::Vec
 void add_nitsche(const PartInput& input, const SupportSet& set, BlockMatrix& stiffness, Eigen::VectorXd& load) {
     for (const SupportPoint& p : set.points) {
         const PointForms f = forms(input, p);
-        const double gamma = penalty(input, p.cell), w = p.weight * input.thickness;
+        const double gamma = penalty(input, p.element), w = p.weight * input.thickness;
+        const double value = p.value - f.displacement_of_data;
         for (std::size_t a = 0; a < f.functions.size(); ++a) {
             const auto i = static_cast<Index>(a);
             const Vec2 da = f.displacement.row(i), ta = f.traction.row(i);
-            load.segment<2>(2 * f.functions[a]) += w * p.value * (gamma * da - ta);
+            load.segment<2>(2 * f.functions[a]) += w * value * (gamma * da - ta) + w * f.traction_of_data * da;
             for (std::size_t b = 0; b < f.functions.size(); ++b) {
                 if (f.functions[b] > f.functions[a]) continue;
                 const auto j = static_cast<Index>(b);
@@ -69,13 +77,17 @@ void add_nitsche(const PartInput& input, const SupportSet& set, BlockMatrix& sti
     }
 }
 
+Vec2 nitsche_traction(const PartInput& input, const SupportPoint& p, const Eigen::VectorXd& displacement) {
+    const PointForms f = forms(input, p);
+    const double u = apply(f, f.displacement, displacement) + f.displacement_of_data;
+    const double t = apply(f, f.traction, displacement) + f.traction_of_data;
+    return (t - penalty(input, p.element) * (u - p.value)) * p.direction;
+}
+
 Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
     Resultant sum;
-    for (const SupportPoint& p : set.points) {
-        const PointForms f = forms(input, p);
-        const double u = apply(f, f.displacement, displacement), t = apply(f, f.traction, displacement);
-        sum.add(p.x, p.weight * input.thickness * (t - penalty(input, p.cell) * (u - p.value)) * p.direction);
-    }
+    for (const SupportPoint& p : set.points)
+        sum.add(p.x, p.weight * input.thickness * nitsche_traction(input, p, displacement));
     return sum;
 }
 
@@ -84,7 +96,7 @@ double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen
     for (const SupportPoint& p : set.points) {
         const PointForms f = forms(input, p);
         const double u = apply(f, f.displacement, displacement), t = apply(f, f.traction, displacement);
-        sum += p.weight * input.thickness * (penalty(input, p.cell) * u - 2 * t) * u;
+        sum += p.weight * input.thickness * (penalty(input, p.element) * u - 2 * t) * u;
     }
     return sum;
 }
@@ -135,6 +147,12 @@ HeldIntervals held_intervals(const KnotVector& along, const std::vector<Stretch>
     return held;
 }
 
+/// Of several branches some may live on an arm that is not held.
+bool has_branches(const SplineSpace& space, int tensor) {
+    const auto& extra = space.tensor_of_extra;
+    return std::find(extra.begin(), extra.end(), tensor) != extra.end();
+}
+
 }  // namespace
 
 std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side,
@@ -142,14 +160,17 @@ std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, Grid
     const SideRow row = row_of(space, side);
     const HeldIntervals held = held_intervals(row.along, stretches);
     const auto lives_on_held = [&](int k) {
-        for (int i = std::max(0, k - row.along.degree); i <= std::min(k, row.along.n_intervals() - 1); ++i)
+        const IntervalRange lives = support(row.along, k);
+        for (int i = lives.begin; i < lives.end; ++i)
             if (held.partly[static_cast<std::size_t>(i)]) return true;
         return false;
     };
     std::vector<int> dropped;
     for (int k = 0; k < row.along.n_functions(); ++k) {
         if (!lives_on_held(k)) continue;
-        for (int i = std::max(0, k - row.along.degree); i <= std::min(k, row.along.n_intervals() - 1); ++i)
+        if (has_branches(space, row.tensor(k))) return std::nullopt;
+        const IntervalRange lives = support(row.along, k);
+        for (int i = lives.begin; i < lives.end; ++i)
             if (row.fraction(i) > 0 && !held.wholly[static_cast<std::size_t>(i)]) return std::nullopt;
         const auto t = static_cast<std::size_t>(row.tensor(k));
         for (int i = space.first[t]; i < space.first[t + 1]; ++i) {

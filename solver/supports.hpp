@@ -2,6 +2,7 @@
 // Supports of one part along its boundary.
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solver/assembly.hpp"
@@ -10,7 +11,7 @@ namespace abut::solver {
 
 /// direction . u = value at a boundary point. direction and normal: unit; weight: arc length.
 struct SupportPoint {
-    int cell;
+    int element;
     Vec2 x, normal, direction;
     double weight, value;
 };
@@ -29,9 +30,11 @@ struct SupportSet {
     int tag = 0;
     std::vector<SupportPoint> points;
     std::optional<GridSide> side;
-    int component = 0;               ///< of the grid's axes, with `side`
+    int component = 0;               ///< of the grid's axes, with `side` or `by_structure`
     double value = 0;                ///< with `side`
     std::vector<Stretch> stretches;  ///< along the side, with `side`
+    bool by_structure = false;       ///< imposed by the weight of `component` (solution_structure.hpp); points: where
+    std::string note;                ///< why it is imposed so, as far as whoever made the set decided that
 };
 
 /// Nitsche's method for one set, added to stiffness and load:
@@ -42,7 +45,7 @@ struct SupportSet {
 inline constexpr double nitsche_factor = 45;
 void add_nitsche(const PartInput& input, const SupportSet& set, BlockMatrix& stiffness, Eigen::VectorXd& load);
 
-/// Force (2) and moment about the grid's origin that a Nitsche support exerts on the part.
+/// Force (2) and moment about the grid's origin.
 struct Resultant {
     Vec2 force{0, 0};
     double moment = 0;
@@ -51,8 +54,10 @@ struct Resultant {
         moment += at.x() * f.y() - at.y() * f.x();
     }
 };
+/// What a Nitsche support exerts on the part; at a point per area.
+Vec2 nitsche_traction(const PartInput& input, const SupportPoint& p, const Eigen::VectorXd& displacement);
 Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
-/// The set's share in u'Ku that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2.
+/// Without a structure: the set's share in u'Ku that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2.
 double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
 /// The functions to drop so that a component vanishes on stretches of a grid side: those of the outermost row that live there.

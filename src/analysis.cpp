@@ -9,6 +9,7 @@
 
 #include "src/assembly_model.hpp"
 #include "src/contact_results.hpp"
+#include "src/cut_quality.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
 #include "src/motion_text.hpp"
@@ -107,9 +108,8 @@ bool zone_too_short(const SolvedAssembly& s) {
 double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
     std::vector<double> reach(scene.parts.size(), 0.0);
     for (std::size_t k = 0; k < s.grids.size(); ++k) {
-        const Eigen::VectorXd& u = s.solution.displacement[k];
-        for (Eigen::Index f = 0; f + 1 < u.size(); f += 2)
-            reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], u.segment<2>(f).norm());
+        const double largest = solver::largest_displacement(s.grids[k].input, s.solution.displacement[k]);
+        reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], largest);
     }
     double factor = 0;
     for (std::size_t i = 0; i < scene.parts.size(); ++i)
@@ -268,6 +268,7 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
                 else
                     ++part.cells_outer;
             }
+            part.quality = cut_quality(g);
             result.unknowns += part.unknowns;
             result.cells[0] += part.cells_inner;
             result.cells[1] += part.cells_boundary;
@@ -292,8 +293,8 @@ void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::ve
             const auto k = at(solved.solver_part[i]);
             const PartOnGrid& g = solved.grids[k];
             const Vec2 local = g.frame.to_local(probe.at);
-            const int cell = g.input.space.cell_at(local);
-            const FieldSample s = sample_field(g, solved.solution.displacement[k], stress[k], cell, local);
+            const int element = element_at(g.local, g.cells, g.elements, local);
+            const FieldSample s = sample_field(g, solved.solution.displacement[k], stress[k], element, local);
             result.probes.push_back({probe.part, probe.at, s.displacement, s.stress});
         }
 }
@@ -346,7 +347,7 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
         double rotation = 0, strain = 0;
         const PartOnGrid& g = out.solved.grids[k];
         const auto look = [&](int cell, const Vec2& x) {
-            const auto u = solver::displacement_at(g.input.space, out.solved.solution.displacement[k], cell, x);
+            const auto u = solver::displacement_at(g.input, out.solved.solution.displacement[k], cell, x);
             rotation = std::max(rotation, 0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)));
             strain = std::max(strain, (0.5 * (u.gradient + u.gradient.transpose())).norm());
         };

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "src/load_vector.hpp"
 #include "src/part_grid.hpp"
+#include "src/solution_structure.hpp"
+#include "src/support_sets.hpp"
+#include "src/svg.hpp"
 
 namespace abut {
 
@@ -49,7 +53,44 @@ solver::PartSystem make_system(const Scene& scene, const ResolvedConditions& con
                                double& load_scale) {
     PartLoad load = load_vector(scene, conditions, g);
     load_scale = std::max(load_scale, load.scale);
-    return solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size);
+    return solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
+                                    spring_sets(scene, conditions, g), load.weighted);
+}
+
+/// With dirichlet "aligned" every support of edges has to be imposed that way.
+void require_aligned(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
+    for (const solver::SupportRecord& record : system.supports)
+        if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
+            throw InputError(scene.supports[at(record.set.tag)].where,
+                             "this support cannot be imposed by dropping functions: on part " + scene.parts[at(g.part)].name +
+                                 " it " + record.why,
+                             "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
+}
+
+/// Part, place and meaning of a system that cannot be solved.
+std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
+    std::string where;
+    if (system.failed_at) {
+        const Vec2 x = g.frame.to_global(system.failed_at->at);
+        where = ", near (" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
+    }
+    return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
+}
+
+/// Solver's input, supports and loads of every part on its grid.
+void make_systems(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved) {
+    for (PartOnGrid& g : solved.grids) {
+        solver::set_structure(g.input, make_structure(scene, conditions, g));
+        solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
+        const solver::PartSystem& system = solved.problem.parts.back();
+        require_aligned(scene, g, system);
+        if (!system.failure.empty())
+            solved.failure = failure_of(scene, g, system);
+        else
+            solved.condition = std::max(solved.condition, system.factor.condition_estimate());
+        for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
+            solved.problem.constraints.push_back(std::move(c));
+    }
 }
 
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
@@ -96,23 +137,7 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
     if (!solved.failure.empty()) return solved;
     {
         const Timed timed(seconds, "assembly");
-        for (const PartOnGrid& g : solved.grids) {
-            solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
-            const solver::PartSystem& system = solved.problem.parts.back();
-            for (const solver::SupportRecord& record : system.supports)
-                if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
-                    throw InputError(scene.supports[at(record.set.tag)].where,
-                                     "this support cannot be imposed by dropping functions: it does not lie along the "
-                                     "outermost grid lines of part " +
-                                         scene.parts[at(g.part)].name,
-                                     "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
-            if (!system.failure.empty())
-                solved.failure = "part " + scene.parts[at(g.part)].name + ": " + system.failure;
-            else
-                solved.condition = std::max(solved.condition, system.factor.condition_estimate());
-            for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
-                solved.problem.constraints.push_back(std::move(c));
-        }
+        make_systems(scene, conditions, solved);
         if (!solved.failure.empty()) return solved;
         make_interfaces(scene, candidates, solved);
     }

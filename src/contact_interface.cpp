@@ -80,7 +80,7 @@ std::vector<double> breakpoints(const Scene& scene, const FacingZone& z, const P
 /// Size of the cell around a boundary point, along the boundary.
 double size_along(const PartOnGrid& g, const geometry::ChainPoint& p) {
     const geometry::Grid& grid = g.cells.grid;
-    const int cell = cell_of(g, p);
+    const int cell = piece_at(g.cells, p.edge, p.t).cell;
     const auto i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
     const Vec2 t = g.frame.vector_to_local(p.tangent);
     return 1 / Vec2(t.x() / (grid.x[i + 1] - grid.x[i]), t.y() / (grid.y[j + 1] - grid.y[j])).norm();
@@ -157,7 +157,7 @@ void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid&
     p.s = s;
     p.weight = weight;
     p.gap = (no_overlap ? std::max(0.0, pair.gap) : pair.gap) - closing;
-    p.cell = {cell_of(first, pair.on1), cell_of(second, pair.on2)};
+    p.element = {element_of(first, pair.on1), element_of(second, pair.on2)};
     p.x = {first.frame.to_local(pair.on1.x), second.frame.to_local(pair.on2.x)};
     p.normal = {first.frame.vector_to_local(pair.normal), second.frame.vector_to_local(pair.normal)};
     c.face.points.push_back(p);
@@ -166,8 +166,9 @@ void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid&
 
 }  // namespace
 
-int cell_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
-    return piece_at(on_grid.cells, p.edge, p.t).cell;
+int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
+    const geometry::BoundaryPiece& piece = piece_at(on_grid.cells, p.edge, p.t);
+    return on_grid.elements.of_piece[static_cast<std::size_t>(&piece - on_grid.cells.pieces.data())];
 }
 
 ContactInterface make_interface(const Scene& scene, const FacingZone& zone, const PartOnGrid& first, const PartOnGrid& second,

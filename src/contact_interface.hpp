@@ -34,7 +34,7 @@ ContactInterface make_interface(const Scene& scene, const geometry::FacingZone& 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);
 
-/// Cell of a part's grid that holds a point of its boundary.
-int cell_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p);
+/// Element of a part that holds a point of its boundary.
+int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p);
 
 }  // namespace abut

@@ -26,7 +26,7 @@ struct Side {
     std::string edge_name(int edge) const { return part.name + "/" + part.part.edges[at(edge)].name; }
     double arc_length(const geometry::ChainPoint& p) const { return edge_arc_length(part.part.edges[at(p.edge)], p.t); }
     Vec2 displacement_at(const geometry::ChainPoint& p) const {
-        const auto u = solver::displacement_at(grid.input.space, displacement, cell_of(grid, p), grid.frame.to_local(p.x));
+        const auto u = solver::displacement_at(grid.input, displacement, element_of(grid, p), grid.frame.to_local(p.x));
         return grid.frame.vector_to_global(u.value);
     }
 };

@@ -7,6 +7,7 @@
 
 #include "geometry/cell_case.hpp"
 #include "geometry/closest_points.hpp"
+#include "geometry/extent.hpp"
 #include "geometry/facing.hpp"
 #include "geometry/interface_kind.hpp"
 #include "geometry/overlap.hpp"
@@ -25,12 +26,14 @@ using geometry::FacingPair;
 using geometry::FacingZone;
 using geometry::Part;
 
-constexpr double default_distance_fraction = 0.02, near_miss_fraction = 0.10;  // of the smaller part's diagonal
-/// Gaps and overlaps below this fraction of the smaller diagonal are touching: above the six digits that drawings are commonly
+constexpr double default_distance_fraction = 0.02, near_miss_fraction = 0.10;  // of the smaller part's extent
+/// Gaps and overlaps below this fraction of the smaller extent are touching: above the six digits that drawings are commonly
 /// written with, below the joining tolerance of imports and any clearance that means something.
 constexpr double touching_fraction = 1e-6;
 /// Edges with a smaller share of the facing length are not named: rounding next to the ends of others.
 constexpr double least_share = 1e-3;
+/// Shares that differ by less are equal but for rounding: the first one counts, however the assembly lies.
+constexpr double equal_shares = 1e-9;
 
 /// Facing length, on the first part, by pair of edges.
 using Shares = std::map<std::array<int, 2>, double>;
@@ -133,8 +136,10 @@ double facing_length(const Meeting& m) {
 
 std::array<int, 2> carrying_edges(const Meeting& m) {
     if (m.shares.empty()) return m.closest ? std::array{m.closest->edge1, m.closest->edge2} : std::array{0, 0};
-    const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-    return std::max_element(m.shares.begin(), m.shares.end(), less)->first;
+    double largest = 0;
+    for (const auto& [edges, length] : m.shares) largest = std::max(largest, length);
+    const auto carries = [&](const auto& share) { return share.second >= (1 - equal_shares) * largest; };
+    return std::find_if(m.shares.begin(), m.shares.end(), carries)->first;
 }
 
 std::string edge_name(const ScenePart& part, int edge) {
@@ -256,7 +261,7 @@ DetectedPair describe(const Scene& scene, const Meeting& m, bool near_miss) {
     pair.overlap_area = pair.status == "overlap" ? m.overlap.area : 0;
     pair.length = facing_length(m);
     pair.shared_length = m.shared_length;
-    const double size = std::min(bounding_box(m.first).diagonal(), bounding_box(m.second).diagonal());
+    const double size = std::min(extent(m.first), extent(m.second));
     pair.cells_case = std::string(1, geometry::cell_case(m.first, m.second, geometry::case_cell_fraction * size));
     pair.why = why_of(scene, m, pair, near_miss);
     pair.marks = m.marks;
@@ -269,7 +274,7 @@ struct Reach {
     double distance, near_miss, touching;
 };
 Reach reach_of(const Scene& scene, const Part& first, const Part& second, std::optional<double> distance) {
-    const double size = std::min(bounding_box(first).diagonal(), bounding_box(second).diagonal());
+    const double size = std::min(extent(first), extent(second));
     Reach reach;
     reach.distance = distance.value_or(scene.contacts.search_distance.value_or(default_distance_fraction * size));
     reach.touching = touching_fraction * size;

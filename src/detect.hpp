@@ -30,7 +30,8 @@ struct Detection {
     double distance = 0;  ///< the largest search distance that was used
 };
 
-/// distance unset: 2 % of the smaller part's diagonal, near misses to 10 %.
+/// distance unset: 2 % of the smaller part's extent (its largest distance of two points, a rectangle's diagonal), near misses
+/// to 10 %.
 Detection detect_contacts(const Scene& scene, std::optional<double> distance);
 
 std::string detection_json(const Scene& scene, const Detection& detection);

@@ -61,14 +61,70 @@ double pressing_force(const SolvedAssembly& solved, std::size_t contact) {
 
 struct Totals {
     Resultant applied;
-    std::map<int, Resultant> reactions;  // by support
-    std::map<int, std::string> method;
-    double largest = 0;  // largest single resultant
+    std::map<int, Reaction> reactions;  // by support; the moment about `about`
+    double largest = 0;                 // largest single resultant
 };
 
-void add(Resultant& to, const Resultant& r) {
+/// To a resultant or a reaction.
+template <class To>
+void add(To& to, const Resultant& r) {
     to.force += r.force;
     to.moment += r.moment;
+}
+
+/// Adds words that are not there yet.
+void add_words(std::string& to, const std::string& words, const std::string& separator) {
+    if (to.find(words) == std::string::npos) to += (to.empty() ? "" : separator) + words;
+}
+
+std::string name_of(solver::SupportMethod method) {
+    if (method == solver::SupportMethod::aligned) return "aligned";
+    return method == solver::SupportMethod::nitsche ? "nitsche" : "structure";
+}
+
+/// Contact pressures and constraints as a load on a part's plain functions.
+Eigen::VectorXd plain_load(const SolvedAssembly& solved, std::size_t part) {
+    const PartOnGrid& grid = solved.grids[part];
+    std::vector<solver::TractionPoint> points;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        if (solved.interface_of[k] < 0) continue;
+        const solver::Interface& face = solved.contacts[k].face;
+        for (std::size_t side = 0; side < 2; ++side) {
+            if (at(face.part[side]) != part) continue;
+            for (const solver::InterfacePoint& p : face.points) {
+                const double pressure = solver::pressure_at(face.pressure, pressure_of(solved, k), p.s);
+                const double share = (side == 0 ? -1 : 1) * face.thickness / grid.input.thickness;
+                points.push_back({p.element[side], p.x[side], p.weight, share * pressure * p.normal[side]});
+            }
+        }
+    }
+    return solver::boundary_load(grid.input, points);
+}
+
+void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Vec2& about, Totals& t) {
+    const solver::PartSystem& system = solved.problem.parts[part];
+    const Frame& frame = solved.grids[part].frame;
+    const Eigen::VectorXd& u = solved.solution.displacement[part];
+    const Eigen::VectorXd plain = structure_of(system.input) ? plain_load(solved, part) : Eigen::VectorXd();
+    const auto reactions = solver::support_reactions(system, u, solved.solution.load[part], plain);
+    for (std::size_t k = 0; k < reactions.size(); ++k) {
+        const solver::SupportRecord& record = system.supports[k];
+        Reaction& r = t.reactions[record.set.tag];
+        add(r, to_assembly(reactions[k], frame, about));
+        add_words(r.method, name_of(record.method), ", ");
+        add_words(r.why, record.why, "; ");
+        if (record.method != solver::SupportMethod::structure) continue;
+        const Resultant stress = to_assembly(solver::traction_resultant(system.input, record.set, u), frame, about);
+        r.force_from_stress = r.force_from_stress.value_or(Vec2(0, 0)) + stress.force;
+    }
+    for (const solver::SpringSet& set : system.springs) {
+        const solver::SpringAnswer answer = solver::spring_answer(system.input, set, u);
+        Reaction& r = t.reactions[set.tag];
+        add(r, to_assembly(answer.force, frame, about));
+        r.method = "spring";
+        r.why = "a spring is no constraint: its stiffness is part of the system";
+        r.energy = r.energy.value_or(0) + answer.energy;
+    }
 }
 
 Totals totals(const SolvedAssembly& solved, const Vec2& about) {
@@ -79,21 +135,25 @@ Totals totals(const SolvedAssembly& solved, const Vec2& about) {
         const Resultant applied = to_assembly(solver::resultant_of(system.input.space, system.applied), frame, about);
         add(t.applied, applied);
         t.largest = std::max(t.largest, applied.force.norm());
-        const auto reactions = solver::support_reactions(system, solved.solution.displacement[i], solved.solution.load[i]);
-        for (std::size_t k = 0; k < reactions.size(); ++k) {
-            const int tag = system.supports[k].set.tag;
-            add(t.reactions[tag], to_assembly(reactions[k], frame, about));
-            std::string& method = t.method[tag];
-            const std::string used = system.supports[k].method == solver::SupportMethod::aligned ? "aligned" : "nitsche";
-            if (method.find(used) == std::string::npos) method += (method.empty() ? "" : ", ") + used;
-        }
+        add_part_reactions(solved, i, about, t);
     }
     for (std::size_t k = 0; k < solved.problem.constraints.size(); ++k) {
         const int tag = solved.problem.constraints[k].tag;
         add(t.reactions[tag], constraint_reaction(solved, k, about));
-        t.method[tag] = "rigid";
+        t.reactions[tag].method = "rigid";
+        t.reactions[tag].why = "the part's mean motion, whatever its grid";
     }
     return t;
+}
+
+/// A force at a point goes with a displacement without limit: one warning for all points that are held.
+void warn_of_points(const Scene& scene, Result& result) {
+    for (const Support& s : scene.supports) {
+        if (s.kind != Support::Kind::points) continue;
+        result.warnings.push_back("part " + s.part + " is held at points: stresses have no limit there, and displacements depend on "
+                                  "the size of the cells");
+        return;
+    }
 }
 
 }  // namespace
@@ -104,17 +164,16 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     Totals t = totals(solved, about);
     Resultant reaction;
     double largest = std::max(t.largest, solved.problem.load_scale);
-    for (const auto& [tag, r] : t.reactions) {
-        add(reaction, r);
+    for (auto& [tag, r] : t.reactions) {
+        reaction.force += r.force;
+        reaction.moment += r.moment;
         largest = std::max(largest, r.force.norm());
-        Reaction out;
-        out.support = tag;
-        out.label = support_label(scene, tag);
-        out.method = t.method[tag];
-        out.force = r.force;
-        out.moment = r.moment + geometry::cross(about, r.force);
-        result.reactions.push_back(out);
+        r.support = tag;
+        r.label = support_label(scene, tag);
+        r.moment += geometry::cross(about, r.force);
+        result.reactions.push_back(r);
     }
+    warn_of_points(scene, result);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;

@@ -43,8 +43,8 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
     const int base = static_cast<int>(r.field.samples.size());
     for (int b = 0; b <= n; ++b)
         for (int a = 0; a <= n; ++a)
-            r.field.samples.push_back(sample(cell, Vec2(lines.x[i] + (lines.x[i + 1] - lines.x[i]) * a / n,
-                                                        lines.y[j] + (lines.y[j + 1] - lines.y[j]) * b / n)));
+            r.field.samples.push_back(sample(Vec2(lines.x[i] + (lines.x[i + 1] - lines.x[i]) * a / n,
+                                                  lines.y[j] + (lines.y[j + 1] - lines.y[j]) * b / n)));
     for (int b = 0; b < n; ++b)
         for (int a = 0; a < n; ++a) {
             const int k = base + b * (n + 1) + a;
@@ -56,30 +56,31 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
 
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
     std::vector<solver::SamplePoint> cut;
-    for (const auto& [cell, x] : cut_cell_samples(grid)) cut.push_back({cell, x});
+    for (const auto& [element, x] : cut_cell_samples(grid)) cut.push_back({element, x});
     const int degree = std::max(grid.input.space.x.degree, grid.input.space.y.degree);
     return solver::fit_stress(grid.input, displacement, geometry::gauss_rule(degree).points, cut);
 }
 
 FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
-                         int cell, const Vec2& local) {
-    const solver::DisplacementAt u = solver::displacement_at(grid.input.space, displacement, cell, local);
+                         int element, const Vec2& local) {
+    const solver::DisplacementAt u = solver::displacement_at(grid.input, displacement, element, local);
     return {grid.frame.to_global(local), grid.frame.vector_to_global(u.value),
-            turned(solver::stress_at(stress, cell, local), grid.frame)};
+            turned(solver::stress_at(stress, element, local), grid.frame)};
 }
 
 PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress) {
     PartFieldResult r;
-    const auto sample = [&](int cell, const Vec2& p) { return sample_field(grid, displacement, stress, cell, p); };
+    const auto sample = [&](int element, const Vec2& p) { return sample_field(grid, displacement, stress, element, p); };
     const int n = patches_per_side(grid.cells.cell_class.size());
     for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {
         if (grid.cells.cell_class[c] == CellClass::outer) continue;
         const std::size_t before = r.field.samples.size();
-        add_cell(r, grid, static_cast<int>(c), n, sample);
+        const int cell = static_cast<int>(c);
+        add_cell(r, grid, cell, n, [&](const Vec2& p) { return sample(element_in(grid, cell, p), p); });
         if (grid.cells.cell_class[c] == CellClass::inner)
             for (std::size_t k = before; k < r.field.samples.size(); ++k) take_maximum(r, r.field.samples[k]);
     }
-    for (const auto& [cell, p] : cut_cell_samples(grid)) take_maximum(r, sample(cell, p));
+    for (const auto& [element, p] : cut_cell_samples(grid)) take_maximum(r, sample(element, p));
     for (const geometry::Loop& loop : grid.local.loops) {
         r.field.boundary.emplace_back();
         for (int e : loop.edges)
@@ -90,7 +91,7 @@ PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displa
                 const int steps = std::max(1, static_cast<int>(std::ceil(angle / drawn_arc)));
                 for (int q = 0; q < steps; ++q) {
                     const double t = piece.t0 + (piece.t1 - piece.t0) * q / steps;
-                    r.field.boundary.back().push_back(sample(piece.cell, point(curve, t)));
+                    r.field.boundary.back().push_back(sample(grid.elements.of_piece[at(k)], point(curve, t)));
                     take_maximum(r, r.field.boundary.back().back());
                 }
             }

@@ -11,7 +11,7 @@ solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& 
 
 /// Displacement (assembly frame) and stress (assembly axes) at a point of a cell, given in the local frame.
 FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
-                         int cell, const Vec2& local);
+                         int element, const Vec2& local);
 
 /// What is drawn of a part, and its largest displacement and von Mises stress.
 struct PartFieldResult {

@@ -40,6 +40,19 @@ std::vector<geometry::Curve> loose_curves(const SketchReading& reading) {
     return loose;
 }
 
+std::vector<std::string> notes_of(const SketchReading& reading) {
+    const geometry::Drawing& drawing = reading.drawing;
+    std::vector<std::string> notes;
+    if (drawing.unit.empty())
+        notes.push_back("warning: the file states no unit of length; --units mm, or another one, says what its numbers mean");
+    if (!drawing.replaced_unit.empty())
+        notes.push_back("the file states " + drawing.replaced_unit + "; its numbers are taken as " + drawing.unit +
+                        ", as asked for");
+    if (!reading.sketch.parts.empty() && !geometry::is_mesh_file(drawing.file))
+        notes.push_back("parts by " + parts_by_name(reading.sketch.parts_by) + ": " + reading.sketch.why);
+    return notes;
+}
+
 Inspection inspect_drawing(const std::string& path, const ImportOptions& options) {
     SketchReading reading = read_sketch(path, options);
     Inspection inspection;
@@ -49,6 +62,7 @@ Inspection inspect_drawing(const std::string& path, const ImportOptions& options
     inspection.problems = reading.drawing.problems;
     inspection.problems.insert(inspection.problems.end(), reading.sketch.problems.begin(), reading.sketch.problems.end());
     inspection.loose = loose_curves(reading);
+    inspection.notes = notes_of(reading);
     inspection.imports = reading.scene.imports;
     if (inspection.imports.empty())
         inspection.imports.push_back({path, reading.drawing.format, reading.drawing.unit, 1, reading.drawing.counts,

@@ -42,7 +42,12 @@ std::string title(const Inspection& inspection) {
     Box2 box;
     for (const ScenePart& part : inspection.scene.parts) box.extend(bounding_box(part.part));
     if (!box.empty()) text += ", " + size_text(box);
-    return text + "\n";
+    const double to_mm = geometry::unit_factor(inspection.unit, "mm");
+    if (!box.empty() && inspection.unit != "mm" && to_mm > 0)
+        text += " (" + number_text(to_mm * box.size().x(), 5) + " x " + number_text(to_mm * box.size().y(), 5) + " mm)";
+    text += "\n";
+    for (const std::string& note : inspection.notes) text += note + "\n";
+    return text;
 }
 
 std::string part_rows(const Inspection& inspection) {
@@ -93,7 +98,8 @@ std::string problem_lines(const Inspection& inspection) {
     std::string text;
     for (const geometry::SketchProblem& p : inspection.problems) {
         const std::string where = inspection.file + (p.line > 0 ? ":" + std::to_string(p.line) : "");
-        text += "  " + one_line({where, p.what + ", at " + pair_text(p.at, 6), p.hint}) + "\n";
+        const bool has_place = p.line > 0 || !p.entity.empty();
+        text += "  " + one_line({where, p.what + (has_place ? ", at " + pair_text(p.at, 6) : ""), p.hint}) + "\n";
     }
     return text.empty() ? text : "\nproblems (" + std::to_string(inspection.problems.size()) + ")\n" + text;
 }

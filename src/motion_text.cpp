@@ -9,8 +9,9 @@ namespace abut {
 
 namespace {
 
-/// Rotation times size below this fraction of the translation is a slide; words, not numbers, depend on it.
-constexpr double slide_fraction = 1e-6;
+/// Rotation times size below this fraction of the translation is a slide: the centre is a thousand sizes away. Words, not
+/// numbers, depend on it.
+constexpr double slide_fraction = 1e-3;
 
 /// v with rounding noise taken out: what is below a millionth of scale reads as 0.
 std::string tidy(double v, double scale) {

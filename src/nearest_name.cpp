@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t listed_names = 20;
 constexpr std::size_t quoted_characters = 40;
+constexpr std::size_t longest_compared = 100;  // the table of distances must stay small for absurd words
+constexpr double least_resemblance = 0.7;      // edits per character, from which on two words have nothing in common
 
 double replacement_cost(char a, char b) {
     if (a == b) return 0;
@@ -38,7 +40,7 @@ double edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string nearest_name(const std::string& word, const std::vector<std::string>& known) {
-    const std::string beginning = word.substr(0, 100);  // the table of distances must stay small for absurd words
+    const std::string beginning = word.substr(0, longest_compared);
     std::string nearest;
     double smallest = 0;
     for (const std::string& name : known) {
@@ -52,7 +54,11 @@ std::string nearest_name(const std::string& word, const std::vector<std::string>
 
 std::string nearest_name_hint(const std::string& word, const std::vector<std::string>& known) {
     if (known.empty()) return "";
-    return "did you mean '" + nearest_name(word, known) + "'? known here: " + listed(known);
+    const std::string nearest = nearest_name(word, known);
+    const double alike = edit_distance(word.substr(0, longest_compared), nearest);
+    const std::string list = "known here: " + listed(known);
+    if (alike > least_resemblance * static_cast<double>(std::max(word.size(), nearest.size()))) return list;
+    return "did you mean '" + nearest + "'? " + list;
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -40,7 +40,7 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                "an interference or drawn overlap closes gaps", "no interference"),
         effect("bonding", false, "", "no bonded pair"),
         effect("friction", false, "", "friction is 0"),
-        effect("springs", false, "", "no spring support"),
+        effect("springs", has_support(scene, Support::Kind::spring), "edges rest on springs", "no spring support"),
         effect("temperature", false, "", "no temperature load"),
         effect("spin", false, "", "no spin load"),
         effect("large displacement", false, "", "small displacements are assumed; checked after the solution"),

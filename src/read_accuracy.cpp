@@ -41,9 +41,9 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     }
     if (const JsonValue* size = find_member(accuracy, "cell_size")) result.cell_size = read_positive(reading, *size);
     if (const JsonValue* refine = find_member(accuracy, "refine")) result.refine = read_refinements(reading, *refine);
-    result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "web"}, {"normalized"}});
+    result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
     result.dirichlet =
-        word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche"}, {"solution_structure"}});
+        word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
     if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);
     if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);
     return result;

@@ -65,7 +65,10 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
             path, extension.empty() ? "the name has no extension" : "files of the kind '" + extension + "' cannot be read",
             "give " + importable_kinds());
     }
-    if (!options.units.empty()) drawing.unit = options.units;
+    if (!options.units.empty()) {
+        if (drawing.unit != options.units) drawing.replaced_unit = drawing.unit;
+        drawing.unit = options.units;
+    }
     return drawing;
 }
 

@@ -65,6 +65,8 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
                    "use letters, digits and _, beginning with a letter");
         } else if (is_taken(item.key)) {
             report(reading, item, "'" + item.key + "' has a meaning in expressions already", "give the parameter another name");
+        } else if (const auto given = reading.replaced.find(item.key); given != reading.replaced.end()) {
+            reading.parameters[item.key] = given->second;
         } else if (const std::optional<double> number = read_number(reading, item)) {
             reading.parameters[item.key] = *number;
         } else {

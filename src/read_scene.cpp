@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "src/json_document.hpp"
+#include "src/nearest_name.hpp"
 #include "src/read_accuracy.hpp"
 #include "src/read_contacts.hpp"
 #include "src/read_materials.hpp"
@@ -88,6 +89,15 @@ void check_gravity(SceneReading& reading, const Scene& scene) {
     }
 }
 
+/// Parameters given from outside must be the scene's own.
+void check_replaced(SceneReading& reading) {
+    std::vector<std::string> known;
+    for (const auto& [name, value] : reading.parameters) known.push_back(name);
+    for (const auto& [name, value] : reading.replaced)
+        if (!reading.parameters.contains(name))
+            report(reading, reading.root, "there is no parameter '" + shortened(name) + "'", nearest_name_hint(name, known));
+}
+
 [[noreturn]] void throw_problems(std::vector<Problem> problems) {
     const std::size_t n = problems.size();
     if (n > reported_problems) {
@@ -97,8 +107,8 @@ void check_gravity(SceneReading& reading, const Scene& scene) {
     throw InputError(std::move(problems));
 }
 
-Scene scene_of(JsonDocument document) {
-    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true};
+Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced) {
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced};
     Scene scene;
     scene.file = document.file;
     const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
@@ -107,6 +117,7 @@ Scene scene_of(JsonDocument document) {
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);
     if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
+    check_replaced(reading);
     read_general(reading, scene);
     if (const JsonValue* materials = find_member(reading.root, "materials")) {
         scene.materials = read_materials(reading, *materials, scene.analysis);
@@ -123,11 +134,15 @@ Scene scene_of(JsonDocument document) {
 }  // namespace
 
 Scene read_scene(const std::string& path) {
-    return scene_of(read_json(path));
+    return scene_of(read_json(path), {});
+}
+
+Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters) {
+    return scene_of(read_json(path), parameters);
 }
 
 Scene read_scene_text(const std::string& text, const std::string& file) {
-    return scene_of(parse_json(text, file));
+    return scene_of(parse_json(text, file), {});
 }
 
 }  // namespace abut

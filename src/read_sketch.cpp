@@ -6,6 +6,22 @@
 
 namespace abut {
 
+namespace {
+
+/// Nothing to work with is a fault, too, where no other one explains it.
+void check_any_parts(SketchReading& reading) {
+    if (!reading.sketch.parts.empty() || !reading.sketch.problems.empty() || !reading.drawing.problems.empty()) return;
+    const bool is_empty = reading.drawing.entities.empty();
+    reading.sketch.problems.push_back(
+        {is_empty ? "the file holds no line, arc or other curve that bounds a part" : "the file bounds no part",
+         {0, 0},
+         "",
+         0,
+         is_empty ? "abut inspect shows what was left out, and why" : "lines and arcs must form closed outlines"});
+}
+
+}  // namespace
+
 SketchReading read_sketch(const std::string& path, const ImportOptions& options) {
     SketchReading reading;
     reading.drawing = read_drawing(path, options);
@@ -14,6 +30,7 @@ SketchReading read_sketch(const std::string& path, const ImportOptions& options)
     sketch_options.parts_by = options.parts_by;
     sketch_options.recognise_arcs = !geometry::is_mesh_file(path);  // the section has done that
     reading.sketch = geometry::parts_of(reading.drawing, sketch_options);
+    check_any_parts(reading);
     reading.scene.file = path;
     reading.scene.length_unit = reading.drawing.unit;
     for (const geometry::Part& part : reading.sketch.parts) reading.scene.parts.push_back({part.name, part, -1, 1, ""});

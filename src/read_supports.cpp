@@ -63,12 +63,53 @@ void read_rigid(SceneReading& reading, const JsonValue& value, Support& support)
         report(reading, value, "this leaves the part free", "give 'translation', 'rotation' or both");
 }
 
+std::optional<double> read_stiffness(SceneReading& reading, const JsonValue& value) {
+    const auto k = read_number(reading, value);
+    if (k && *k < 0) report(reading, value, "a spring's stiffness must not be negative", "0 leaves the direction free");
+    return k;
+}
+
+void read_spring(SceneReading& reading, const JsonValue& value, Support& support) {
+    support.kind = Support::Kind::spring;
+    if (!check_object(reading, value, {{"normal", "tangential"}, {}})) return;
+    const std::size_t before = reading.problems.size();
+    support.spring_normal = member_or(reading, value, "normal", 0.0, read_stiffness);
+    support.spring_tangential = member_or(reading, value, "tangential", 0.0, read_stiffness);
+    if (reading.problems.size() == before && support.spring_normal == 0 && support.spring_tangential == 0)
+        report(reading, value, "the spring has no stiffness", "give 'normal', 'tangential' or both");
+}
+
+/// "at" with "fix": held points. Singular in 2D: the scene gets one warning for all of them (read_supports).
+void read_points(SceneReading& reading, const JsonValue& value, const JsonValue& what, Support& support) {
+    if (what.key != "fix") {
+        report(reading, value, "'at' does not go with '" + what.key + "'", "points can be held by 'fix' only");
+        return;
+    }
+    support.kind = Support::Kind::points;
+    if (!check_list(reading, value, 1, "points [x, y]")) return;
+    for (const JsonValue& item : value.items)
+        if (const auto p = read_vector(reading, item)) support.at.push_back(*p);
+}
+
+/// What the support acts on: a part, or edges.
+void read_place(SceneReading& reading, const JsonValue& value, const JsonValue& what, Support& support) {
+    const bool of_part = support.kind == Support::Kind::rigid || support.kind == Support::Kind::points;
+    if (const JsonValue* other = find_member(value, of_part ? "on" : "part"))
+        report(reading, *other,
+               "'" + other->key + "' does not go with '" + (support.kind == Support::Kind::points ? "at" : what.key) + "'",
+               of_part ? "name the 'part'" : "select edges by 'on'");
+    else if (of_part)
+        support.part = required_member(reading, value, "part", read_part_name).value_or("");
+    else
+        support.on = required_member(reading, value, "on", read_selection).value_or(Selection{});
+}
+
 std::optional<Support> read_support(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, value, {{"on", "fix", "displacement", "symmetry", "roller", "part", "rigid"}, {"at", "spring"}}))
+    if (!check_object(reading, value, {{"on", "fix", "displacement", "symmetry", "roller", "part", "rigid", "at", "spring"}, {}}))
         return std::nullopt;
     if (reading.problems.size() > before) return std::nullopt;
-    const JsonValue* what = exactly_one(reading, value, {"fix", "displacement", "symmetry", "roller", "rigid"});
+    const JsonValue* what = exactly_one(reading, value, {"fix", "displacement", "symmetry", "roller", "rigid", "spring"});
     if (!what) return std::nullopt;
     Support support;
     support.where = value.pointer;
@@ -76,16 +117,9 @@ std::optional<Support> read_support(SceneReading& reading, const JsonValue& valu
     if (what->key == "displacement") read_displacement(reading, *what, support);
     if (what->key == "symmetry" || what->key == "roller") read_symmetry(reading, *what, support);
     if (what->key == "rigid") read_rigid(reading, *what, support);
-
-    const bool rigid = support.kind == Support::Kind::rigid;
-    if (const JsonValue* other = find_member(value, rigid ? "on" : "part")) {
-        report(reading, *other, "'" + other->key + "' does not go with '" + what->key + "'",
-               rigid ? "name the 'part'" : "select edges by 'on'");
-    } else if (rigid) {
-        support.part = required_member(reading, value, "part", read_part_name).value_or("");
-    } else {
-        support.on = required_member(reading, value, "on", read_selection).value_or(Selection{});
-    }
+    if (what->key == "spring") read_spring(reading, *what, support);
+    if (const JsonValue* points = find_member(value, "at")) read_points(reading, *points, *what, support);
+    read_place(reading, value, *what, support);
     if (reading.problems.size() > before) return std::nullopt;
     return support;
 }

@@ -74,12 +74,13 @@ std::string reaction_table(const Result& result, const ResultUnits& u) {
     }
     Rows rows;
     for (const Reaction& r : result.reactions)
-        rows.push_back({count_text(r.support), r.label, r.method,
+        rows.push_back({count_text(r.support), r.label, r.method, r.why,
                         pair_text({rounded_off(r.force.x(), force), rounded_off(r.force.y(), force)}, 5),
                         number_text(rounded_off(r.moment, moment), 5)});
     return subsection("Reactions", html_table({{"support", true},
                                                {""},
                                                {"method"},
+                                               {"why"},
                                                {heading("force on the model", u.force), true},
                                                {heading("moment about the origin", u.moment), true}},
                                               rows));
@@ -186,6 +187,28 @@ std::string grid_table(const Result& result, const ResultUnits& u) {
     return subsection("Grids", html);
 }
 
+/// Least filled cell, functions that were mended, and what the quadrature makes of the part.
+std::string quality_table(const Result& result) {
+    Rows rows;
+    for (const PartResult& p : result.parts) {
+        if (!p.solved) continue;
+        const CutQuality& q = p.quality;
+        rows.push_back({p.name, number_text(q.smallest_fraction, 3), count_text(q.split_cells), count_text(q.extended),
+                        count_text(q.taken_apart), number_text(q.self_check.area, 2), number_text(q.self_check.centroid, 2),
+                        number_text(q.self_check.divergence, 2)});
+    }
+    if (rows.empty()) return "";
+    return subsection("Cut cells and self check", html_table({{"part"},
+                                                              {"smallest filled fraction", true},
+                                                              {"pieces beyond one a cell", true},
+                                                              {"functions extended", true},
+                                                              {"taken apart", true},
+                                                              {"error of area", true},
+                                                              {"of centroid", true},
+                                                              {"of divergence", true}},
+                                                             rows));
+}
+
 std::string effect_table(const Result& result) {
     if (result.effects.empty()) return "";
     Rows rows;
@@ -220,7 +243,7 @@ std::string tables_section(const Result& result) {
     html += reaction_table(result, units);
     if (solved) html += equilibrium_table(result, units);
     html += part_table(result, units) + probe_table(result, units);
-    if (result.unknowns > 0) html += grid_table(result, units);
+    if (result.unknowns > 0) html += grid_table(result, units) + quality_table(result);
     return html + effect_table(result) + timing_bars(result) + "</section>\n";
 }
 

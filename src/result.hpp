@@ -31,6 +31,20 @@ struct Effect {
     double seconds = 0;
 };
 
+/// What the grid makes of a part, and whether its quadrature knows the part.
+struct CutQuality {
+    double smallest_fraction = 1;  ///< filled fraction of the cell that holds least of the part
+    int split_cells = 0;           ///< pieces of material beyond one in a cell: arms beside a slot
+    int extended = 0;              ///< B-splines that hold too little of the part, continued from inner cells
+    int taken_apart = 0;           ///< functions more than B-splines, since arms are not tied together
+    struct {
+        double area = 0;        ///< relative error
+        double centroid = 0;    ///< distance from the part's, in diagonals
+        double divergence = 0;  ///< largest difference between integrals of div F and of F.n, over the area
+        std::size_t points = 0, negative_weights = 0, outside_cell = 0;
+    } self_check;
+};
+
 struct PartResult {
     std::string name, material;
     double area = 0;
@@ -40,6 +54,7 @@ struct PartResult {
     double grid_angle = 0;               ///< radians
     std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
+    CutQuality quality;
 };
 
 /// Fields of one part for drawing. Patches of a cell: quadrilaterals by four sample points; those of boundary cells reach
@@ -85,9 +100,12 @@ struct ContactResult {
 struct Reaction {
     int support = 0;     ///< index into Scene::supports
     std::string label;   ///< "fix x, y on base/bottom"
-    std::string method;  ///< "aligned", "nitsche", "rigid"
+    std::string method;  ///< "aligned", "nitsche", "structure", "rigid", "spring"
+    std::string why;     ///< the method, in words
     Vec2 force{0, 0};
     double moment = 0;
+    std::optional<Vec2> force_from_stress;  ///< "structure": the same from the stresses along the edges, a second opinion
+    std::optional<double> energy;           ///< "spring": stored in it
 };
 
 struct ProbeResult {

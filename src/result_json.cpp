@@ -44,12 +44,32 @@ Json effect(const Effect& e) {
     return {{"name", e.name}, {"on", e.on}, {"why", e.why}, {"seconds", number(e.seconds)}};
 }
 
+Json cells_of(const PartResult& p) {
+    if (!p.solved) return nullptr;
+    return {{"inner", p.cells_inner},
+            {"boundary", p.cells_boundary},
+            {"outer", p.cells_outer},
+            {"smallest_fraction", number(p.quality.smallest_fraction)},
+            {"split", p.quality.split_cells},
+            {"functions_extended", p.quality.extended},
+            {"functions_taken_apart", p.quality.taken_apart}};
+}
+
+Json self_check_of(const PartResult& p) {
+    if (!p.solved) return nullptr;
+    const auto& c = p.quality.self_check;
+    return {{"area", number(c.area)}, {"centroid", number(c.centroid)},         {"divergence", number(c.divergence)},
+            {"points", c.points},     {"negative_weights", c.negative_weights}, {"outside_cell", c.outside_cell}};
+}
+
 Json part(const PartResult& p) {
     return {{"name", p.name},
             {"area", number(p.area)},
             {"unknowns", p.unknowns},
             {"max_displacement", value_at(p.max_displacement)},
-            {"max_von_mises", value_at(p.max_von_mises)}};
+            {"max_von_mises", value_at(p.max_von_mises)},
+            {"cells", cells_of(p)},
+            {"self_check", self_check_of(p)}};
 }
 
 Json profile(const ContactProfile& p) {
@@ -76,7 +96,11 @@ Json contact(const ContactResult& c) {
 }
 
 Json reaction(const Reaction& r) {
-    return {{"support", r.support}, {"force", vector(r.force)}, {"moment", number(r.moment)}};
+    Json j = {
+        {"support", r.support}, {"method", r.method}, {"why", r.why}, {"force", vector(r.force)}, {"moment", number(r.moment)}};
+    if (r.force_from_stress) j["force_from_stress"] = vector(*r.force_from_stress);
+    if (r.energy) j["energy"] = number(*r.energy);
+    return j;
 }
 
 Json stress(const Stress& s) {

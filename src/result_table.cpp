@@ -5,29 +5,13 @@
 #include "src/result.hpp"
 #include "src/result_units.hpp"
 #include "src/svg.hpp"
+#include "src/text_table.hpp"
 
 namespace abut {
 
 namespace {
 
-using Row = std::vector<std::string>;
-
-/// Columns as wide as their widest entry, two blanks between them, no blanks at the ends of lines.
-std::string aligned(const std::vector<Row>& rows) {
-    std::vector<std::size_t> width;
-    for (const Row& row : rows) {
-        width.resize(std::max(width.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) width[i] = std::max(width[i], text_width(row[i]));
-    }
-    std::string text;
-    for (const Row& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(width[i] - text_width(row[i]) + 2, ' ');
-        line.erase(line.find_last_not_of(' ') + 1);
-        text += line + "\n";
-    }
-    return text;
-}
+using Row = TextRow;
 
 std::string pressure_text(const ContactResult& contact) {
     std::string text = number_text(contact.max_pressure.value, 4);

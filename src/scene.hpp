@@ -52,12 +52,14 @@ struct Selector {
 using Selection = std::vector<Selector>;
 
 struct Support {
-    enum class Kind { fix, displacement, symmetry, rigid };
+    enum class Kind { fix, displacement, symmetry, rigid, points, spring };
     Kind kind = Kind::fix;
-    Selection on;                                            ///< empty for rigid
-    bool x = false, y = false;                               ///< components that are prescribed (fix, displacement)
+    Selection on;                                            ///< empty for rigid and points
+    bool x = false, y = false;                               ///< components that are prescribed (fix, displacement, points)
     std::array<Expression, 2> value;                         ///< displacement
-    std::string part;                                        ///< rigid
+    std::string part;                                        ///< rigid, points
+    std::vector<Vec2> at;                                    ///< points, assembly coordinates
+    double spring_normal = 0, spring_tangential = 0;         ///< spring: traction per displacement
     std::optional<double> rigid_x, rigid_y, rigid_rotation;  ///< rotation in radians; unset: free
     std::string where;
 };
@@ -105,7 +107,7 @@ struct Accuracy {
     std::optional<double> cell_size;
     std::vector<Refinement> refine;
     std::string basis = "auto";                ///< "auto", "plain", "web"
-    std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche"
+    std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche", "solution_structure"
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
 };
@@ -149,6 +151,8 @@ struct Scene {
 /// Reads and checks a scene; evaluates its geometry and imports. Throws InputError with every problem found, each with the
 /// file, the line and the JSON pointer.
 Scene read_scene(const std::string& path);
+/// The same with other values for some of the scene's parameters. One that the scene does not have is a problem, too.
+Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters);
 /// The same of a scene's text; `file` is its name in messages, and the files that it imports are relative to that one's folder.
 Scene read_scene_text(const std::string& text, const std::string& file);
 

@@ -23,8 +23,9 @@ struct SceneReading {
     JsonValue root;
     std::map<std::string, double> parameters;  ///< those read so far
     std::vector<Problem> problems;
-    std::vector<std::string> part_names;  ///< filled by the parts and the assembly
-    bool all_parts_named = true;          ///< false where names are missing because their part could not be read
+    std::vector<std::string> part_names;       ///< filled by the parts and the assembly
+    bool all_parts_named = true;               ///< false where names are missing because their part could not be read
+    std::map<std::string, double> replaced{};  ///< parameters whose values are given from outside
 };
 
 /// Notes a problem at the place of a value.

@@ -100,31 +100,59 @@ std::string extreme_edge(const Scene& scene, double sign) {
     return name;
 }
 
+/// Lengths are converted where file and scene state different units, so none is stated where another one than the file's is
+/// meant.
+std::string units_line(const geometry::Drawing& drawing, const Steel& steel) {
+    const std::string force = "\"force\": \"" + std::string(steel.force) + "\"";
+    if (!drawing.replaced_unit.empty())
+        return "{" + force + "},  // lengths in " + for_comment(drawing.unit) + ", though the file states " +
+               drawing.replaced_unit + ": stated here they would be converted";
+    const bool is_known = !drawing.unit.empty();
+    return "{\"length\": " + quoted(is_known ? drawing.unit : steel.length) + ", " + force + "}," +
+           (is_known ? "" : "  // the file states no unit of length: millimetres are assumed, check the sizes below");
+}
+
+/// What the file was read with, so that the scene reads it the same way.
+void write_import(std::ostream& out, const SketchReading& reading, const ImportOptions& options) {
+    constexpr const char* axes[] = {"x", "y", "z"};
+    out << "    \"file\": " << quoted(reading.scene.file) << ",  // relative to this scene's folder\n"
+        << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
+    if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
+    nlohmann::ordered_json section;
+    if (options.section_axis >= 0) section["axis"] = axes[options.section_axis];
+    if (options.section_at) section["at"] = *options.section_at;
+    if (!section.empty()) out << "    \"section\": " << section.dump() << ",\n";
+}
+
+/// A list of one entry that lacks its edge.
+void write_to_fill_in(std::ostream& out, const std::string& key, const std::string& what, const std::string& rest,
+                      const std::string& example) {
+    out << "  \"" << key << "\": [\n    {\"on\": \"FILL IN an edge to " << what << "\", " << rest
+        << "}  // for instance \"on\": " << for_comment(quoted(example)) << "\n  ]";
+}
+
 }  // namespace
 
-std::string starter_scene(const SketchReading& reading, const Detection& contacts) {
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts) {
     const Scene& scene = reading.scene;
     const Steel& steel = steel_for(scene.length_unit);
-    const bool unit_known = !scene.length_unit.empty();
     std::ostringstream out;
-    out << "// Begun by abut init. Fill in a support and a load, then run: abut analyze THIS_FILE\n{\n  \"abut\": 1,\n"
-        << "  \"title\": " << quoted(std::filesystem::path(scene.file).stem().string()) << ",\n"
-        << "  \"units\": {\"length\": " << quoted(unit_known ? scene.length_unit : steel.length) << ", \"force\": \""
-        << steel.force << "\"},"
-        << (unit_known ? "" : "  // the file states no unit of length: millimetres are assumed, check the sizes below") << "\n"
+    out << "// Begun by abut init. Fill in a support and a load, at the end, then run: abut analyze THIS_FILE\n{\n"
+        << "  \"abut\": 1,\n  \"title\": " << quoted(std::filesystem::path(scene.file).stem().string()) << ",\n"
+        << "  \"units\": " << units_line(reading.drawing, steel) << "\n"
         << "  \"analysis\": \"plane_stress\",  // or \"plane_strain\"\n  \"thickness\": 1,\n"
         << "  \"materials\": {\"steel\": {\"E\": " << nlohmann::json(steel.E).dump()
         << ", \"nu\": 0.3, \"density\": " << nlohmann::json(steel.density).dump() << "}},  // E in " << steel.stress << "\n"
-        << "  \"assembly\": {\n    \"file\": " << quoted(scene.file) << ",  // relative to this scene's folder\n"
-        << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
+        << "  \"assembly\": {\n";
+    write_import(out, reading, options);
     write_parts(out, scene);
     out << "  },\n";
     write_edges(out, scene);
     write_contacts(out, scene, contacts);
-    out << "  \"supports\": [\n    // {\"on\": " << quoted(for_comment(extreme_edge(scene, -1)))
-        << ", \"fix\": [\"x\", \"y\"]}\n  ],\n"
-        << "  \"loads\": [\n    // {\"on\": " << quoted(for_comment(extreme_edge(scene, 1)))
-        << ", \"force\": [0, -100]}\n  ]\n}\n";
+    write_to_fill_in(out, "supports", "hold", "\"fix\": [\"x\", \"y\"]", extreme_edge(scene, -1));
+    out << ",\n";
+    write_to_fill_in(out, "loads", "load", "\"force\": [0, -100]", extreme_edge(scene, 1));
+    out << "\n}\n";
     return out.str();
 }
 

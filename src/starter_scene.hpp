@@ -8,9 +8,10 @@
 
 namespace abut {
 
-/// The text of a scene that imports the file, with its parts and, in comments, their edges and the contacts found between them;
-/// supports and loads stand there as commented examples on the model's own edges. It is valid as it is, and runs once a support
-/// and a load are filled in. The material is steel in the consistent stress unit of the file's length unit.
-std::string starter_scene(const SketchReading& reading, const Detection& contacts);
+/// The text of a scene that imports the file as `options` read it, with its parts and, in comments, their edges and the
+/// contacts found between them. A support and a load stand there with a text in place of their edges that says what to fill in,
+/// and an edge of the model as an example: until that is done, reading the scene gives an error for each of the two that
+/// repeats the text. The material is steel in the consistent stress unit of the file's length unit.
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts);
 
 }  // namespace abut

@@ -47,7 +47,7 @@ TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
     expect_refused(run, 1);
     expect_words(joined(run.errors), {"'analyse'", "did you mean 'analyze'"});
 
-    for (const char* future : {"study", "batch", "merge", "verify"}) {
+    for (const char* future : {"study", "batch", "merge"}) {
         run = abut({future, "a.json"});
         expect_refused(run, 1);
         expect_words(joined(run.errors), {future, "not supported yet", "analyze"});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Classification of cells over numbers of cells and of edges, up to a million cells with a hundred thousand edges; and points
-// in parts of many edges.
+// Classification of cells over numbers of cells and of edges, up to a million cells with a hundred thousand edges; their
+// elements; and points in parts of many edges.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/cut_cells.hpp"
+#include "geometry/elements.hpp"
 #include "geometry/elliptic_arc.hpp"
 #include "geometry/monotone.hpp"
 #include "geometry/spline_shape.hpp"
@@ -79,6 +80,52 @@ BENCHMARK(CutCellsOfManyEdges)
     ->ArgNames({"kind", "n", "edges"})
     ->ArgsProduct({{lines}, {10, 100, 1000}, {10, 1000, 100000}})
     ->ArgsProduct({{arcs, ellipses, cubics}, {1000}, {100, 10000, 100000}})
+    ->Unit(benchmark::kMillisecond);
+
+/// Arguments: kind of edges, cells each way, edges. Beside the cells.
+void ElementsOfManyEdges(benchmark::State& state) {
+    const Part part = wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(2)));
+    const CutCells cells = cut_cells(part, grid_around(part, static_cast<int>(state.range(1))));
+    Elements elements;
+    for (auto _ : state) elements = find_elements(part, cells);
+    if (elements.unclear > 0) state.SkipWithError("components that are not told apart");
+    state.counters["extra"] = static_cast<double>(elements.cell_of_extra.size());
+}
+BENCHMARK(ElementsOfManyEdges)
+    ->ArgNames({"kind", "n", "edges"})
+    ->ArgsProduct({{lines, cubics}, {10, 1000}, {1000, 100000}})
+    ->Unit(benchmark::kMillisecond);
+
+/// A plate with n x n square holes, each as wide as a web between them: all cells are cut, and with an odd grid many split.
+Part perforated(int n) {
+    Part part;
+    const auto add_square = [&](const Vec2& low, double size, bool hole) {
+        const std::vector<Vec2> corners{low, low + Vec2(size, 0), low + Vec2(size, size), low + Vec2(0, size)};
+        part.loops.emplace_back();
+        for (std::size_t i = 0; i < 4; ++i) {
+            const Vec2 &p = corners[i], &q = corners[(i + 1) % 4];
+            part.loops.back().edges.push_back(static_cast<int>(part.edges.size()));
+            part.edges.push_back({hole ? Curve(Segment{corners[3 - i], corners[(6 - i) % 4]}) : Curve(Segment{p, q}), "", ""});
+        }
+    };
+    add_square({0, 0}, 1, false);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) add_square({(i + 0.25) / n, (j + 0.25) / n}, 0.5 / n, true);
+    return part;
+}
+
+/// Arguments: holes each way, cells each way.
+void ElementsOfAPerforatedPlate(benchmark::State& state) {
+    const Part part = perforated(static_cast<int>(state.range(0)));
+    const CutCells cells = cut_cells(part, grid_around(part, static_cast<int>(state.range(1))));
+    Elements elements;
+    for (auto _ : state) elements = find_elements(part, cells);
+    if (elements.unclear > 0) state.SkipWithError("components that are not told apart");
+    state.counters["extra"] = static_cast<double>(elements.cell_of_extra.size());
+}
+BENCHMARK(ElementsOfAPerforatedPlate)
+    ->ArgNames({"holes", "n"})
+    ->ArgsProduct({{158}, {10, 100, 400, 1000}})
     ->Unit(benchmark::kMillisecond);
 
 std::vector<Vec2> points_around(const Part& part, int n) {

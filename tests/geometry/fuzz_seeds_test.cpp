@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "tests/fuzz/dxf_target.hpp"
@@ -100,6 +101,56 @@ TEST(FuzzSeeds, sections_reach_the_parts) {
     const geometry::SketchParts tube = parts_of_section("tube");
     ASSERT_EQ(tube.parts.size(), 1U);
     EXPECT_DOUBLE_EQ(geometry::area(tube.parts[0]), 18 * 18 - 8 * 8);
+}
+
+/// Else the tolerance would be half the shortest outline: ellipses drawn in each other were one, and circles had no area.
+TEST(FuzzSeeds, a_stray_line_far_away_does_not_widen_the_tolerance) {
+    const auto drawing = geometry::read_dxf_bytes("", bytes_of(seeds / "dxf/stray_line_far_away.dxf"));
+    const geometry::SketchParts sketch = geometry::parts_of(drawing, {});
+    double total = 0;
+    for (const auto& entity : drawing.entities) total += geometry::length(entity.curve);
+    EXPECT_LE(sketch.tolerance, geometry::joining_fraction * total);
+    ASSERT_EQ(sketch.parts.size(), 2U);
+    EXPECT_EQ(geometry::count_holes(sketch.parts[0]), 1);
+    EXPECT_EQ(geometry::count_holes(sketch.parts[1]), 0);
+    EXPECT_EQ(sketch.problems.size(), 1U) << "the stray line is open";
+}
+
+/// Columns without a distance between them: once, a damaged count of them was drawn up to the limit of a million circles.
+TEST(FuzzSeeds, an_array_in_one_place_is_drawn_once) {
+    const auto drawing = geometry::read_dxf_bytes("", bytes_of(seeds / "dxf/array_in_one_place.dxf"));
+    ASSERT_EQ(drawing.entities.size(), 1U);
+    EXPECT_EQ(drawing.entities[0].instance, "") << "the block is inserted once";
+    EXPECT_TRUE(drawing.problems.empty());
+    ASSERT_EQ(drawing.repairs.size(), 1U);
+    EXPECT_NE(drawing.repairs[0].what.find("drawn once"), std::string::npos);
+    EXPECT_EQ(drawing.repairs[0].at, Vec2(2, 4));
+}
+
+/// Refused before it is drawn: to read and compare the first million took minutes.
+TEST(FuzzSeeds, an_array_of_millions_is_refused_whole) {
+    const auto drawing = geometry::read_dxf_bytes("", bytes_of(seeds / "dxf/array_of_millions.dxf"));
+    EXPECT_TRUE(drawing.entities.empty());
+    ASSERT_EQ(drawing.problems.size(), 1U);
+    EXPECT_NE(drawing.problems[0].what.find("more than"), std::string::npos);
+    EXPECT_EQ(drawing.counts.at("INSERT").ignored, 1);
+}
+
+/// What is large, closed or not, has no say in how small blocks nest that stand beside it: by its tolerance their ellipses were
+/// without area, and lay on each other all along.
+TEST(FuzzSeeds, blocks_nest_beside_what_is_large) {
+    for (const auto& [seed, n_others, n_problems] :
+         {std::tuple("blocks_and_a_long_line.dxf", 0U, 1U), std::tuple("blocks_and_a_large_frame.dxf", 1U, 0U)}) {
+        const auto drawing = geometry::read_dxf_bytes("", bytes_of(seeds / "dxf" / seed));
+        for (const auto by : {geometry::PartsBy::automatic, geometry::PartsBy::layer, geometry::PartsBy::loop}) {
+            geometry::SketchOptions options;
+            options.parts_by = by;
+            const geometry::SketchParts sketch = geometry::parts_of(drawing, options);
+            ASSERT_EQ(sketch.parts.size(), 3 + n_others) << seed;
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(geometry::count_holes(sketch.parts[k]), 1) << seed;
+            EXPECT_EQ(sketch.problems.size(), n_problems) << seed;
+        }
+    }
 }
 
 TEST(FuzzSeeds, faults_of_parts_are_seen) {

@@ -251,7 +251,7 @@ constexpr double arc_tolerance = 1e-10;
 double straight_error(const Part& part, const CutCells& cells, const std::vector<CellRule>& rules, int degree) {
     double worst = 0;
     for (const CellRule& rule : rules) {
-        const LocalFrame frame = unit_frame(cells.grid, rule.cell);
+        const LocalFrame frame = unit_frame(cells.grid, rule.element);
         Moments expected = Moments::Zero(2 * degree + 1, 2 * degree + 1);
         for (const Loop& loop : part.loops) {
             Polygon polygon;
@@ -296,14 +296,14 @@ double contour_error(const Part& part, const CutCells& cells, const std::vector<
     const GaussRule gauss = repeated(gauss_rule(64), n_parts);
     double worst = 0;
     for (const CellRule& rule : rules) {
-        const LocalFrame frame = unit_frame(cells.grid, rule.cell);
+        const LocalFrame frame = unit_frame(cells.grid, rule.element);
         Moments sum = -rule_moments(rule, frame, 2 * degree);
-        const auto c = static_cast<std::size_t>(rule.cell);
+        const auto c = static_cast<std::size_t>(rule.element);
         for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k) {
             const ContourPiece& piece = cells.contours[static_cast<std::size_t>(k)];
             for (std::size_t q = 0; q < gauss.points.size(); ++q) {
                 const double t = piece.t0 + gauss.points[q] * (piece.t1 - piece.t0);
-                const Box2 b = box_of(cells.grid, rule.cell);
+                const Box2 b = box_of(cells.grid, rule.element);
                 const Curve curve = piece.edge < 0 ? Segment{{b.max.x(), 0}, {b.max.x(), 1}}
                                                    : part.edges[static_cast<std::size_t>(piece.edge)].curve;
                 const Vec2 p = frame(point(curve, t));
@@ -359,7 +359,7 @@ TEST(CellRules, OneForEachBoundaryCellInOrder) {
     for (std::size_t c = 0; c < cells.cell_class.size(); ++c)
         if (cells.cell_class[c] == CellClass::boundary) expected.push_back(static_cast<int>(c));
     for (const CellRule& rule : cell_rules(part, cells, 2)) {
-        found.push_back(rule.cell);
+        found.push_back(rule.element);
         EXPECT_EQ(rule.points.size(), rule.weights.size());
     }
     EXPECT_EQ(found, expected);
@@ -409,7 +409,7 @@ TEST(BoundaryRule, PointsAreOnTheEdgeWithItsNormalAndCell) {
             const Curve& curve = part.edges[static_cast<std::size_t>(p.edge)].curve;
             EXPECT_EQ(p.x, point(curve, p.t));
             EXPECT_EQ(p.normal, outward_normal(curve, p.t));
-            EXPECT_EQ(p.cell, piece_at(cells, p.edge, p.t).cell);
+            EXPECT_EQ(p.element, piece_at(cells, p.edge, p.t).cell);
             EXPECT_GT(p.weight, 0);
         }
     });
@@ -653,6 +653,65 @@ TEST(QuadratureChecks, NoticeAFault) {
     ASSERT_LT(divergence_error(round, points), boundary_tolerance);
     points[0].weight += 1e-12;
     EXPECT_GT(divergence_error(round, points), boundary_tolerance);
+}
+
+// ---- elements ----
+
+/// Left of a slot, right of it, and below.
+Part u_shape() {
+    return of_polygons({{{0, 0}, {2, 0}, {2, 2}, {0.75, 2}, {0.75, 0.5}, {0.625, 0.5}, {0.625, 2}, {0, 2}}});
+}
+
+TEST(ElementRules, OneForEachArmBesideASlot) {
+    const Part part = u_shape();
+    const CutCells cells = cut_cells(part, {{0, 1, 2}, {0, 1, 2}});
+    const Elements elements = find_elements(part, cells);
+    const std::vector<CellRule> rules = cell_rules(part, cells, elements, 2);
+    ASSERT_EQ(rules.size(), 3u);
+    const std::vector<Polygon> expected{{{0, 0}, {1, 0}, {1, 1}, {0.75, 1}, {0.75, 0.5}, {0.625, 0.5}, {0.625, 1}, {0, 1}},
+                                        {{0, 0}, {0.625, 0}, {0.625, 1}, {0, 1}},
+                                        {{0.75, 0}, {1, 0}, {1, 1}, {0.75, 1}}};
+    const std::vector<int> numbers{0, 2, 4};
+    for (std::size_t r = 0; r < 3; ++r) {
+        EXPECT_EQ(rules[r].element, numbers[r]);
+        Moments moments = rule_moments(rules[r], unit_frame(cells.grid, elements.cell_of(numbers[r])), 4);
+        for (std::size_t i = 0; i < expected[r].size(); ++i)
+            moments -= segment_moments(expected[r][i], expected[r][(i + 1) % expected[r].size()], 4);
+        EXPECT_LT(worst_of(moments), 1e-15) << r;
+    }
+}
+
+TEST(ElementRules, TheSameBitForBitWithoutSlots) {
+    on_swept_grids(curved_samples(), 3, [](const Part& part, const CutCells& cells, int degree) {
+        const Elements elements = find_elements(part, cells);
+        if (!elements.cell_of_extra.empty()) return;
+        const std::vector<CellRule> a = cell_rules(part, cells, degree), b = cell_rules(part, cells, elements, degree);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t r = 0; r < a.size(); ++r) {
+            EXPECT_EQ(a[r].element, b[r].element);
+            EXPECT_EQ(a[r].points, b[r].points);
+            EXPECT_EQ(a[r].weights, b[r].weights);
+        }
+    });
+}
+
+/// The arms' faces along the slot, in one cell each, belong to different elements.
+TEST(ElementRules, BoundaryPointsCarryTheElement) {
+    const Part part = u_shape();
+    const CutCells cells = cut_cells(part, {{0, 1, 2}, {0, 1, 2}});
+    const Elements elements = find_elements(part, cells);
+    const auto elements_along = [&](int edge) {
+        std::vector<int> all;
+        for (const BoundaryPoint& p : boundary_rule(part, cells, elements, edge, 0, 1, 2)) {
+            EXPECT_EQ(p.element, element_at(part, cells, elements, p.x - 1e-9 * p.normal));
+            if (all.empty() || all.back() != p.element) all.push_back(p.element);
+        }
+        return all;
+    };
+    EXPECT_EQ(elements_along(3), (std::vector<int>{4, 0}));  // down the right face
+    EXPECT_EQ(elements_along(5), (std::vector<int>{0, 2}));  // up the left one
+    EXPECT_EQ(elements_along(2), (std::vector<int>{3, 4}));  // the tops
+    EXPECT_EQ(elements_along(6), (std::vector<int>{2}));
 }
 
 }  // namespace

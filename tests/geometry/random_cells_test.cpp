@@ -25,8 +25,8 @@ double weight_error(const CutCells& cells, const std::vector<CellRule>& rules) {
     for (const CellRule& rule : rules) {
         double sum = 0;
         for (double w : rule.weights) sum += w;
-        const double full = area_of(box_of(cells.grid, rule.cell));
-        worst = std::max(worst, std::abs(sum / full - cells.fraction[static_cast<std::size_t>(rule.cell)]));
+        const double full = area_of(box_of(cells.grid, rule.element));
+        worst = std::max(worst, std::abs(sum / full - cells.fraction[static_cast<std::size_t>(rule.element)]));
     }
     return worst;
 }
@@ -131,7 +131,7 @@ TEST(RandomCellsChecks, NoticeAFault) {
     EXPECT_GT(area_error(part, cells), relative_tolerance);
     std::vector<CellRule> rules = cell_rules(part, good, 2);
     ASSERT_LT(weight_error(good, rules), relative_tolerance);
-    rules[0].weights[0] += 2 * relative_tolerance * area_of(box_of(good.grid, rules[0].cell));
+    rules[0].weights[0] += 2 * relative_tolerance * area_of(box_of(good.grid, rules[0].element));
     EXPECT_GT(weight_error(good, rules), relative_tolerance);
     cells = good;
     cells.pieces.erase(cells.pieces.begin());  // of the first edge

@@ -183,5 +183,67 @@ TEST(SketchGrouping, SaysWhenItWasAskedFor) {
     }
 }
 
+/// A sheet's border with a title block in its corner, which shares edges with it, about some parts.
+Entities in_a_sheet(const Entities& parts) {
+    return drawn_rectangle({-50, -50}, {250, 160}, "s", "SHEET") + drawn_rectangle({150, -50}, {250, -20}, "t", "SHEET") +
+           parts;
+}
+
+TEST(SketchGrouping, AnAssemblyInAFrameIsNoPatternOfHoles) {
+    const Entities touching = drawn_rectangle({0, 0}, {40, 20}, "p", "P") + drawn_rectangle({40, 0}, {90, 20}, "q", "Q");
+    const Entities nested = Entities{drawn_circle({0, 0}, 20, "r0", "ring"), drawn_circle({0, 0}, 10.1, "r1", "ring"),
+                                     drawn_circle({0, 0}, 10, "p0", "pin")};
+    const Entities holes = drawn_rectangle({0, 0}, {40, 20}, "p", "P") + drawn_rectangle({60, 0}, {90, 20}, "q", "Q");
+    for (const Entities& parts : {touching, nested}) {
+        const SketchParts sketch = parts_by(in_a_sheet(parts), PartsBy::automatic);
+        EXPECT_EQ(sketch.parts_by, PartsBy::layer);
+        EXPECT_TRUE(says(sketch.why, "frame of a sheet")) << sketch.why;
+        EXPECT_TRUE(sketch.problems.empty());
+    }
+    for (const char* name : {"P", "Q"})
+        EXPECT_NE(part_called(parts_by(in_a_sheet(touching), PartsBy::automatic), name), nullptr);
+    for (const char* name : {"ring", "pin"})
+        EXPECT_NE(part_called(parts_by(in_a_sheet(nested), PartsBy::automatic), name), nullptr);
+    const SketchParts plate = parts_by(in_a_sheet(holes), PartsBy::automatic);
+    EXPECT_EQ(plate.parts_by, PartsBy::loop);
+    EXPECT_EQ(part_called(plate, "P"), nullptr);
+}
+
+TEST(SketchGrouping, LinesOfOtherLayersDoNotCutAPart) {
+    // A hidden edge, or a bend, on a layer of its own: it bounds nothing but halves of the part.
+    const Entities plate = drawn_rectangle({0, 0}, {100, 50}, "p", "PLATE");
+    const SketchParts bent = parts_by(plate + Entities{drawn_line({30, 0}, {30, 50}, "b", "BEND")}, PartsBy::automatic);
+    EXPECT_EQ(part_names(bent), std::vector<std::string>{"PLATE"});
+    ASSERT_EQ(bent.problems.size(), 1u);
+    EXPECT_TRUE(says(bent.problems[0].what, "LINE b on layer BEND is joined to nothing")) << bent.problems[0].what;
+    // On the part's own layer it divides it, and with an area of its own it is a second part.
+    const SketchParts divided = parts_by(plate + Entities{drawn_line({30, 0}, {30, 50}, "b", "PLATE")}, PartsBy::automatic);
+    EXPECT_EQ(sorted_areas(divided), (std::vector<double>{1500, 3500}));
+    const Entities lid{drawn_line({100, 0}, {120, 0}, "l0", "LID"), drawn_line({120, 0}, {120, 50}, "l1", "LID"),
+                       drawn_line({120, 50}, {100, 50}, "l2", "LID")};
+    const SketchParts shared = parts_by(plate + lid, PartsBy::automatic);
+    EXPECT_EQ(sorted_areas(shared), (std::vector<double>{1000, 5000}));
+    EXPECT_TRUE(shared.problems.empty());
+}
+
+TEST(SketchGrouping, LoneLinesAreToldOnceEach) {
+    // Centre lines as continuous lines on the part's layer: two problems, not one for each end.
+    Entities entities = drawn_rectangle({0, 0}, {100, 50}, "p") + Entities{drawn_circle({50, 25}, 10, "c")} +
+                        Entities{drawn_line({35, 25}, {65, 25}, "x"), drawn_line({50, 10}, {50, 40}, "y")};
+    const SketchParts sketch = parts_by(entities, PartsBy::automatic);
+    ASSERT_EQ(sketch.problems.size(), 2u);
+    for (const SketchProblem& problem : sketch.problems) {
+        EXPECT_TRUE(says(problem.what, "joined to nothing")) << problem.what;
+        EXPECT_TRUE(says(problem.hint, "CENTER"));
+        EXPECT_EQ(problem.at, Vec2(50, 25));
+    }
+    // Ends that something nearly continues are a gap.
+    entities = drawn_rectangle({0, 0}, {100, 50}, "p");
+    entities[1] = drawn_line({100, 0.1}, {100, 49.9}, "p1");
+    const SketchParts gaps = parts_by(entities, PartsBy::automatic);
+    ASSERT_EQ(gaps.problems.size(), 2u);
+    for (const SketchProblem& problem : gaps.problems) EXPECT_TRUE(says(problem.what, "0.1 apart")) << problem.what;
+}
+
 }  // namespace
 }  // namespace abut::geometry

@@ -59,6 +59,34 @@ TEST_P(Assembly, StiffnessIsTheIntegralOfTheEnergy) {
     EXPECT_GT(test::relative_difference(test::dense(assemble_stiffness(part)), reference), 1e-12);
 }
 
+/// Equal cells are integrated once. Cells whose sides differ by more than rounding are not equal: a share of 1e-9, far below
+/// what could be seen otherwise, is ten thousand times what the comparison allows.
+TEST(AssemblyOfEqualCells, TakesCellsAsEqualOnlyWhereTheyDifferByRounding) {
+    for (int degree = 1; degree <= 4; ++degree)
+        for (double spread : {0.0, 1e-9, 1e-3})
+            for (double offset : {0.0, 1e6}) {
+                std::vector<double> x{offset}, y{-offset};
+                for (int k = 0; k < 7; ++k) {
+                    x.push_back(x.back() + 0.1 * (1 + spread * k));
+                    y.push_back(y.back() + 0.3 * (1 - spread * k));
+                }
+                const test::Box box{x.front(), y.front(), x.back(), y.back()};
+                const PartInput part = test::part_of({box}, x, y, degree, Basis::web);
+                PartInput twin = part;  // the same with every cell called cut: by points
+                for (std::size_t cell = 0; cell < 49; ++cell) {
+                    std::vector<double> weights;
+                    const std::size_t c = cell % 7, r = cell / 7;
+                    const test::Box b{x[c], y[r], x[c + 1], y[r + 1]};
+                    const std::vector<Vec2> points = test::rule_points(b, part.line_rule, weights);
+                    twin.cut_rules.push_back({static_cast<int>(cell), points, weights});
+                    twin.space.fraction[cell] = 0.999;
+                }
+                const MatrixXd k = test::dense(assemble_stiffness(part)), reference = test::dense(assemble_stiffness(twin));
+                const double rounding = 1e-13 * (1 + offset / 0.1);  // of the grid lines, by their cells' sides
+                EXPECT_LT(test::relative_difference(k, reference), rounding) << degree << " " << spread << " " << offset;
+            }
+}
+
 TEST_P(Assembly, StiffnessIsSymmetricWithNonnegativeEnergy) {
     const BlockMatrix k = assemble_stiffness(part);
     const MatrixXd m = test::dense(k);

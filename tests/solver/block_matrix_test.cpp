@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "tests/solver/test_spaces.hpp"
@@ -10,9 +11,17 @@
 namespace abut::solver {
 namespace {
 
+using Eigen::MatrixXi;
+
+FunctionSets sets(std::initializer_list<std::vector<int>> lists) {
+    FunctionSets all;
+    for (const std::vector<int>& list : lists) all.add(list);
+    return all;
+}
+
 /// A matrix of 5 functions in three coupled sets, function 4 alone, filled with fixed random numbers.
 BlockMatrix random_blocks() {
-    BlockMatrix m = make_block_matrix(5, {{2, 0}, {1, 2, 3}, {3, 1}, {4}});
+    BlockMatrix m = make_block_matrix(5, sets({{2, 0}, {1, 2, 3}, {3, 1}, {4}}));
     std::mt19937 random(3);
     std::uniform_real_distribution<double> number(-1, 1);
     for (int r = 0; r < m.n; ++r)
@@ -43,7 +52,51 @@ TEST(BlockMatrix, HoldsThePairsOfEverySetOnce) {
 }
 
 TEST(BlockMatrix, StartsAtZero) {
-    for (const Eigen::Matrix2d& b : make_block_matrix(3, {{0, 2}}).block) EXPECT_TRUE(b.isZero(0));
+    for (const Eigen::Matrix2d& b : make_block_matrix(3, sets({{0, 2}})).block) EXPECT_TRUE(b.isZero(0));
+}
+
+TEST(BlockMatrix, HasTheSamePatternHoweverTheSetsAreOrdered) {
+    std::mt19937 random(8);
+    for (int run = 0; run < 50; ++run) {
+        std::vector<std::vector<int>> lists(12);
+        MatrixXi expected = MatrixXi::Zero(20, 20);
+        for (auto& list : lists) {
+            for (int f = 0; f < 20; ++f)
+                if (random() % 4 == 0) list.push_back(f);
+            std::shuffle(list.begin(), list.end(), random);
+            for (int a : list)
+                for (int b : list)
+                    if (b <= a) expected(a, b) = 1;
+        }
+        FunctionSets all;
+        for (const auto& list : lists) all.add(list);
+        const BlockMatrix m = make_block_matrix(20, all);
+        MatrixXi found = MatrixXi::Zero(20, 20);
+        for (int r = 0; r < m.n; ++r)
+            for (int k = m.first[static_cast<std::size_t>(r)]; k < m.first[static_cast<std::size_t>(r) + 1]; ++k)
+                ++found(r, m.column[static_cast<std::size_t>(k)]);
+        EXPECT_EQ(found, expected);
+        EXPECT_EQ(m.first.back(), expected.sum());
+    }
+}
+
+TEST(BlockMatrix, ScattersAsABinarySearchWould) {
+    const std::vector<std::vector<int>> lists{{4, 0, 2}, {1, 2, 3}, {3}, {0, 4, 3, 1}};
+    FunctionSets all;
+    for (const auto& list : lists) all.add(list);
+    BlockMatrix m = make_block_matrix(5, all), expected = m;
+    BlockScatter scatter(m);
+    std::mt19937 random(5);
+    for (const auto& list : lists) {
+        std::vector<Eigen::Matrix2d> blocks(list.size() * list.size());
+        for (Eigen::Matrix2d& b : blocks)
+            for (double& x : b.reshaped()) x = static_cast<double>(random() % 9);
+        scatter.add(list, blocks);
+        for (std::size_t j = 0; j < list.size(); ++j)
+            for (std::size_t i = 0; i < list.size(); ++i)
+                if (list[i] >= list[j]) expected.at(list[i], list[j]) += blocks[j * list.size() + i];
+    }
+    EXPECT_EQ(m.block, expected.block);  // whole numbers: exact
 }
 
 TEST(BlockMatrix, MultipliesAsADenseMatrix) {

@@ -144,7 +144,7 @@ inline void for_points(const PartInput& part, const std::vector<Box>& boxes, int
 }
 
 struct EdgePoint {
-    int cell;
+    int element;
     Vec2 x;
     double weight;
 };
@@ -173,7 +173,7 @@ inline std::vector<TractionPoint> traction_on(const SplineSpace& s, const Vec2& 
                                               const std::function<Vec2(const Vec2&)>& traction) {
     std::vector<TractionPoint> points;
     for (const EdgePoint& p : edge_points(s, from, to, normal, s.x.degree + 2))
-        points.push_back({p.cell, p.x, p.weight, traction(p.x)});
+        points.push_back({p.element, p.x, p.weight, traction(p.x)});
     return points;
 }
 
@@ -183,7 +183,7 @@ inline SupportSet support_on(
     const std::function<double(const Vec2&)>& value = [](const Vec2&) { return 0.0; }) {
     SupportSet set;
     for (const EdgePoint& p : edge_points(s, from, to, normal, s.x.degree + 2))
-        set.points.push_back({p.cell, p.x, normal, direction, p.weight, value(p.x)});
+        set.points.push_back({p.element, p.x, normal, direction, p.weight, value(p.x)});
     return set;
 }
 

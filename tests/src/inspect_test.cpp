@@ -104,6 +104,30 @@ TEST(Inspect, PrintsATableForPeople) {
     EXPECT_TRUE(has(table, "drawing.dxf:")) << table;
 }
 
+TEST(Inspect, TellsOfUnitsAndOfHowPartsWereToldApart) {
+    const TemporaryFolder folder;
+    const std::string plate = dxf_rectangle("A", "plate", 0, 0, 10, 5);
+    const std::string bare = folder.write("bare.dxf", dxf_file(plate));
+    const std::string inches =
+        folder.write("in.dxf", dxf_file(plate, geometry::dxf_section("HEADER", "9\n$INSUNITS\n70\n1\n")));
+    EXPECT_TRUE(has(inspection_table(inspect_file(bare, {})), "warning: the file states no unit of length"));
+    EXPECT_TRUE(has(inspection_table(inspect_file(bare, {})), "parts by loop: layer plate alone holds closed outlines"));
+    EXPECT_FALSE(has(inspection_table(inspect_file(bare, in_unit("mm"))), "states"));
+    EXPECT_TRUE(has(inspection_table(inspect_file(inches, {})), "in, 10 x 5 (254 x 127 mm)"));
+    const std::string replaced = inspection_table(inspect_file(inches, in_unit("mm")));
+    EXPECT_TRUE(has(replaced, "the file states in; its numbers are taken as mm")) << replaced;
+    EXPECT_TRUE(has(replaced, "mm, 10 x 5\n")) << replaced;
+}
+
+TEST(Inspect, AFileThatHoldsNothingIsAFault) {
+    for (const std::string& entities : {std::string(), dxf_record("TEXT", "E", "plate", {})}) {
+        const Inspection inspection = inspect(entities);
+        ASSERT_EQ(inspection.problems.size(), 1u);
+        EXPECT_TRUE(has(inspection.problems[0].what, "holds no line, arc or other curve"));
+        EXPECT_FALSE(has(inspection_table(inspection), "at (0, 0)"));
+    }
+}
+
 TEST(Inspect, SaysThatThereAreNoParts) {
     const Inspection inspection = inspect(dxf_record("SPLINE", "E", "plate", {}));
     EXPECT_TRUE(has(inspection_table(inspection), "no parts"));

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <numbers>
+#include <set>
 
 #include "geometry/input_error.hpp"
 #include "src/detect.hpp"
@@ -83,6 +86,11 @@ TEST_P(MessyDrawing, HasThePartsAndContactsOfTheCleanOne) {
     const double factor = factor_of(reading);
     const auto parts = by_size(reading);
     ASSERT_EQ(parts.size(), 3u);
+    const bool has_names = GetParam().file != std::string("all_on_layer_0.dxf");
+    const std::array<std::string, 3> names = has_names
+                                                 ? std::array<std::string, 3>{"pin", "base", "bracket"}
+                                                 : std::array<std::string, 3>{parts[0]->name, parts[1]->name, parts[2]->name};
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(parts[k]->name, names[k]);
     constexpr double pi = std::numbers::pi;
     // pin, base, bracket (base plate, web, half disc and two fillets, less the bores), from the drawing's dimensions
     const double areas[] = {100 * pi, 2400, 120 * 12 + 40 * 38 + 200 * pi + 2 * (36 - 9 * pi) - pi * (9 + 9 + 10.05 * 10.05)};
@@ -99,6 +107,8 @@ TEST_P(MessyDrawing, HasThePartsAndContactsOfTheCleanOne) {
         const bool is_pin = pair.interface == "pin-in-hole";
         EXPECT_EQ(pair.interface, is_pin ? "pin-in-hole" : "flat-on-flat");
         EXPECT_NEAR(pair.shared_length * factor, is_pin ? 0 : 120, 1e-3);
+        const std::set<std::string> who(pair.parts.begin(), pair.parts.end());
+        EXPECT_EQ(who, (std::set<std::string>{names[2], is_pin ? names[0] : names[1]}));
     }
     EXPECT_NE(found.pairs[0].interface, found.pairs[1].interface);
 }
@@ -109,6 +119,49 @@ INSTANTIATE_TEST_SUITE_P(Variants, MessyDrawing, testing::ValuesIn(same), [](con
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     return name + (case_info.param.tolerance > 0 ? "_with_tolerance" : "");
 });
+
+/// What a reading must tell of a variant: repairs of which each has the words, and what is left out, for which reason.
+struct Told {
+    const char* file;
+    std::size_t n_repairs;
+    std::string words;
+    std::map<std::string, int> n_left_out;
+};
+
+TEST(MessyDrawings, WhatWasMendedOrLeftOutIsTold) {
+    if (!fs::exists(messy)) GTEST_SKIP() << "the files are not here";
+    const Told all[] = {{"arcs_as_splines.dxf", 7, "recognised as", {}},
+                        {"circles_faceted_64.dxf", 4, "64 lines recognised as a circle", {}},
+                        {"duplicates_reversed.dxf", 15, "removed: it lies on", {}},
+                        {"gap_1e-3mm.dxf", 11, "gap closed between", {}},
+                        {"gap_1e-6mm.dxf", 11, "gap closed between", {}},
+                        {"shuffled_reversed_zero_length.dxf", 1, "without length removed", {}},
+                        {"drawing_with_centrelines_dims_hidden_paper.dxf",
+                         1,
+                         "left out: it crosses an outline",
+                         {{"layer of construction lines", 2},
+                          {"layer is off", 1},
+                          {"layer is frozen", 1},
+                          {"annotation", 2},
+                          {"in paper space", 1}}},
+                        {"far_from_origin_1e6.dxf", 0, "", {}},
+                        {"nested_mirrored_scaled_blocks.dxf", 0, "", {}},
+                        {"extrusion_minus_z.dxf", 0, "", {}}};
+    for (const Told& told : all) {
+        const SketchReading reading = reading_of(messy + told.file);
+        const ImportRecord& record = reading.scene.imports.at(0);
+        EXPECT_EQ(record.repairs.size(), told.n_repairs) << told.file;
+        for (const geometry::Repair& repair : record.repairs)
+            EXPECT_NE(repair.what.find(told.words), std::string::npos) << told.file << ": " << repair.what;
+        std::map<std::string, int> n_left_out;
+        for (const geometry::Ignored& ignored : record.ignored) n_left_out[ignored.why] += ignored.count;
+        EXPECT_EQ(n_left_out, told.n_left_out) << told.file;
+    }
+    EXPECT_EQ(reading_of(messy + "inches_insunits1.dxf").drawing.unit, "in");
+    EXPECT_EQ(reading_of(messy + "inches_unitless_measurement0.dxf").drawing.unit, "in");
+    EXPECT_EQ(reading_of(messy + "r2018_binary.dxf").drawing.format, "binary DXF AC1032");
+    EXPECT_GT(bounding_box(*by_size(reading_of(messy + "far_from_origin_1e6.dxf"))[0]).min.norm(), 1e6);
+}
 
 TEST(MessyDrawings, WideGapsAreReportedWhereTheyAre) {
     if (!fs::exists(messy)) GTEST_SKIP() << "the files are not here";

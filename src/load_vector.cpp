@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/load_vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/solution_structure.hpp"
+#include "src/support_components.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::BoundaryPoint;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+double selected_area(const Scene& scene, const std::vector<EdgePortion>& portions) {
+    double sum = 0;
+    for (const EdgePortion& p : portions) {
+        const ScenePart& part = scene.parts[at(p.part)];
+        sum += part.thickness * length(part.part.edges[at(p.edge)].curve, p.t0, p.t1);
+    }
+    return sum;
+}
+
+/// Force per volume of a volume load, in the assembly's frame.
+Vec2 volume_force(const Scene& scene, const Load& load, const PartOnGrid& g, const Vec2& x) {
+    const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
+    const ScenePart& part = scene.parts[at(g.part)];
+    if (load.kind == Load::Kind::part_force) return value / (g.area * part.thickness);
+    if (load.kind == Load::Kind::gravity) return value * scene.materials[at(part.material)].density;
+    return value;
+}
+
+void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g,
+                   PartLoad& result) {
+    const double total = selected_area(scene, portions);
+    std::vector<solver::TractionPoint> points;
+    double magnitude = 0;
+    for (const EdgePortion& portion : portions) {
+        if (portion.part != g.part) continue;
+        for (const BoundaryPoint& p : boundary_points(g, portion)) {
+            const Vec2 t = traction_at(load, g.frame.to_global(p.x), g.frame.vector_to_global(p.normal), total);
+            points.push_back({p.element, p.x, p.weight, g.frame.vector_to_local(t)});
+            magnitude += p.weight * g.input.thickness * t.norm();
+        }
+    }
+    if (points.empty()) return;
+    result.vector += boundary_load(g.input, points);
+    if (structure_of(g.input)) result.weighted += weighted_boundary_load(g.input, points);
+    result.scale = std::max(result.scale, magnitude);
+}
+
+void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, PartLoad& result) {
+    double largest = 0;
+    const auto at_point = [&](const Vec2& local) -> Vec2 {
+        const Vec2 force = volume_force(scene, load, g, g.frame.to_global(local));
+        largest = std::max(largest, force.norm());
+        return g.frame.vector_to_local(force);
+    };
+    result.vector += body_load(g.input, at_point);
+    if (structure_of(g.input)) result.weighted += weighted_body_load(g.input, at_point);
+    result.scale = std::max(result.scale, largest * g.area * g.input.thickness);
+}
+
+}  // namespace
+
+Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area) {
+    const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
+    if (load.kind == Load::Kind::pressure) return -value.x() * normal;
+    if (load.kind == Load::Kind::edge_force) return value / total_area;
+    return value;
+}
+
+bool is_edge_load(const Load& load) {
+    return load.kind == Load::Kind::pressure || load.kind == Load::Kind::traction || load.kind == Load::Kind::edge_force;
+}
+
+bool acts_on_volume_of(const Scene& scene, const Load& load, int part) {
+    if (load.kind == Load::Kind::gravity) return true;
+    return !is_edge_load(load) && (load.part == "*" || load.part == scene.parts[at(part)].name);
+}
+
+PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
+    PartLoad result;
+    result.vector = Eigen::VectorXd::Zero(2 * on_grid.input.space.n_functions);
+    if (structure_of(on_grid.input)) result.weighted = result.vector;
+    for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+        if (is_edge_load(scene.loads[i]))
+            add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);
+        else if (acts_on_volume_of(scene, scene.loads[i], on_grid.part))
+            add_volume_load(scene, scene.loads[i], on_grid, result);
+        if (!result.vector.allFinite())
+            throw InputError(scene.loads[i].where,
+                             "this load has no finite value everywhere on part " + scene.parts[at(on_grid.part)].name,
+                             "check its expressions for divisions by zero and roots of negative numbers");
+    }
+    return result;
+}
+
+}  // namespace abut

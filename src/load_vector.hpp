@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scene's loads as what the solver takes, in the frame of a part's grid.
+#pragma once
+#include <vector>
+
+#include "src/boundary_conditions.hpp"
+#include "src/discretize.hpp"
+
+namespace abut {
+
+/// Load vector of one part, and the size of the largest single load (sum of its magnitudes).
+struct PartLoad {
+    Eigen::VectorXd vector;
+    Eigen::VectorXd weighted;  ///< the same loads on the weighted functions; empty without a structure
+    double scale = 0;
+};
+/// Throws InputError where a load has no finite value.
+PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
+
+bool is_edge_load(const Load& load);
+/// Gravity, or a force in this part or in all.
+bool acts_on_volume_of(const Scene& scene, const Load& load, int part);
+/// Traction of an edge load at a point, in the assembly's frame; total_area: over which a force is spread.
+Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area);
+
+}  // namespace abut

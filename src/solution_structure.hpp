@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Supports by weight functions: u = w Phi + phi [Grishin10, eqs 3.7-3.8, 4.12-4.16] out of the scene's supports and a part's
+// edges.
+//
+// w, by component of the grid's axes: the R-conjunction of the normalised distances (divided by the part's size) to all edges
+// and points that hold the component. The distance to a straight edge on the outline's hull is linear (the whole line's, so that
+// polynomials stay polynomials), to other edges that of geometry::edge_field. phi: the prescribed values, blended between
+// supports by the inverse squares of the distances to them.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "solver/solution_structure.hpp"
+#include "src/boundary_conditions.hpp"
+#include "src/discretize.hpp"
+
+namespace abut {
+
+/// What one support holds by weights on one part.
+struct HeldByWeight {
+    int support;
+    int component;             ///< of the grid's axes
+    std::vector<int> edges;    ///< whole
+    std::vector<Vec2> points;  ///< local
+};
+
+/// With accuracy.dirichlet "solution_structure": whole edges that are fixed or displaced in both components or along the grid's
+/// axes, and straight edges of symmetry along these; points always. Not on parts with a rigid support, whose mean motion the
+/// weighted functions do not know.
+std::vector<HeldByWeight> held_by_weight(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
+
+/// Why a support of edges that structures could hold is (in part) not held by one here.
+std::string why_not_by_weight(const Scene& scene, int support, const PartOnGrid& on_grid);
+
+/// Null where nothing is held by weights. Throws InputError where prescribed values are not finite on the part.
+std::shared_ptr<const solver::SolutionStructure> make_structure(const Scene& scene, const ResolvedConditions& conditions,
+                                                                const PartOnGrid& on_grid);
+
+/// Gauss points in each direction of a cell beyond those for polynomials, where weights are none (measured, README: with none
+/// the stiffness of a disc is off by percents; with four errors are those of the space).
+inline constexpr int extra_weight_points = 4;
+
+}  // namespace abut

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a verification problem is: scenes to run, and quantities of their answers with references.
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/result.hpp"
+#include "src/scene.hpp"
+
+namespace abut {
+
+/// One analysis of a problem.
+struct VerifyRun {
+    std::string scene;                           ///< relative to the data folder
+    std::map<std::string, double> parameters{};  ///< in place of the scene's
+    std::optional<Analysis> analysis{};          ///< in place of the scene's
+};
+
+/// The answers of a problem's runs, in their order.
+using Answers = std::vector<Result>;
+
+struct Quantity {
+    std::string what;
+    std::function<double(const Answers&)> value;
+    double reference = 0;
+    std::optional<double> tolerance;  ///< on the relative error; unset: the quantity is recorded, not judged
+    double scale = 0;                 ///< what the error is relative to; 0: the reference's size
+};
+
+struct VerifyProblem {
+    std::string name;   ///< "E4-quarter"; the group is what stands before the first '-'
+    std::string about;  ///< one line
+    std::vector<VerifyRun> runs;
+    std::vector<Quantity> quantities;
+    bool expects_failure = false;  ///< the analysis is to fail, and its message is what is looked at
+};
+
+/// The problems of each kind, in order of their names.
+std::vector<VerifyProblem> patch_problems();       ///< E1, E6: fields that the splines hold exactly
+std::vector<VerifyProblem> beam_problems();        ///< E2
+std::vector<VerifyProblem> plate_problems();       ///< E3
+std::vector<VerifyProblem> ring_problems();        ///< E4, E10, and the disc of E5
+std::vector<VerifyProblem> membrane_problems();    ///< E8
+std::vector<VerifyProblem> corner_problems();      ///< E9
+std::vector<VerifyProblem> half_plane_problems();  ///< E13
+std::vector<VerifyProblem> contact_problems();     ///< C and S
+std::vector<VerifyProblem> support_problems();     ///< what holds a part and what does not
+
+}  // namespace abut
