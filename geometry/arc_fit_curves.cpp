@@ -4,12 +4,14 @@
 //    so that arcs which keep to it turn one way. At the ends of a run: of the arc through the outer facet that keeps to the
 //    tangent of its other end; or the neighbour's tangent, if that is near.
 // 3. Two arcs through two vertices with their tangents (of the pairs of arcs there are that with tangents of equal length,
-//    Bolton, Biarc curves, Computer-Aided Design 7, 1975), over as many facets as the vertices between allow.
+//    Bolton, Biarc curves, Computer-Aided Design 7, 1975); one arc where that is near enough.
 #include "geometry/arc_fit_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
+
+#include "geometry/arc_spline.hpp"
 
 namespace abut::geometry {
 
@@ -19,12 +21,14 @@ using std::size_t;
 
 /// The tangent of what is beside a run is that of the curve if they differ by less than this part of the outer facet's turn.
 constexpr double tangent_share = 0.25;
-/// Two arcs whose angles with the chord differ by less, radians, are one.
-constexpr double equal_angles = 1e-9;
+/// An arc whose points are off it by less than this part of the tolerance, and less than its facets, is one: single precision
+/// is below. Others may be
+/// pieces of a curve.
+constexpr double exact_share = 0.05;
 /// Radius of an arc in units of its chord: a flatter one is a line.
 constexpr double flattest_radius = 1e5;
 /// Limits the work on vertices between two arcs, and how far these turn.
-constexpr int most_spanned = 8;
+constexpr int most_spanned = 64;
 constexpr double most_turn_spanned = 1.0;
 
 double angle_between(const Vec2& a, const Vec2& b) {
@@ -48,7 +52,9 @@ Curve arc_along(const Vec2& from, const Vec2& tangent, const Vec2& to) {
 
 std::vector<Curve> arcs_between(const Vec2& from, const Vec2& t0, const Vec2& to, const Vec2& t1) {
     const Vec2 chord = to - from;
-    if (std::abs(angle_between(t0, chord) - angle_between(chord, t1)) <= equal_angles) return {arc_along(from, t0, to)};
+    const double begin = angle_between(t0, chord), end = angle_between(chord, t1);
+    // One arc turns evenly: it misses both tangents by half the difference, and so may its neighbours.
+    if (std::abs(begin - end) <= most_arc_kink) return {arc_along(from, turned(t0, 0.5 * (begin - end)), to)};
     // |to - d t1 - (from + d t0)| = 2 d
     const double along = chord.dot(t0 + t1), a = 2 * (1 - t0.dot(t1));
     const double d = chord.squaredNorm() / (along + std::sqrt(along * along + a * chord.squaredNorm()));
@@ -71,13 +77,21 @@ struct Run {
 
 class FacetRuns {
 public:
-    FacetRuns(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces)
-        : points_(points), n_(static_cast<int>(points.size())), is_single_(points.size(), false), is_taken_(points.size(), false),
+    FacetRuns(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces, double tolerance)
+        : points_(points),
+          n_(static_cast<int>(points.size())),
+          tolerance_(tolerance),
+          is_free_(points.size(), false),
+          is_taken_(points.size(), false),
           beside_(points.size()) {
         for (const FittedPiece& piece : pieces) {
-            const int n_facets = piece.last > piece.first ? piece.last - piece.first : piece.last - piece.first + n_;
-            is_single_[index(piece.first)] = n_facets == 1;
-            for (int k = 0; k < n_facets; ++k) beside_[index(piece.first + k)] = &piece.curve;
+            const int n_facets = n_facets_of(piece);
+            const bool is_rough = n_facets < n_ && piece.residual > std::min(exact_share * tolerance_, sagitta_of(piece));
+            const bool is_free = n_facets == 1 || is_rough;
+            for (int k = 0; k < n_facets; ++k) {
+                is_free_[index(piece.first + k)] = is_free;
+                beside_[index(piece.first + k)] = &piece;
+            }
         }
         for (int k = 0; k < n_; ++k) turns_.push_back(angle_between(chord(k - 1), chord(k)));
     }
@@ -96,9 +110,27 @@ private:
     double turn(int k) const { return turns_[index(k)]; }
     double curvature_at(int k) const { return 2 * turn(k) / (chord(k - 1).norm() + chord(k).norm()); }
 
+    int n_facets_of(const FittedPiece& piece) const {
+        return piece.last > piece.first ? piece.last - piece.first : piece.last - piece.first + n_;
+    }
+    /// The farthest that facets stand off an arc.
+    double sagitta_of(const FittedPiece& piece) const {
+        const Arc* arc = std::get_if<Arc>(&piece.curve);
+        double largest = 0;
+        for (int k = 0; arc && k < n_facets_of(piece); ++k)
+            largest = std::max(largest, chord(piece.first + k).squaredNorm() / (8 * arc->radius));
+        return largest;
+    }
+
+    /// Is the arc that the facet belongs to farther from the points than the facets are from it?
+    bool is_worse_than_facets(int facet) const {
+        const FittedPiece& piece = *beside_[index(facet)];
+        return std::holds_alternative<Arc>(piece.curve) && piece.residual > sagitta_of(piece);
+    }
+
     bool is_smooth(int k) const {
         const double before = chord(k - 1).norm(), after = chord(k).norm();
-        return is_single_[index(k - 1)] && is_single_[index(k)] && turn(k) != 0 && std::abs(turn(k)) <= largest_facet_turn &&
+        return is_free_[index(k - 1)] && is_free_[index(k)] && turn(k) != 0 && std::abs(turn(k)) <= largest_facet_turn &&
                std::max(before, after) <= most_length_step * std::min(before, after);
     }
     /// Do both vertices of the facet belong to one curve?
@@ -138,8 +170,11 @@ private:
         if (is_taken_[index(begin)] || !is_like_others(begin, first, first, last)) ++begin;
         if (is_taken_[index(end)] || !is_like_others(end, last, first, last)) --end;
         end = std::min(end, begin + n_ - 1);
+        while (begin <= end && beside_[index(begin - 1)] == beside_[index(begin)]) ++begin;  // whole pieces only
+        while (begin <= end && beside_[index(end + 1)] == beside_[index(end)]) --end;
         const int n_facets = end - begin + 1;
-        if (n_facets < least_facets) return;
+        if (n_facets < least_facets || (n_facets == n_facets_of(*beside_[index(begin)]) && !is_worse_than_facets(begin)))
+            return;
         for (int k = begin; k <= end; ++k) is_taken_[index(k)] = true;
         found.push_back({begin, n_facets, false, {}});
     }
@@ -182,8 +217,8 @@ private:
         first = mirrored(second, chord(run.first));
         last = mirrored(before_last, chord(run.first + run.n - 1));
         const size_t before = index(run.first - 1), after = index(run.first + run.n);
-        if (!is_taken_[before]) first = near_or(first, unit_tangent(*beside_[before], 1), angle_between(first, second));
-        if (!is_taken_[after]) last = near_or(last, unit_tangent(*beside_[after], 0), angle_between(before_last, last));
+        if (!is_taken_[before]) first = near_or(first, unit_tangent(beside_[before]->curve, 1), angle_between(first, second));
+        if (!is_taken_[after]) last = near_or(last, unit_tangent(beside_[after]->curve, 0), angle_between(before_last, last));
     }
 
     static Vec2 near_or(const Vec2& own, const Vec2& neighbour, double facet_turn) {
@@ -205,66 +240,65 @@ private:
     // ---- arcs ----
 
     double facet_sagitta(const Run& run, int k) const {
-        const double sweep = std::abs(angle_between(run.tangents[static_cast<size_t>(k)], run.tangents[static_cast<size_t>(k) + 1]));
-        return chord(run.first + k).norm() * sweep / 8;
+        const auto i = static_cast<size_t>(k);
+        return chord(run.first + k).norm() * std::abs(angle_between(run.tangents[i], run.tangents[i + 1])) / 8;
     }
 
+    /// Facets from..to - 1 of the run as one or two arcs.
     struct Span {
+        int to;
         std::vector<Curve> arcs;
-        double residual = 0;
+        double residual;
     };
-    std::vector<Curve> arcs_over(const Run& run, int from, int to) const {
-        return arcs_between(at(run.first + from), run.tangents[static_cast<size_t>(from)], at(run.first + to),
-                            run.tangents[static_cast<size_t>(to)]);
+    Span span(const Run& run, int from, int to) const {
+        const Vec2 &p = at(run.first + from), &q = at(run.first + to);
+        Span found{to, arcs_between(p, run.tangents[static_cast<size_t>(from)], q, run.tangents[static_cast<size_t>(to)]), 0};
+        for (int k = from; k <= to; ++k)
+            found.residual = std::max(found.residual, distance_from(found.arcs, at(run.first + k)));
+        return found;
     }
-    std::optional<Span> span(const Run& run, int from, int to, double allowed) const {
-        Span found{arcs_over(run, from, to), 0};
-        for (int k = from + 1; k < to; ++k) found.residual = std::max(found.residual, distance_from(found.arcs, at(run.first + k)));
-        return found.residual <= allowed ? std::optional(found) : std::nullopt;
+
+    Span longest_span(const Run& run, int from) const {
+        Span best = span(run, from, from + 1);
+        double least = facet_sagitta(run, from), turn_so_far = 0;
+        for (int to = from + 2; to <= run.n && to - from <= most_spanned; ++to) {
+            const double sagitta = facet_sagitta(run, to - 1);
+            least = std::min(least, sagitta);
+            turn_so_far += std::abs(turn(run.first + to - 1));
+            if (sagitta > tolerance_ || turn_so_far > most_turn_spanned) break;
+            Span longer = span(run, from, to);
+            if (longer.residual > vertex_share * least) break;
+            best = std::move(longer);
+        }
+        return best;
     }
 
     FacetCurve curve(const Run& run) const {
-        FacetCurve found;
-        found.first = static_cast<int>(index(run.first));
-        found.last = static_cast<int>(index(run.first + run.n));
-        found.n_facets = run.n;
+        FacetCurve found{{}, static_cast<int>(index(run.first)), static_cast<int>(index(run.first + run.n)), run.n, 0, 0};
+        for (int k = 0; k < run.n; ++k) found.sagitta = std::max(found.sagitta, facet_sagitta(run, k));
         for (int from = 0; from < run.n;) {
-            int to = from + 1;
-            double least = facet_sagitta(run, from), turn_so_far = std::abs(turn_of(run, from));
-            Span best{arcs_over(run, from, to), 0};
-            found.sagitta = std::max(found.sagitta, least);
-            for (int next = to + 1; next <= run.n && next - from <= most_spanned; ++next) {
-                least = std::min(least, facet_sagitta(run, next - 1));
-                turn_so_far += std::abs(turn_of(run, next - 1));
-                if (turn_so_far > most_turn_spanned) break;
-                const auto longer = span(run, from, next, vertex_share * least);
-                if (!longer) break;
-                best = *longer;
-                to = next;
-                found.sagitta = std::max(found.sagitta, facet_sagitta(run, next - 1));
-            }
-            found.residual = std::max(found.residual, best.residual);
-            found.arcs.insert(found.arcs.end(), best.arcs.begin(), best.arcs.end());
-            from = to;
+            const Span next = facet_sagitta(run, from) > tolerance_ ? span(run, from, from + 1) : longest_span(run, from);
+            found.arcs.insert(found.arcs.end(), next.arcs.begin(), next.arcs.end());
+            found.residual = std::max(found.residual, next.residual);
+            from = next.to;
         }
         return found;
-    }
-    static double turn_of(const Run& run, int facet) {
-        return angle_between(run.tangents[static_cast<size_t>(facet)], run.tangents[static_cast<size_t>(facet) + 1]);
     }
 
     const std::vector<Vec2>& points_;
     int n_;
-    std::vector<bool> is_single_;         ///< facet that is a piece by itself, and a line
-    std::vector<bool> is_taken_;          ///< by a run
-    std::vector<const Curve*> beside_;    ///< the piece that a facet belongs to
-    std::vector<double> turns_;           ///< at the beginning of each facet
+    double tolerance_;
+    std::vector<bool> is_free_;               ///< facet that may belong to a curve
+    std::vector<bool> is_taken_;              ///< by a run
+    std::vector<const FittedPiece*> beside_;  ///< the piece that a facet belongs to
+    std::vector<double> turns_;               ///< at the beginning of each facet
 };
 
 }  // namespace
 
-std::vector<FacetCurve> curves_through_facets(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces) {
-    return FacetRuns(points, pieces).curves();
+std::vector<FacetCurve> curves_through_facets(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces,
+                                              double tolerance) {
+    return FacetRuns(points, pieces, tolerance).curves();
 }
 
 }  // namespace abut::geometry

@@ -23,21 +23,26 @@ inline constexpr double most_curvature_step = 1.75;
 /// stand off by at most so many times: exporters bound both. Others are lines beside a curve.
 inline constexpr double most_turn_beyond_others = 1.25;
 inline constexpr double most_sagitta_beyond_others = 2;
-/// Two arcs replace several facets where they pass the vertices within this part of the smallest sagitta of these facets.
-inline constexpr double vertex_share = 0.05;
+
+/// Where facets stand off by less than the tolerance, one or two arcs replace as many as leave each vertex within this part of
+/// the smallest sagitta of theirs. Elsewhere arcs pass through every vertex: what touched there still does.
+inline constexpr double vertex_share = 0.25;
 
 /// Points first..last (indices, modulo their number) of a closed polyline.
 struct FacetCurve {
-    std::vector<Curve> arcs;  ///< tangential to each other; they begin and end at the first and last point, to rounding
+    std::vector<Curve> arcs;  ///< tangential to each other within most_arc_kink; they begin and end at vertices, to rounding
     int first = 0, last = 0;  ///< equal: all the way around
     int n_facets = 0;
-    double residual = 0;  ///< largest distance of its points from it: vertex_share of the sagitta at most
+    double residual = 0;  ///< largest distance of its points from it
     double sagitta = 0;   ///< its largest distance from its facets
 };
 
-/// Curves through those facets of the closed polyline that `pieces` (of fit_lines_and_arcs) left as single lines, in the order
-/// of the points. Where the polyline goes on as it would, a curve's ends are tangential to what is beside them. Arcs turn the
+/// Curves through runs of facets of the closed polyline, in the order of its points. `pieces` are those of fit_lines_and_arcs
+/// with this tolerance. A run takes facets that they leave as single lines, and pieces that are off their points by more than
+/// rounding, wholly or not at all: lines as part of more; arcs as part of more, or where the points are farther from them than
+/// the facets are. Where the polyline goes on as it would, a curve's ends are tangential to what is beside them. Arcs turn the
 /// way their facets turn, and lie between these and the tangents at their ends. Deterministic; cost O(n).
-std::vector<FacetCurve> curves_through_facets(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces);
+std::vector<FacetCurve> curves_through_facets(const std::vector<Vec2>& points, const std::vector<FittedPiece>& pieces,
+                                              double tolerance);
 
 }  // namespace abut::geometry

@@ -10,7 +10,10 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <string_view>
 
 #include "geometry/input_error.hpp"
 #include "geometry/mesh_3mf.hpp"
@@ -120,6 +123,29 @@ std::string first_line(const std::string& message) {
     return line.empty() ? "" : " (" + line + ")";
 }
 
+/// assimp ends names in OBJ at the first space, so that "left jaw" and "left pad" become one object: spaces within names of
+/// objects and groups become control characters, which given_name() turns back.
+std::string obj_with_whole_names(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        const std::string_view line(text.data() + begin, end - begin);
+        const std::size_t name = line.find_first_not_of(" \t", 1), last = line.find_last_not_of(" \t");
+        if ((line.rfind("o ", 0) == 0 || line.rfind("g ", 0) == 0) && name != std::string_view::npos && name < last)
+            std::replace(text.begin() + static_cast<std::ptrdiff_t>(begin + name),
+                         text.begin() + static_cast<std::ptrdiff_t>(begin + last), ' ', '\x1f');
+        begin = end + 1;
+    }
+    return text;
+}
+
+const aiScene* read_by_assimp(Assimp::Importer& importer, const std::string& path, const std::string& format) {
+    if (format != "OBJ") return importer.ReadFile(path, aiProcess_Triangulate);
+    const std::string text = obj_with_whole_names(path);
+    return importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_Triangulate, "obj");
+}
+
 void read_scene(const std::string& path, const std::string& format, MeshBodies& bodies) {
     Assimp::Importer importer;
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // the file's own coordinates
@@ -127,7 +153,7 @@ void read_scene(const std::string& path, const std::string& format, MeshBodies& 
     const aiScene* scene = nullptr;
     std::string message;
     try {
-        scene = importer.ReadFile(path, aiProcess_Triangulate);
+        scene = read_by_assimp(importer, path, format);
         if (!scene) message = importer.GetErrorString();
     } catch (const std::exception& error) { message = error.what(); }
     if (!scene || !scene->mRootNode)

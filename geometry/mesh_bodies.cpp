@@ -68,6 +68,22 @@ void report_faults(const Shell& shell, const std::string& body, std::vector<Sket
                             in_plan(shell.open.at), body, 0, "export the part as a closed solid"});
 }
 
+/// Far from the origin single precision, in which formats hold coordinates and libraries read them, is coarse.
+void report_coarseness(MeshFile& file) {
+    Vec3 low = file.bodies.front().vertices.front(), high = low;
+    for (const Mesh& body : file.bodies)
+        for (const Vec3& v : body.vertices) {
+            low = low.cwiseMin(v);
+            high = high.cwiseMax(v);
+        }
+    const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+    const double step = std::ldexp(1.0, std::ilogb(largest) - 23);
+    if (step <= told_coarseness * (high - low).norm()) return;
+    file.repairs.push_back({"far from the origin coordinates are read in steps of " + number_text(step) +
+                                " only (single precision): move the model to the origin before it is exported",
+                            in_plan(low), 0.5 * step});
+}
+
 }  // namespace
 
 void MeshBodies::check(const Mesh& object) const {
@@ -150,6 +166,7 @@ void MeshBodies::ignore(const std::string& what, int count, const std::string& w
 MeshFile MeshBodies::finish() {
     if (file_.bodies.empty())
         throw InputError(file_.file, "the file holds no triangles", "export solids or surfaces as a mesh");
+    report_coarseness(file_);
     return std::move(file_);
 }
 

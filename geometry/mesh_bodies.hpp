@@ -9,6 +9,10 @@
 
 namespace abut::geometry {
 
+/// Steps of the coordinates that are more than this fraction of the diagonal of all bodies are told: they hide facets, and
+/// gaps.
+inline constexpr double told_coarseness = 1e-5;
+
 /// Collects objects in the file's order.
 class MeshBodies {
 public:

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <sstream>
 
 #include "geometry/input_error.hpp"
+#include "geometry/mesh_collada.hpp"
+#include "geometry/mesh_ply.hpp"
 
 namespace abut::geometry {
 
@@ -46,50 +46,18 @@ void check_stl(const std::string& path, std::uintmax_t size) {
         throw InputError(path, "the STL file is truncated, or no STL", "export it again");
 }
 
-/// Lines that hold anything.
-std::uintmax_t count_lines(std::istream& in) {
-    std::uintmax_t n = 0;
-    bool is_blank = true;
-    for (std::istreambuf_iterator<char> c(in), end; c != end; ++c) {
-        if (*c == '\n' || *c == '\r') {
-            n += is_blank ? 0 : 1;
-            is_blank = true;
-        } else if (!std::isspace(static_cast<unsigned char>(*c))) {
-            is_blank = false;
-        }
-    }
-    return n + (is_blank ? 0 : 1);
-}
-
-/// assimp reads for ever where the header does not end, and for as long as the header says.
-void check_ply(const std::string& path, std::uintmax_t size) {
+/// Formats that assimp tells by what they hold, whatever their name.
+void check_beginning(const std::string& path, const std::string& format) {
     std::ifstream in(path, std::ios::binary);
-    std::string line;
-    std::uintmax_t n_elements = 0;
-    bool is_text = false, ends = false;
-    std::getline(in, line);
-    if (line.rfind("ply", 0) != 0 && line.rfind("PLY", 0) != 0)
-        throw InputError(path, "the file is no PLY, or damaged", "export it again");
-    while (!ends && std::getline(in, line)) {
-        std::istringstream words(line);
-        std::string word, what;
-        words >> word;
-        ends = word == "end_header";
-        if (word == "format") {
-            words >> what;
-            is_text = what == "ascii";
-        }
-        if (word != "element") continue;
-        std::uintmax_t n = 0;
-        if (!(words >> what >> n) || n > size)
-            throw InputError(path, "the PLY file is damaged: '" + line + "'", "export it again");
-        n_elements += n;
-    }
-    if (!ends) throw InputError(path, "the PLY file is damaged: its header does not end", "export it again");
-    const std::uintmax_t n_held = is_text ? count_lines(in) : size - static_cast<std::uintmax_t>(in.tellg());
-    if (n_held < n_elements)
-        throw InputError(path, "the PLY file is truncated: it states " + std::to_string(n_elements) + " elements",
-                         "export it again");
+    std::string head(1024, '\0');
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    if (head.rfind("\xEF\xBB\xBF", 0) == 0) head.erase(0, 3);
+    const std::size_t first = head.find_first_not_of(" \t\r\n");
+    const std::string begins = format == "glTF" ? "{" : "<";
+    if (first != std::string::npos && head.compare(first, 1, begins) == 0) return;
+    if (format == "glTF" && head.rfind("glTF", 0) == 0) return;
+    throw InputError(path, "the file is no " + format + ", or damaged", "export it again");
 }
 
 }  // namespace
@@ -98,6 +66,8 @@ void check_mesh_file(const std::string& path, const std::string& format) {
     const std::uintmax_t size = checked_size(path);
     if (format == "STL") check_stl(path, size);
     if (format == "PLY") check_ply(path, size);
+    if (format == "glTF" || format == "COLLADA") check_beginning(path, format);
+    if (format == "COLLADA") check_collada(path, size);
 }
 
 }  // namespace abut::geometry

@@ -10,8 +10,8 @@ namespace abut::geometry {
 inline constexpr std::uintmax_t most_mesh_bytes = 512u << 20;
 
 /// `format` as in MeshFile. Throws InputError where the file is missing, unreadable, empty or too large; a binary STL that is
-/// shorter than it states; a PLY whose header does not end, or that states more elements than it holds. Cost: a pass over the
-/// bytes of PLY files, else constant.
+/// shorter than it states; PLY and COLLADA that are damaged (mesh_ply.hpp, mesh_collada.hpp); glTF that does not begin as such.
+/// Cost: a pass over the bytes of PLY and COLLADA files, else constant.
 void check_mesh_file(const std::string& path, const std::string& format);
 
 }  // namespace abut::geometry

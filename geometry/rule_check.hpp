@@ -18,8 +18,9 @@ struct RuleCheck {
 
 /// Of the rules of all boundary cells together with the inner cells, which count as exact. The fields F are products of
 /// Legendre polynomials over the grid's box, up to degree 2 `degree` in x, in y and in both; their flux is taken by
-/// boundary_rule. Errors of exact rules are a few hundred roundings: 1e-13 and less. Rules without the cells that the boundary
-/// cuts, or of a grid that misses some of the part, show it. Cost: 15 ns a point beside boundary_rule along all edges.
+/// boundary_rule. Errors of exact rules are a few hundred roundings of the grid's area over the part's: 1e-13 and less. A cell
+/// forgotten, a degree too low, or a grid that misses some of the part show. Cost: 15 ns a point, and boundary_rule along all
+/// edges with 2 degree + 1 points a piece; measured, 1 to 3 times that of cell_rules.
 RuleCheck check_rules(const Part& part, const CutCells& cells, const Elements& elements, const std::vector<CellRule>& rules,
                       int degree);
 

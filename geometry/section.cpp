@@ -115,8 +115,9 @@ void report(const OutlinePiece& piece, const Mesh& body, std::vector<Repair>& re
     if (piece.kind == Kind::line) return;
     const Vec2 at = point(piece.curves[piece.curves.size() / 2], piece.curves.size() > 1 ? 0 : 0.5);
     if (piece.kind == Kind::curve) {
-        repairs.push_back({"curve of " + std::to_string(piece.curves.size()) + " arcs" + counted_points(piece.n_facets + 1, body) +
-                               ", up to " + number_text(piece.sagitta) + " from its facets",
+        repairs.push_back({"curve of " + std::to_string(piece.curves.size()) + " arcs" +
+                               counted_points(piece.n_facets + 1, body) + ", up to " + number_text(piece.sagitta) +
+                               " from its facets",
                            at, piece.residual});
         return;
     }
@@ -195,7 +196,8 @@ void report_missed_body(const Mesh& body, Section& section) {
 void add(const BodyCut& cut, const BodyOutlines& outlines, const MeshFile& mesh, Section& section) {
     add_entities(outlines, *cut.body, section);
     for (const SectionGap& gap : cut.closed_cracks)
-        section.repairs.push_back({"crack in the section of " + cut.body->name + " closed", gap.from, (gap.to - gap.from).norm()});
+        section.repairs.push_back(
+            {"crack in the section of " + cut.body->name + " closed", gap.from, (gap.to - gap.from).norm()});
     for (const SectionGap& gap : cut.open) report(gap, *cut.body, section);
     pass_on_faults(mesh, cut.body->name, !cut.open.empty(), section);
 }
@@ -257,7 +259,8 @@ Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOption
             continue;
         }
         const double size = found.box.diagonal();
-        outlines.push_back({{}, std::max(options.tolerance > 0 ? options.tolerance : arc_fraction * size, least_arc_fraction * size)});
+        outlines.push_back(
+            {{}, std::max(options.tolerance > 0 ? options.tolerance : arc_fraction * size, least_arc_fraction * size)});
         for (const std::vector<Vec2>& loop : found.loops)
             outlines.back().outlines.push_back(outline_of(loop, outlines.back().tolerance, options.recognise_arcs));
         cuts.push_back({body, std::move(found.open), std::move(found.closed_cracks)});

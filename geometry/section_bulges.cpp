@@ -69,7 +69,8 @@ std::optional<double> first_beyond(const std::vector<double>& places, double lea
 
 class Search {
 public:
-    explicit Search(const std::vector<BodyOutlines>& bodies) : bodies_(bodies), items_(items_of(bodies)), tree_(boxes_of(items_)) {}
+    explicit Search(const std::vector<BodyOutlines>& bodies)
+        : bodies_(bodies), items_(items_of(bodies)), tree_(boxes_of(items_)) {}
 
     std::vector<BulgeConflict> conflicts() const {
         std::vector<BulgeConflict> found;
@@ -159,7 +160,8 @@ private:
         if (!met || (*met < -tolerance && !facets_cross(other, feeler, -tolerance, *height + 2 * its_sagitta)) ||
             overlapped(own, other, feeler, *height))
             return std::nullopt;
-        return BulgeConflict{own.body, own.outline, own.piece, other.body, feeler.from + *met * feeler.direction, *height - *met};
+        return BulgeConflict{own.body,      own.outline, own.piece, other.body, feeler.from + *met * feeler.direction,
+                             *height - *met};
     }
 
     /// A feeler that stands for an end of the curve meets it there, though rounding may say that they miss each other.

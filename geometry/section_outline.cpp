@@ -44,8 +44,10 @@ void insert(const std::vector<FacetCurve>& found, Outline& outline) {
     if (found.empty()) return;
     std::vector<bool> is_replaced(outline.points.size(), false);
     for (const FacetCurve& curve : found)
-        for (int k = 0; k < curve.n_facets; ++k) is_replaced[static_cast<std::size_t>((curve.first + k) % n_points(outline))] = true;
-    std::erase_if(outline.pieces, [&](const OutlinePiece& piece) { return is_replaced[static_cast<std::size_t>(piece.first)]; });
+        for (int k = 0; k < curve.n_facets; ++k)
+            is_replaced[static_cast<std::size_t>((curve.first + k) % n_points(outline))] = true;
+    std::erase_if(outline.pieces,
+                  [&](const OutlinePiece& piece) { return is_replaced[static_cast<std::size_t>(piece.first)]; });
     for (const FacetCurve& curve : found) outline.pieces.push_back(piece_of(curve));
     std::sort(outline.pieces.begin(), outline.pieces.end(),
               [](const OutlinePiece& a, const OutlinePiece& b) { return a.first < b.first; });
@@ -65,7 +67,7 @@ Outline outline_of(const std::vector<Vec2>& points, double tolerance, bool recog
     }
     const std::vector<FittedPiece> fitted = fit_lines_and_arcs(points, true, tolerance);
     for (const FittedPiece& piece : fitted) outline.pieces.push_back(piece_of(outline, piece));
-    insert(curves_through_facets(points, fitted), outline);
+    insert(curves_through_facets(points, fitted, tolerance), outline);
     return outline;
 }
 

@@ -188,12 +188,28 @@ double distance_of_root(const View& view, int w, double v, double sign) {
     return distance >= 0 ? distance : infinity;  // not for 0 / 0, a standstill or a line
 }
 
-/// Gauss points over part of a patch: evenly, or in the root of the distance from beyond one of its ends.
+/// Gauss points over part of a patch: in the parameter of a curve; or evenly, or in the root of the distance from beyond one of
+/// the patch's ends.
 struct Span {
-    double low, high;
+    double low, high;        ///< along the outer axis, or parameters of the wall
     double root = infinity;  ///< distance beyond the end
     bool beyond_high = false;
+    int wall = -1;  ///< whose parameter it is
 };
+
+bool is_curved(const View& view, int wall) {
+    if (wall < 0) return false;
+    const MonotonePiece& piece = view.walls[static_cast<std::size_t>(wall)].piece;
+    return piece.is_arc || piece.is_general;
+}
+
+/// Between a curve and something straight, the curve's own parameter: however steep it is, nothing is then less smooth than it.
+Span span_along(const View& view, const Patch& p, int w) {
+    const Wall& wall = view.walls[static_cast<std::size_t>(w)];
+    const double a = line_meeting(wall.piece, view.outer, p.low, *wall.curve).t;
+    const double b = line_meeting(wall.piece, view.outer, p.high, *wall.curve).t;
+    return {std::min(a, b), std::max(a, b), infinity, false, w};
+}
 
 /// One end of a patch: the nearer root beyond it, and where the other wall's is farther, up to where the two look different.
 struct End {
@@ -209,9 +225,11 @@ End end_of(const View& view, const Patch& p, double v, double sign) {
     return {near, apart < 0.5 * height ? apart : 0};
 }
 
-/// Two ends with roots share the patch. Between walls whose roots are a little apart (the two sides of a thin ring), a span as
-/// long as that is of its own.
+/// Between two curves, the coordinate. Two ends with roots share the patch. Between walls whose roots are a little apart (the
+/// two sides of a thin ring), a span as long as that is of its own.
 std::vector<Span> spans_of(const View& view, const Patch& p) {
+    const bool from_curve = is_curved(view, p.from), to_curve = is_curved(view, p.to);
+    if (from_curve != to_curve) return {span_along(view, p, from_curve ? p.from : p.to)};
     const End low = end_of(view, p, p.low, 1), high = end_of(view, p, p.high, -1);
     if (low.root == infinity && high.root == infinity) return {{p.low, p.high}};
     const double middle = high.root == infinity ? p.high : low.root == infinity ? p.low : 0.5 * (p.low + p.high);
@@ -226,17 +244,34 @@ std::vector<Span> spans_of(const View& view, const Patch& p) {
     return spans;
 }
 
-struct OuterPoint {
-    double v, weight;
+/// A row of points: where it is along the outer axis, from where to where it goes, and its weight.
+struct Row {
+    double v, from, to, weight;
 };
 
+Row row_along(const View& view, const Patch& p, const Span& span, double s, double weight) {
+    const Curve& curve = *view.walls[static_cast<std::size_t>(span.wall)].curve;
+    const double t = span.low + s * (span.high - span.low);
+    const Vec2 x = point(curve, t);
+    Row row{x[view.outer], 0, 0, weight * (span.high - span.low) * std::abs(derivative(curve, t)[view.outer])};
+    row.from = span.wall == p.from ? x[1 - view.outer] : view.from(p, row.v);
+    row.to = span.wall == p.to ? x[1 - view.outer] : view.to(p, row.v);
+    return row;
+}
+
 /// With s in [0, 1] the distance from the root is (a + (b - a) s)^2.
-OuterPoint outer_point(const Span& span, double s, double weight) {
+Row row_at(const View& view, const Patch& p, const Span& span, double s, double weight) {
+    if (span.wall >= 0) return row_along(view, p, span, s, weight);
     const double height = span.high - span.low;
-    if (span.root == infinity) return {span.low + s * height, weight * height};
-    const double a = std::sqrt(span.root), b = std::sqrt(span.root + height), r = a + (b - a) * s;
-    const double distance = (b - a) * s * (r + a);  // from the end: r^2 - a^2
-    return {span.beyond_high ? span.high - distance : span.low + distance, weight * 2 * r * (b - a)};
+    double v = span.low + s * height;
+    weight *= height;
+    if (span.root < infinity) {
+        const double a = std::sqrt(span.root), b = std::sqrt(span.root + height), r = a + (b - a) * s;
+        const double distance = (b - a) * s * (r + a);  // from the end: r^2 - a^2
+        v = span.beyond_high ? span.high - distance : span.low + distance;
+        weight *= 2 * r * (b - a) / height;
+    }
+    return {v, view.from(p, v), view.to(p, v), weight};
 }
 
 bool is_constant(const View& view, int wall) {
@@ -266,23 +301,25 @@ std::size_t count_points(const View& view, int degree, int extra) {
     return n;
 }
 
+void add_row(CellRule& rule, int outer, const Row& row, const GaussRule& inner) {
+    const double width = row.to - row.from;
+    if (!(width > 0 && row.weight > 0)) return;
+    for (std::size_t j = 0; j < inner.points.size(); ++j) {
+        Vec2 x;
+        x[outer] = row.v;
+        x[1 - outer] = row.from + inner.points[j] * width;
+        rule.points.push_back(x);
+        rule.weights.push_back(row.weight * inner.weights[j] * width);
+    }
+}
+
 void add_points(CellRule& rule, const View& view, int degree, int extra) {
     const GaussRule& inner = gauss_rule(n_inner(degree, extra));
     for (const Patch& p : view.patches)
         for (const Span& span : spans_of(view, p)) {
             const GaussRule& outer = gauss_rule(n_outer(view, p, span, degree, extra));
-            for (std::size_t i = 0; i < outer.points.size(); ++i) {
-                const OuterPoint o = outer_point(span, outer.points[i], outer.weights[i]);
-                const double from = view.from(p, o.v), width = view.to(p, o.v) - from;
-                if (!(width > 0)) continue;
-                for (std::size_t j = 0; j < inner.points.size(); ++j) {
-                    Vec2 x;
-                    x[view.outer] = o.v;
-                    x[1 - view.outer] = from + inner.points[j] * width;
-                    rule.points.push_back(x);
-                    rule.weights.push_back(o.weight * inner.weights[j] * width);
-                }
-            }
+            for (std::size_t i = 0; i < outer.points.size(); ++i)
+                add_row(rule, view.outer, row_at(view, p, span, outer.points[i], outer.weights[i]), inner);
         }
 }
 

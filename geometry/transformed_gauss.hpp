@@ -11,8 +11,9 @@
 //     |./######\..|
 //     +-----------+
 //
-// Where f or g is about as steep as a circle beside its extreme point, as the root of a distance d from it, points are Gauss's
-// in the root of the distance, which makes the integrand smooth again.
+// Between a curve and something straight, t_nu are Gauss points in the curve's own parameter: circles at their extreme points
+// and steep inflections are then as smooth as elsewhere. Between two curves they are Gauss points in the coordinate, or in the
+// root of its distance from where f or g is about as steep as a circle beside its extreme point.
 #pragma once
 #include <vector>
 
@@ -24,10 +25,12 @@ namespace abut::geometry {
 /// boundary cell, as of cell_rules; of elements whose fraction is a rounding it may be empty.
 ///   - Straight pieces: exact for products of two tensor polynomials of the given degree.
 ///   - Curves: the number of points follows from degree and curve as for cell_rules; measured errors of such polynomials are
-///     below 1e-10 of the cell's area, and fall exponentially with `extra`.
-///   - Other integrands: `extra` more points in each direction and patch, each of which raises the order by two.
-/// Where several contours end within sliver_fraction of a cell's height of each other, what is between is left out.
-/// Cost about 1 us an element and 20 ns a point along curves.
+///     below 1e-10 of the cell's area, and between two steep curves close to each other (thin rings) below 1e-7.
+///   - Other integrands: `extra` more points each way in every patch. The order rises by two with each, in h; at fixed h the
+///     error of smooth functions falls exponentially (tested: to 1/50 or less with every two, down to 1e-11).
+/// What is between contours that end within sliver_fraction of a cell's height of each other is left out. Measured cost: 1 us
+/// an element on lines, 2 us on circles, 7 us on ellipses and 14 us on splines; more between two curves, where each row of
+/// points is a Newton iteration.
 std::vector<CellRule> transformed_rules(const Part& part, const CutCells& cells, const Elements& elements, int degree,
                                         int extra = 0);
 

@@ -2,6 +2,7 @@
 // Stiffness and loads of one part.
 #pragma once
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "solver/block_matrix.hpp"
@@ -18,6 +19,8 @@ struct CellRule {
     std::vector<double> weights;
 };
 
+struct SolutionStructure;
+
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
 struct PartInput {
     SplineSpace space;
@@ -25,6 +28,8 @@ struct PartInput {
     LineRule line_rule;
     Elasticity elasticity;
     double thickness = 1;
+    /// Supports by weight functions (solution_structure.hpp); none: the functions as they are.
+    std::shared_ptr<const SolutionStructure> structure{};
 };
 
 /// Stiffness over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices,

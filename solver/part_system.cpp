@@ -18,8 +18,7 @@ using Eigen::Index;
 /// Empty: done.
 std::string drop_aligned(PartSystem& s, SupportRecord& record) {
     const auto component = static_cast<std::size_t>(record.set.component);
-    if (structure_of(s.input) && structure_of(s.input)->weight[component])
-        return "another support weights this displacement component";
+    if (s.input.structure && s.input.structure->weight[component]) return "another support weights this displacement component";
     const auto functions = functions_on_side(s.input.space, *record.set.side, record.set.stretches);
     if (!functions) return "dropping functions there would hold more than this edge";
     const auto prescribed = [&](int f) { return coefficient_of_one(s.input.space, f) * record.set.value; };
@@ -139,7 +138,7 @@ bool follow_structure(PartSystem& s, double size) {
     constexpr double rounding = 1e-6;  // of unit motion: what the eigenvectors of the Gram matrix leave
     for (RigidMotion& m : s.free_motions)
         for (int c = 0; c < 2; ++c) {
-            if (!structure_of(s.input)->weight[static_cast<std::size_t>(c)]) continue;
+            if (!s.input.structure->weight[static_cast<std::size_t>(c)]) continue;
             if (std::abs(m.translation[c]) > rounding || std::abs(m.rotation) * size > rounding) return false;
             m.translation[c] = m.rotation = 0;
         }
@@ -148,7 +147,7 @@ bool follow_structure(PartSystem& s, double size) {
 
 /// The stiffness and the loads before any support but the structure.
 void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
-    if (structure_of(s.input)) {
+    if (s.input.structure) {
         WeightedStiffness k = assemble_weighted(s.input);
         s.stiffness = std::move(k.stiffness);
         s.load = weighted + k.load;
@@ -170,8 +169,9 @@ void set_modes(PartSystem& s) {
 /// What a pivot that is not positive means here, and what to do about it.
 std::string failure_text(const PartSystem& s) {
     const std::string text = "the stiffness matrix is not positive definite to working precision: ";
-    if (structure_of(s.input))
-        return text + "the weight functions of its supports leave too little there; take dirichlet \"nitsche\", or smaller cells";
+    if (s.input.structure && s.springs.empty())
+        return text +
+               "the weight functions of its supports leave too little there; take dirichlet \"nitsche\", or smaller cells";
     if (!s.springs.empty())
         return text + "its springs are too soft against its material to hold it; make them stiffer, or add a support";
     if (s.input.space.basis != Basis::web)
@@ -208,7 +208,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
     apply_supports(s, std::move(supports));
     s.free_motions = free_motions(s, center, size);
-    if (structure_of(s.input) && !follow_structure(s, size)) {
+    if (s.input.structure && !follow_structure(s, size)) {
         s.failure =
             "its supports leave it a rigid motion that weight functions cannot follow (one point, or one straight edge held "
             "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
@@ -217,7 +217,10 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     set_modes(s);
     number_unknowns(s);
     s.factor = Factorization(restricted(s.stiffness, s.number, s.n_kept));
-    if (!s.factor.ok()) note_failure(s);
+    if (!s.factor.ok())
+        note_failure(s);
+    else if (!s.springs.empty() && s.factor.condition_estimate() > largest_spring_condition)
+        s.failure = failure_text(s);
     return s;
 }
 
@@ -252,18 +255,16 @@ std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::
     const Eigen::VectorXd residual = multiply(system.stiffness, displacement) - load;
     std::vector<Resultant> reactions;
     for (const SupportRecord& record : system.supports)
-        reactions.push_back(record.method == SupportMethod::nitsche
-                                ? nitsche_reaction(system.input, record.set, displacement)
-                                : dropped_reaction(system, record, residual));
-    if (structure_of(system.input)) add_structure_reactions(system, displacement, plain, reactions);
+        reactions.push_back(record.method == SupportMethod::nitsche ? nitsche_reaction(system.input, record.set, displacement)
+                                                                    : dropped_reaction(system, record, residual));
+    if (system.input.structure) add_structure_reactions(system, displacement, plain, reactions);
     return reactions;
 }
 
 Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
     Resultant sum;
     for (const SupportPoint& p : set.points) {
-        const Eigen::Vector3d s =
-            stress_of(input.elasticity, displacement_at(input, displacement, p.element, p.x).gradient);
+        const Eigen::Vector3d s = stress_of(input.elasticity, displacement_at(input, displacement, p.element, p.x).gradient);
         const Vec2 traction(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y());
         sum.add(p.x, p.weight * input.thickness * p.direction.dot(traction) * p.direction);
     }
@@ -278,7 +279,7 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
 }
 
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
-    if (structure_of(system.input)) return weighted_strain_energy(system.input, displacement);
+    if (system.input.structure) return weighted_strain_energy(system.input, displacement);
     double twice = displacement.dot(multiply(system.stiffness, displacement));
     for (const SpringSet& set : system.springs) twice -= 2 * spring_answer(system.input, set, displacement).energy;
     for (const SupportRecord& record : system.supports)
@@ -287,7 +288,7 @@ double strain_energy(const PartSystem& system, const Eigen::VectorXd& displaceme
 }
 
 double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement) {
-    if (structure_of(input)) return largest_weighted_displacement(input, displacement);
+    if (input.structure) return largest_weighted_displacement(input, displacement);
     double largest = 0;
     for (Index f = 0; f + 1 < displacement.size(); f += 2) largest = std::max(largest, displacement.segment<2>(f).norm());
     return largest;

@@ -39,6 +39,10 @@ struct FailedPivot {
     int component;
 };
 
+/// Springs as soft as this against a part's material leave less than four digits of its answer: not solved. (Of the matrix
+/// scaled to a unit diagonal; measured: the balance of forces is off by 1e-16 to 1e-18 times the condition number.)
+inline constexpr double largest_spring_condition = 1e12;
+
 struct PartSystem {
     PartInput input;
     BlockMatrix stiffness;    ///< with Nitsche's terms, nothing dropped
@@ -53,7 +57,7 @@ struct PartSystem {
     std::vector<RigidMotion> free_motions;  ///< 0 to 3, unit displacement at the part's size
     Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
-    std::string failure;  ///< not empty: not solvable, what that means and what to do
+    std::string failure;                   ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
 
     int n() const { return input.space.n_functions; }

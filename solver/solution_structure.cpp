@@ -61,7 +61,7 @@ ElementBasis element_basis(const PartInput& input, const CellRule& rule) {
     Sampled local;
     sample(input.space, rule.element, rule.points, local);
     ElementBasis b{e.functions, extracted(local, e), {}};
-    for (std::size_t c = 0; c < 2; ++c) b.of[c] = weighted(b.plain, structure_of(input)->weight[c], rule.points);
+    for (std::size_t c = 0; c < 2; ++c) b.of[c] = weighted(b.plain, input.structure->weight[c], rule.points);
     return b;
 }
 
@@ -76,8 +76,7 @@ void stiffness_of(const ElementBasis& b, const VectorXd& w, const Elasticity& d,
     const Index n = kxx.rows();
     blocks.resize(static_cast<std::size_t>(n * n));
     for (Index j = 0; j < n; ++j)
-        for (Index i = 0; i < n; ++i)
-            blocks[static_cast<std::size_t>(j * n + i)] << kxx(i, j), kxy(i, j), kxy(j, i), kyy(i, j);
+        for (Index i = 0; i < n; ++i) blocks[static_cast<std::size_t>(j * n + i)] << kxx(i, j), kxy(i, j), kxy(j, i), kyy(i, j);
 }
 
 /// Adds the work of stresses (points x (xx, yy, xy), times the points' weights) on the strains of functions.
@@ -98,7 +97,7 @@ std::vector<DisplacementAt> displacements(const PartInput& input, const CellRule
     std::vector<DisplacementAt> d;
     for (const Vec2& p : rule.points) {
         const auto k = static_cast<Index>(d.size());
-        d.push_back(data_at(*structure_of(input), p));
+        d.push_back(data_at(*input.structure, p));
         for (int a = 0; a < 2; ++a) {
             const Sampled& s = b.of[static_cast<std::size_t>(a)];
             d.back().value[a] += s.value.row(k).dot(c.col(a));
@@ -125,7 +124,7 @@ bool has_data(const SolutionStructure& s) {
 /// Adds minus the work of the stresses of phi.
 void add_data_load(const PartInput& input, const CellRule& rule, const ElementBasis& b, VectorXd& load) {
     std::vector<DisplacementAt> phi;
-    for (const Vec2& p : rule.points) phi.push_back(data_at(*structure_of(input), p));
+    for (const Vec2& p : rule.points) phi.push_back(data_at(*input.structure, p));
     add_work(load, b.functions, b.of[0], b.of[1], -weighted_stress(input, rule, phi));
 }
 
@@ -134,10 +133,10 @@ void add_data_load(const PartInput& input, const CellRule& rule, const ElementBa
 DisplacementBasis displacement_basis(const PartInput& input, int element, const Vec2& p) {
     DisplacementBasis b;
     b.x = evaluate(input.space, element, p);
-    if (!structure_of(input)) return b;
-    b.y = weighted(b.x, structure_of(input)->weight[1], p);
-    b.x = weighted(b.x, structure_of(input)->weight[0], p);
-    b.data = data_at(*structure_of(input), p);
+    if (!input.structure) return b;
+    b.y = weighted(b.x, input.structure->weight[1], p);
+    b.x = weighted(b.x, input.structure->weight[0], p);
+    b.data = data_at(*input.structure, p);
     return b;
 }
 
@@ -159,24 +158,24 @@ DisplacementAt displacement_at(const PartInput& input, const VectorXd& displacem
 
 WeightedStiffness assemble_weighted(const PartInput& input) {
     FunctionSets sets;
-    for (const CellRule& rule : structure_of(input)->rules) sets.add(extraction(input.space, rule.element).functions);
+    for (const CellRule& rule : input.structure->rules) sets.add(extraction(input.space, rule.element).functions);
     const int n = input.space.n_functions;
     WeightedStiffness result{make_block_matrix(n, sets), VectorXd::Zero(2 * n)};
     BlockScatter scatter(result.stiffness);
     std::vector<Eigen::Matrix2d> blocks;
-    for (const CellRule& rule : structure_of(input)->rules) {
+    for (const CellRule& rule : input.structure->rules) {
         const ElementBasis b = element_basis(input, rule);
         const Eigen::Map<const VectorXd> w(rule.weights.data(), static_cast<Index>(rule.weights.size()));
         stiffness_of(b, input.thickness * w, input.elasticity, blocks);
         scatter.add(b.functions, blocks);
-        if (has_data(*structure_of(input))) add_data_load(input, rule, b, result.load);
+        if (has_data(*input.structure)) add_data_load(input, rule, b, result.load);
     }
     return result;
 }
 
 VectorXd weighted_body_load(const PartInput& input, const std::function<Vec2(const Vec2&)>& force) {
     VectorXd load = VectorXd::Zero(2 * input.space.n_functions);
-    for (const CellRule& rule : structure_of(input)->rules) {
+    for (const CellRule& rule : input.structure->rules) {
         const ElementBasis b = element_basis(input, rule);
         Eigen::MatrixX2d f(static_cast<Index>(rule.points.size()), 2);
         for (std::size_t k = 0; k < rule.points.size(); ++k)
@@ -203,7 +202,7 @@ VectorXd weighted_boundary_load(const PartInput& input, const std::vector<Tracti
 
 VectorXd internal_forces(const PartInput& input, const VectorXd& displacement) {
     VectorXd force = VectorXd::Zero(2 * input.space.n_functions);
-    for (const CellRule& rule : structure_of(input)->rules) {
+    for (const CellRule& rule : input.structure->rules) {
         const ElementBasis b = element_basis(input, rule);
         const Eigen::MatrixX3d stress = weighted_stress(input, rule, displacements(input, rule, b, displacement));
         add_work(force, b.functions, b.plain, b.plain, stress);
@@ -213,7 +212,7 @@ VectorXd internal_forces(const PartInput& input, const VectorXd& displacement) {
 
 double weighted_strain_energy(const PartInput& input, const VectorXd& displacement) {
     double twice = 0;
-    for (const CellRule& rule : structure_of(input)->rules) {
+    for (const CellRule& rule : input.structure->rules) {
         const std::vector<DisplacementAt> d = displacements(input, rule, element_basis(input, rule), displacement);
         const Eigen::MatrixX3d stress = weighted_stress(input, rule, d);
         for (std::size_t k = 0; k < d.size(); ++k) {
@@ -226,7 +225,7 @@ double weighted_strain_energy(const PartInput& input, const VectorXd& displaceme
 
 double largest_weighted_displacement(const PartInput& input, const VectorXd& displacement) {
     double largest = 0;
-    for (const CellRule& rule : structure_of(input)->rules)
+    for (const CellRule& rule : input.structure->rules)
         for (const DisplacementAt& d : displacements(input, rule, element_basis(input, rule), displacement))
             largest = std::max(largest, d.value.norm());
     return largest;

@@ -9,9 +9,7 @@
 #pragma once
 #include <array>
 #include <functional>
-#include <memory>
 #include <optional>
-#include <utility>
 
 #include "solver/assembly.hpp"
 
@@ -37,20 +35,6 @@ struct SolutionStructure {
     std::vector<CellRule> rules;
 };
 
-/// Of a part; null: none.
-template <class Input>
-const SolutionStructure* structure_of(const Input& input) {
-    if constexpr (requires { input.structure; })
-        return input.structure.get();
-    else
-        return nullptr;
-}
-
-template <class Input>
-void set_structure(Input& input, std::shared_ptr<const SolutionStructure> structure) {
-    if constexpr (requires { input.structure; }) input.structure = std::move(structure);
-}
-
 /// The functions of the two displacement components at a point, and what is there without them (phi).
 struct DisplacementBasis {
     PointBasis x;                 ///< of u_x; of u_y, too, where y is empty
@@ -71,7 +55,8 @@ struct WeightedStiffness {
     BlockMatrix stiffness;
     Eigen::VectorXd load;
 };
-/// Cost: of order (points of the rules) times (p + 1)^4, four to five times that of the plain functions (README).
+/// Cost: of order (points of the rules) times (p + 1)^4, besides the weights themselves. Measured for the whole assembly stage
+/// against Nitsche's method: 1.7 times with linear weights, 8 to 13 with those of curved edges.
 WeightedStiffness assemble_weighted(const PartInput& input);
 
 /// body_load and boundary_load on the weighted functions.

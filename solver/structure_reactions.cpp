@@ -56,8 +56,7 @@ std::vector<double> shares(const std::vector<const SupportSet*>& sets, const Vec
 
 void add_structure_reactions(const PartSystem& system, const VectorXd& displacement, const VectorXd& plain,
                              std::vector<Resultant>& reactions) {
-    VectorXd residual =
-        internal_forces(system.input, displacement) - system.applied - other_forces(system, displacement);
+    VectorXd residual = internal_forces(system.input, displacement) - system.applied - other_forces(system, displacement);
     if (plain.size() > 0) residual -= plain;
     for (int component = 0; component < 2; ++component) {
         std::vector<const SupportSet*> sets;

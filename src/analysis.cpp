@@ -452,7 +452,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
     result.multipliers = out.solved.solution.n_multipliers;
-    result.solver = {out.passes, out.factorizations, out.iterations, out.solved.condition, out.solved.solution.converged};
+    result.solver = {out.passes, out.factorizations, out.iterations, largest_condition(out.solved), out.solved.solution.converged};
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
     } else {

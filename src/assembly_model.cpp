@@ -80,14 +80,11 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
 /// Solver's input, supports and loads of every part on its grid.
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved) {
     for (PartOnGrid& g : solved.grids) {
-        solver::set_structure(g.input, make_structure(scene, conditions, g));
+        g.input.structure = make_structure(scene, conditions, g);
         solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
         const solver::PartSystem& system = solved.problem.parts.back();
         require_aligned(scene, g, system);
-        if (!system.failure.empty())
-            solved.failure = failure_of(scene, g, system);
-        else
-            solved.condition = std::max(solved.condition, system.factor.condition_estimate());
+        if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
         for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
             solved.problem.constraints.push_back(std::move(c));
     }
@@ -149,6 +146,13 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
             solved.runs.back() = contact_runs(solved.contacts[k].face.pressure, pressure_of(solved, k));
     }
     return solved;
+}
+
+double largest_condition(const SolvedAssembly& solved) {
+    double largest = 0;
+    for (const solver::PartSystem& system : solved.problem.parts)
+        if (system.failure.empty()) largest = std::max(largest, system.factor.condition_estimate());
+    return largest;
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

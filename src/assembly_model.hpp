@@ -28,7 +28,6 @@ struct SolvedAssembly {
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     std::vector<std::vector<ContactRun>> runs;  ///< by contact
-    double condition = 0;                       ///< largest of the parts'
     std::string failure;                        ///< not empty: not solvable, and why
     int refined_for_walls = 0;                  ///< parts whose grid had to be refined to hold the basis
     int limited_grids = 0;                      ///< parts whose grid is coarser than wanted, to bound the number of cells
@@ -44,6 +43,9 @@ using WantedSizes = std::vector<std::vector<WantedSize>>;
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds);
+
+/// Largest condition number of the parts' scaled matrices; costs about ten solves each.
+double largest_condition(const SolvedAssembly& solved);
 
 /// Sizes wanted before anything is known: cells along the closest portions of the candidates.
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);

@@ -105,7 +105,7 @@ void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Ve
     const solver::PartSystem& system = solved.problem.parts[part];
     const Frame& frame = solved.grids[part].frame;
     const Eigen::VectorXd& u = solved.solution.displacement[part];
-    const Eigen::VectorXd plain = structure_of(system.input) ? plain_load(solved, part) : Eigen::VectorXd();
+    const Eigen::VectorXd plain = system.input.structure ? plain_load(solved, part) : Eigen::VectorXd();
     const auto reactions = solver::support_reactions(system, u, solved.solution.load[part], plain);
     for (std::size_t k = 0; k < reactions.size(); ++k) {
         const solver::SupportRecord& record = system.supports[k];
@@ -113,7 +113,8 @@ void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Ve
         add(r, to_assembly(reactions[k], frame, about));
         add_words(r.method, name_of(record.method), ", ");
         add_words(r.why, record.why, "; ");
-        if (record.method != solver::SupportMethod::structure) continue;
+        const bool is_along_edges = !record.set.points.front().normal.isZero(0);
+        if (record.method != solver::SupportMethod::structure || !is_along_edges) continue;
         const Resultant stress = to_assembly(solver::traction_resultant(system.input, record.set, u), frame, about);
         r.force_from_stress = r.force_from_stress.value_or(Vec2(0, 0)) + stress.force;
     }
@@ -150,7 +151,8 @@ Totals totals(const SolvedAssembly& solved, const Vec2& about) {
 void warn_of_points(const Scene& scene, Result& result) {
     for (const Support& s : scene.supports) {
         if (s.kind != Support::Kind::points) continue;
-        result.warnings.push_back("part " + s.part + " is held at points: stresses have no limit there, and displacements depend on "
+        result.warnings.push_back("part " + s.part +
+                                  " is held at points: stresses have no limit there, and displacements depend on "
                                   "the size of the cells");
         return;
     }

@@ -50,7 +50,7 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
     }
     if (points.empty()) return;
     result.vector += boundary_load(g.input, points);
-    if (structure_of(g.input)) result.weighted += weighted_boundary_load(g.input, points);
+    if (g.input.structure) result.weighted += weighted_boundary_load(g.input, points);
     result.scale = std::max(result.scale, magnitude);
 }
 
@@ -62,7 +62,7 @@ void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, 
         return g.frame.vector_to_local(force);
     };
     result.vector += body_load(g.input, at_point);
-    if (structure_of(g.input)) result.weighted += weighted_body_load(g.input, at_point);
+    if (g.input.structure) result.weighted += weighted_body_load(g.input, at_point);
     result.scale = std::max(result.scale, largest * g.area * g.input.thickness);
 }
 
@@ -87,7 +87,7 @@ bool acts_on_volume_of(const Scene& scene, const Load& load, int part) {
 PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
     PartLoad result;
     result.vector = Eigen::VectorXd::Zero(2 * on_grid.input.space.n_functions);
-    if (structure_of(on_grid.input)) result.weighted = result.vector;
+    if (on_grid.input.structure) result.weighted = result.vector;
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
         if (is_edge_load(scene.loads[i]))
             add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);

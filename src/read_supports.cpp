@@ -106,7 +106,8 @@ void read_place(SceneReading& reading, const JsonValue& value, const JsonValue& 
 
 std::optional<Support> read_support(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, value, {{"on", "fix", "displacement", "symmetry", "roller", "part", "rigid", "at", "spring"}, {}}))
+    if (!check_object(reading, value,
+                      {{"on", "fix", "displacement", "symmetry", "roller", "part", "rigid", "at", "spring"}, {}}))
         return std::nullopt;
     if (reading.problems.size() > before) return std::nullopt;
     const JsonValue* what = exactly_one(reading, value, {"fix", "displacement", "symmetry", "roller", "rigid", "spring"});

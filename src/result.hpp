@@ -101,9 +101,9 @@ struct Reaction {
     int support = 0;     ///< index into Scene::supports
     std::string label;   ///< "fix x, y on base/bottom"
     std::string method;  ///< "aligned", "nitsche", "structure", "rigid", "spring"
-    std::string why;     ///< the method, in words
     Vec2 force{0, 0};
     double moment = 0;
+    std::string why{};                      ///< the method, in words
     std::optional<Vec2> force_from_stress;  ///< "structure": the same from the stresses along the edges, a second opinion
     std::optional<double> energy;           ///< "spring": stored in it
 };

@@ -97,7 +97,7 @@ Json contact(const ContactResult& c) {
 
 Json reaction(const Reaction& r) {
     Json j = {
-        {"support", r.support}, {"method", r.method}, {"why", r.why}, {"force", vector(r.force)}, {"moment", number(r.moment)}};
+        {"support", r.support}, {"force", vector(r.force)}, {"moment", number(r.moment)}, {"method", r.method}, {"why", r.why}};
     if (r.force_from_stress) j["force_from_stress"] = vector(*r.force_from_stress);
     if (r.energy) j["energy"] = number(*r.energy);
     return j;

@@ -35,7 +35,8 @@ bool is_asked_for(const Scene& scene) {
 std::vector<int> held_axes(const Support& support, const PartOnGrid& g, int edge) {
     const geometry::Curve& curve = g.local.edges[at(edge)].curve;
     if (support.kind == Support::Kind::symmetry) {
-        const auto axis = std::holds_alternative<geometry::Segment>(curve) ? grid_axis(outward_normal(curve, 0.5)) : std::nullopt;
+        const auto axis =
+            std::holds_alternative<geometry::Segment>(curve) ? grid_axis(outward_normal(curve, 0.5)) : std::nullopt;
         return axis ? std::vector<int>{*axis} : std::vector<int>{};
     }
     if (support.x && support.y) return {0, 1};
@@ -143,14 +144,51 @@ solver::CellRule full_cell_rule(const geometry::Grid& grid, int cell, int n) {
     return rule;
 }
 
-/// Rules of all elements, for the space's functions times linear weights, and extra points for others.
-std::vector<solver::CellRule> rules_of(const PartOnGrid& g, int extra) {
+/// Where weights have no derivatives: ends of held edges, and held points.
+std::vector<Vec2> kinks_of(const std::vector<HeldByWeight>& held, const PartOnGrid& g) {
+    std::vector<Vec2> kinks;
+    for (const HeldByWeight& h : held) {
+        kinks.insert(kinks.end(), h.points.begin(), h.points.end());
+        for (int e : h.edges)
+            for (double t : {0.0, 1.0}) kinks.push_back(point(g.local.edges[at(e)].curve, t));
+    }
+    return kinks;
+}
+
+/// Which cells have a kink in them or next to them.
+std::vector<char> cells_at(const std::vector<Vec2>& kinks, const geometry::Grid& grid) {
+    std::vector<char> is_at(grid.x.size() * grid.y.size(), 0);
+    const auto range = [](const std::vector<double>& lines, double v) {
+        const auto k = std::upper_bound(lines.begin(), lines.end(), v) - lines.begin() - 1;  // interval of v
+        const auto last = static_cast<std::ptrdiff_t>(lines.size()) - 2;
+        return std::pair(std::clamp<std::ptrdiff_t>(k - 1, 0, last), std::clamp<std::ptrdiff_t>(k + 1, 0, last));
+    };
+    const auto columns = static_cast<std::ptrdiff_t>(grid.x.size()) - 1;
+    for (const Vec2& p : kinks) {
+        const auto [i0, i1] = range(grid.x, p.x());
+        const auto [j0, j1] = range(grid.y, p.y());
+        for (auto j = j0; j <= j1; ++j)
+            for (auto i = i0; i <= i1; ++i) is_at[static_cast<std::size_t>(j * columns + i)] = 1;
+    }
+    return is_at;
+}
+
+/// Rules of all elements: exact for the space's functions times linear weights, with extra points for others.
+std::vector<solver::CellRule> rules_of(const PartOnGrid& g, const std::vector<HeldByWeight>& held, bool is_polynomial) {
     const int degree = std::max(g.input.space.x.degree, g.input.space.y.degree) + 1;
+    const int far = is_polynomial ? 0 : extra_points_elsewhere, near = is_polynomial ? 0 : extra_points_at_kinks;
+    const std::vector<char> at_kink = cells_at(kinks_of(held, g), g.cells.grid);
     std::vector<solver::CellRule> rules;
     for (int cell = 0; cell < g.input.space.n_cells(); ++cell)
-        if (g.input.space.fraction[at(cell)] == 1) rules.push_back(full_cell_rule(g.cells.grid, cell, degree + 1 + extra));
-    for (geometry::CellRule& rule : transformed_rules(g.local, g.cells, g.elements, degree, extra))
+        if (g.input.space.fraction[at(cell)] == 1)
+            rules.push_back(full_cell_rule(g.cells.grid, cell, degree + 1 + (at_kink[at(cell)] ? near : far)));
+    std::vector<geometry::CellRule> cut = transformed_rules(g.local, g.cells, g.elements, degree, far), finer;
+    if (near != far) finer = transformed_rules(g.local, g.cells, g.elements, degree, near);
+    for (std::size_t k = 0; k < cut.size(); ++k) {
+        const bool is_near = near != far && at_kink[at(g.elements.cell_of(cut[k].element))];
+        geometry::CellRule& rule = is_near ? finer[k] : cut[k];
         rules.push_back({rule.element, std::move(rule.points), std::move(rule.weights)});
+    }
     return rules;
 }
 
@@ -210,7 +248,7 @@ std::shared_ptr<const solver::SolutionStructure> make_structure(const Scene& sce
         if (data) structure->data[at(c)] = scalar_field(data, g.center);
         is_polynomial = is_polynomial && weight.is_linear && !data;
     }
-    structure->rules = rules_of(g, is_polynomial ? 0 : extra_weight_points);
+    structure->rules = rules_of(g, all, is_polynomial);
     check_finite(scene, g, *structure);
     return structure;
 }

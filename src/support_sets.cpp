@@ -122,8 +122,8 @@ bool holds(const HeldByWeight& held, int edge, int component) {
 }
 
 /// The portions on this part that no weight holds in a component.
-std::vector<EdgePortion> without_held(const std::vector<EdgePortion>& portions, const std::vector<HeldByWeight>& held, int support,
-                                      const PartOnGrid& g, const HeldComponent& component) {
+std::vector<EdgePortion> without_held(const std::vector<EdgePortion>& portions, const std::vector<HeldByWeight>& held,
+                                      int support, const PartOnGrid& g, const HeldComponent& component) {
     const auto by_weight = [&](int edge, int c) {
         return std::any_of(held.begin(), held.end(),
                            [&](const HeldByWeight& h) { return h.support == support && holds(h, edge, c); });
@@ -150,8 +150,7 @@ std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedCondition
         const int support = static_cast<int>(i);
         for (const HeldByWeight& h : held)
             if (h.support == support) sets.push_back(set_of(h, on_grid));
-        const std::string note =
-            may_align ? why_not_by_weight(scene, support, on_grid) : "accuracy.dirichlet asks for it";
+        const std::string note = may_align ? why_not_by_weight(scene, support, on_grid) : "accuracy.dirichlet asks for it";
         for (const HeldComponent& c : components_of(scene.supports[i]))
             append_sets(sets, on_grid, without_held(conditions.supports[i], held, support, on_grid, c), support, c, may_align,
                         note);

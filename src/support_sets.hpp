@@ -9,8 +9,8 @@
 
 namespace abut {
 
-/// Supports of one part along its boundary and in its points. SupportSet::tag is the index of the scene's support. What a part's
-/// structure holds (on_grid.input.structure, solution_structure.hpp) comes as sets that say so.
+/// Supports of one part along its boundary and in its points. SupportSet::tag is the index of the scene's support. What a
+/// part's structure holds (on_grid.input.structure, solution_structure.hpp) comes as sets that say so.
 std::vector<solver::SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions,
                                              const PartOnGrid& on_grid);
 

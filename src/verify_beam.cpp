@@ -38,15 +38,18 @@ VerifyProblem beam(const std::string& name, const std::string& about, Analysis a
     const Elastic m = elastic(analysis);
     if (analysis == Analysis::plane_strain) parameters["plane_strain"] = 1;
     const auto u = [m](const Vec2& p) { return displacement(p, m); };
-    return {name,
-            about,
-            {{"verification/cantilever.json", std::move(parameters), analysis}},
-            {{"v(48, 0)", [](const Answers& a) { return a[0].probes.at(0).displacement.y(); }, u({L, 0}).y(), tolerance},
-             {"sxx(0, 6)", [](const Answers& a) { return a[0].probes.at(1).stress.xx; }, stress({0, D / 2}).xx, tolerance},
-             {"strain energy", [](const Answers& a) { return a[0].strain_energy; }, energy(m), tolerance},
-             {"displacement, worst anywhere", [u](const Answers& a) { return largest_displacement_error(a[0], u); }, 0,
-              tolerance, 1},
-             {"stress, worst anywhere", [](const Answers& a) { return largest_stress_error(a[0], stress); }, 0, tolerance, 1}}};
+    // only degree 3 holds the stresses everywhere
+    const std::optional<double> everywhere = parameters.contains("p") ? std::optional(tolerance) : std::nullopt;
+    return {
+        name,
+        about,
+        {{"verification/cantilever.json", std::move(parameters), analysis}},
+        {{"v(48, 0)", [](const Answers& a) { return a[0].probes.at(0).displacement.y(); }, u({L, 0}).y(), tolerance},
+         {"sxx(0, 6)", [](const Answers& a) { return a[0].probes.at(1).stress.xx; }, stress({0, D / 2}).xx, tolerance},
+         {"strain energy", [](const Answers& a) { return a[0].strain_energy; }, energy(m), tolerance},
+         {"displacement, worst anywhere", [u](const Answers& a) { return largest_displacement_error(a[0], u); }, 0, tolerance,
+          1},
+         {"stress, worst anywhere", [](const Answers& a) { return largest_stress_error(a[0], stress); }, 0, everywhere, 1}}};
 }
 
 }  // namespace
@@ -54,13 +57,13 @@ VerifyProblem beam(const std::string& name, const std::string& about, Analysis a
 std::vector<VerifyProblem> beam_problems() {
     constexpr double quadratic = 1e-3, cubic = 1e-8;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
-    return {
-        beam("E2-quadratic", "cantilever, 4 cells of degree 2 over its height", ps, {}, quadratic),
-        beam("E2-quadratic-strain", "the same in plane strain", pe, {}, quadratic),
-        beam("E2-quadratic-turned", "the same on a grid turned by 11 degrees", ps, {{"grid_turn", 11}, {"ny", 5}}, quadratic),
-        beam("E2-cubic", "cantilever, degree 3", ps, {{"p", 3}}, cubic),
-        beam("E2-cubic-strain", "the same in plane strain", pe, {{"p", 3}}, cubic),
-        beam("E2-cubic-turned", "the same on a grid turned by 11 degrees", ps, {{"p", 3}, {"grid_turn", 11}}, cubic)};
+    return {beam("E2-quadratic", "cantilever, 4 cells of degree 2 over its height", ps, {}, quadratic),
+            beam("E2-quadratic-strain", "the same in plane strain", pe, {}, quadratic),
+            beam("E2-quadratic-turned", "the same with cells a sixth as large, turned by 11 degrees", ps,
+                 {{"grid_turn", 11}, {"nx", 96}, {"ny", 32}}, quadratic),
+            beam("E2-cubic", "cantilever, degree 3", ps, {{"p", 3}}, cubic),
+            beam("E2-cubic-strain", "the same in plane strain", pe, {{"p", 3}}, cubic),
+            beam("E2-cubic-turned", "the same on a grid turned by 11 degrees", ps, {{"p", 3}, {"grid_turn", 11}}, cubic)};
 }
 
 }  // namespace abut

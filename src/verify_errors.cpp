@@ -9,13 +9,12 @@ namespace abut {
 
 namespace {
 
-/// The points of the answer that belong to the part: samples of cut cells reach beyond it.
-std::vector<FieldSample> points_of(const Result& result, bool with_boundary) {
+/// The points of the answer that belong to the parts, and of their boundaries: samples of cut cells reach beyond.
+std::vector<FieldSample> points_of(const Result& result) {
     std::vector<FieldSample> points;
     for (std::size_t i = 0; i < result.fields.size(); ++i) {
         for (const FieldSample& s : result.fields[i].samples)
             if (contains(result.geometry[i], s.at)) points.push_back(s);
-        if (!with_boundary) continue;
         for (const auto& loop : result.fields[i].boundary) points.insert(points.end(), loop.begin(), loop.end());
     }
     return points;
@@ -33,7 +32,7 @@ Stress difference(const Stress& a, const Stress& b) {
 
 double largest_displacement_error(const Result& result, const ExactDisplacement& exact) {
     double error = 0, size = 0;
-    for (const FieldSample& s : points_of(result, true)) {
+    for (const FieldSample& s : points_of(result)) {
         error = std::max(error, (s.displacement - exact(s.at)).norm());
         size = std::max(size, exact(s.at).norm());
     }
@@ -42,20 +41,11 @@ double largest_displacement_error(const Result& result, const ExactDisplacement&
 
 double largest_stress_error(const Result& result, const ExactStress& exact) {
     double error = 0, size = 0;
-    for (const FieldSample& s : points_of(result, true)) {
+    for (const FieldSample& s : points_of(result)) {
         error = std::max(error, size_of(difference(s.stress, exact(s.at))));
         size = std::max(size, size_of(exact(s.at)));
     }
     return error / size;
-}
-
-double mean_displacement_error(const Result& result, const ExactDisplacement& exact) {
-    double error = 0, size = 0;
-    for (const FieldSample& s : points_of(result, false)) {
-        error += (s.displacement - exact(s.at)).squaredNorm();
-        size += exact(s.at).squaredNorm();
-    }
-    return std::sqrt(error / size);
 }
 
 double largest_on_circle(const Result& result, double radius, const std::function<double(const FieldSample&)>& value) {

@@ -15,10 +15,6 @@ using ExactStress = std::function<Stress(const Vec2&)>;  ///< xx, yy, xy; zz is 
 double largest_displacement_error(const Result& result, const ExactDisplacement& exact);
 double largest_stress_error(const Result& result, const ExactStress& exact);
 
-/// Root of the mean square over the inner points, which are spread evenly where the cells are: the L2 norm, as a fraction of
-/// that of the exact displacement.
-double mean_displacement_error(const Result& result, const ExactDisplacement& exact);
-
 /// Largest value over the boundary's points at this distance from the origin.
 double largest_on_circle(const Result& result, double radius, const std::function<double(const FieldSample&)>& value);
 

@@ -63,7 +63,7 @@ std::vector<VerifyRun> sliver_runs(const std::string& scene, double turn, std::o
 constexpr double gxy = 1.5e-3;
 
 void append_shape(std::vector<VerifyProblem>& problems, const std::string& shape, double turn, double tolerance) {
-    const std::string where = "constant stress in a " + shape + " on 16 grids with slivers down to 1e-8 of a cell, ";
+    const std::string where = "constant stress, " + shape + " on 16 grids with slivers down to 1e-8 of a cell, ";
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     problems.push_back({"E1-a-" + shape, where + "displacements prescribed all round",
                         sliver_runs("patch_" + shape + "_held", turn, {}), patch_errors(exact_with_nitsche, ps, gxy)});

@@ -187,7 +187,7 @@ constexpr int n_kinds = n_slotted_kinds + n_part_kinds;
 double area_tolerance(const Part& part) {
     const bool straight = std::all_of(part.edges.begin(), part.edges.end(),
                                       [](const Edge& e) { return std::holds_alternative<Segment>(e.curve); });
-    return straight ? 1e-10 : 1e-3;
+    return straight ? 1e-10 : 1e-2;
 }
 
 /// Each case has a seed of its own, so that one can be run alone.

@@ -227,20 +227,22 @@ TEST(Mesh, ComponentsOf3mfAreNestedPlacedAndNumbered) {
     EXPECT_FALSE(has_repair(file, "inside out")) << "a mirrored instance is no fault of the file";
 }
 
+/// A tetrahedron of edge 8 mm, twice.
+const std::string collada_text =
+    "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
+    "<asset><unit name=\"millimeter\" meter=\"0.001\"/><up_axis>Z_UP</up_axis></asset><library_geometries>"
+    "<geometry id=\"g\" name=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" count=\"12\">0 0 0 8 0 0 0 8 0 0 0 8"
+    "</float_array><technique_common><accessor source=\"#pa\" count=\"4\" stride=\"3\"><param name=\"X\" type=\"float\"/>"
+    "<param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common></source>"
+    "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"4\">"
+    "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 2 1 0 1 3 1 2 3 0 3 2</p></triangles></mesh></geometry>"
+    "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n1\" name=\"wedge\">"
+    "<instance_geometry url=\"#g\"/></node><node id=\"n2\" name=\"wedge\"><translate>0 0 100</translate>"
+    "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
+    "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
+
 TEST(Mesh, NodesOfColladaArePlacedAndBroughtToMetres) {
-    const std::string text =
-        "<?xml version=\"1.0\"?><COLLADA xmlns=\"http://www.collada.org/2005/11/COLLADASchema\" version=\"1.4.1\">"
-        "<asset><unit name=\"millimeter\" meter=\"0.001\"/><up_axis>Z_UP</up_axis></asset><library_geometries>"
-        "<geometry id=\"g\" name=\"g\"><mesh><source id=\"p\"><float_array id=\"pa\" count=\"12\">0 0 0 8 0 0 0 8 0 0 0 8"
-        "</float_array><technique_common><accessor source=\"#pa\" count=\"4\" stride=\"3\"><param name=\"X\" type=\"float\"/>"
-        "<param name=\"Y\" type=\"float\"/><param name=\"Z\" type=\"float\"/></accessor></technique_common></source>"
-        "<vertices id=\"v\"><input semantic=\"POSITION\" source=\"#p\"/></vertices><triangles count=\"4\">"
-        "<input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 2 1 0 1 3 1 2 3 0 3 2</p></triangles></mesh></geometry>"
-        "</library_geometries><library_visual_scenes><visual_scene id=\"s\"><node id=\"n1\" name=\"wedge\">"
-        "<instance_geometry url=\"#g\"/></node><node id=\"n2\" name=\"wedge\"><translate>0 0 100</translate>"
-        "<instance_geometry url=\"#g\"/></node></visual_scene></library_visual_scenes>"
-        "<scene><instance_visual_scene url=\"#s\"/></scene></COLLADA>";
-    const MeshFile file = read("a.dae", text);
+    const MeshFile file = read("a.dae", collada_text);
     EXPECT_EQ(file.unit, "m");
     ASSERT_EQ(names_of(file), (std::vector<std::string>{"wedge", "wedge#1"}));
     EXPECT_NEAR(signed_volume(file.bodies[0]), 512e-9 / 6, 1e-6 * 512e-9 / 6);
@@ -270,10 +272,92 @@ TEST(Mesh, DamagedFilesAreRefusedInOneLine) {
     EXPECT_THROW(read_mesh_file("/nowhere/a.stl"), InputError);
 }
 
+/// Binary, of either byte order.
+std::string ply_bytes(const Mesh& mesh, bool is_big) {
+    std::string bytes = ply_text(mesh);
+    bytes.erase(bytes.find("end_header\n") + 11);
+    bytes.replace(bytes.find("ascii"), 5, is_big ? "binary_big_endian" : "binary_little_endian");
+    const auto append = [&](auto value) {
+        std::string raw;
+        append_bytes(raw, value);
+        if (is_big) std::reverse(raw.begin(), raw.end());
+        bytes += raw;
+    };
+    for (const Vec3& v : mesh.vertices)
+        for (int k = 0; k < 3; ++k) append(static_cast<float>(v[k]));
+    for (const auto& t : mesh.triangles) {
+        append(static_cast<unsigned char>(3));
+        for (int i : t) append(i);
+    }
+    return bytes;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(Mesh, BinaryPlyIsReadInEitherByteOrder) {
+    const Mesh given = prism(regular_polygon({2, 3}, 5, 12), -1, 1);
+    for (bool is_big : {false, true}) {
+        const MeshFile file = read("a.ply", ply_bytes(given, is_big));
+        ASSERT_EQ(file.bodies.size(), 1u);
+        EXPECT_NEAR(signed_volume(file.bodies[0]), signed_volume(given), 1e-4);
+    }
+}
+
+/// assimp reads beyond the end of the first, asserts at others, and never comes back from the last.
+TEST(Mesh, DamageThatLibrariesFallOverIsRefusedBeforehand) {
+    const Mesh given = prism(regular_polygon({2, 3}, 5, 12), -1, 1, "knob");
+    const std::string text = ply_text(given);
+    for (bool is_big : {false, true}) {
+        const std::string bytes = ply_bytes(given, is_big);
+        for (std::size_t length = bytes.size() - 1; length > bytes.find("end_header") + 11; length -= 13)
+            EXPECT_NE(refusal("a.ply", bytes.substr(0, length)).find("truncated"), std::string::npos) << length;
+        std::string far = bytes;
+        far[far.size() - (is_big ? 2 : 3)] = 7;
+        EXPECT_NE(refusal("a.ply", far).find("not there"), std::string::npos);
+    }
+    EXPECT_NE(refusal("a.ply", replaced(text, "\n3 0 1 13", "\n3 0 1 24")).find("not there"), std::string::npos);
+    EXPECT_NE(refusal("a.ply", replaced(text, "\n3 0 1 13", "\n4 0 1 13")).find("too few"), std::string::npos);
+    EXPECT_NE(refusal("a.ply", replaced(text, "\n3 0 1 13", "\n3 0 x 13")).find("too few"), std::string::npos);
+    EXPECT_NE(refusal("a.ply", replaced(text, "float y", "f\x01oat y")).find("no known type"), std::string::npos);
+    EXPECT_NE(refusal("a.gltf", text).find("no glTF"), std::string::npos) << "assimp would read it as what it is, in metres";
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{{" count=\"12\"", ""},
+                                                                                   {"\"12\"", "\"13\""},
+                                                                                   {"\"12\"", "\"99999999999\""},
+                                                                                   {" source=\"#v\"", ""},
+                                                                                   {" url=\"#g\"", ""},
+                                                                                   {"0 0 100", "0 100"},
+                                                                                   {"0 2 1", "0 2 -1"},
+                                                                                   {"0 2 1", "0 \x04 1"}})
+        EXPECT_NE(refusal("a.dae", replaced(collada_text, from, to)).find("damaged"), std::string::npos) << from << to;
+}
+
+TEST(Mesh, SpacesBelongToNamesInObj) {
+    const Mesh box2 = box({2, 0, 0}, {3, 1, 1}, "left  pad ");
+    Mesh box1 = unit_box;
+    box1.name = "left jaw #2";
+    const MeshFile file = read("a.obj", obj_text({box1, box2}));
+    EXPECT_EQ(names_of(file), (std::vector<std::string>{"left jaw #2", "left  pad"}));
+    std::string groups = obj_text({box1, box2});
+    for (std::size_t at = groups.find("o left"); at != std::string::npos; at = groups.find("o left")) groups[at] = 'g';
+    EXPECT_EQ(names_of(read("b.obj", groups)), (std::vector<std::string>{"left jaw #2", "left  pad"}));
+}
+
+TEST(Mesh, CoordinatesTooFarAwayForTheirPrecisionAreTold) {
+    for (const auto& [away, is_told] :
+         {std::pair{0.0, false}, std::pair{100.0, false}, std::pair{1e4, true}, std::pair{1e6, true}}) {
+        Mesh far = unit_box;
+        for (Vec3& v : far.vertices) v.x() += away;
+        EXPECT_EQ(has_repair(read("a.stl", stl_bytes(far)), "far from the origin"), is_told) << away;
+    }
+}
+
 TEST(Mesh, FilesWithSomeBytesWrongAreReadOrRefused) {
     const Mesh given = prism(regular_polygon({2, 3}, 5, 12), -1, 1, "knob");
     const std::vector<std::pair<std::string, std::string>> files = {
-        {"a.stl", stl_bytes(given)}, {"a.stl", stl_text(given)}, {"a.obj", obj_text({given})}, {"a.ply", ply_text(given)}};
+        {"a.stl", stl_bytes(given)}, {"a.stl", stl_text(given)},         {"a.obj", obj_text({given})},
+        {"a.ply", ply_text(given)},  {"a.ply", ply_bytes(given, false)}, {"a.dae", collada_text}};
     std::mt19937 random(2);
     int n_refused = 0;
     for (const auto& [name, whole] : files)
@@ -286,7 +370,7 @@ TEST(Mesh, FilesWithSomeBytesWrongAreReadOrRefused) {
             } catch (const InputError&) { ++n_refused; }
         }
     EXPECT_GT(n_refused, 0);
-    EXPECT_LT(n_refused, 80);
+    EXPECT_LT(n_refused, 120);
 }
 
 TEST(Mesh, EndingsTell) {

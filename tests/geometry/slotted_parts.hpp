@@ -10,9 +10,9 @@ inline double random_width(double most, Random& random) {
     return most * std::pow(10.0, -9 * between(0, 1, random));
 }
 
-/// Of an arm: 1e-6 to 1 of `most`. Where thinner ones pass a corner of a cell, they may be below sliver_fraction of it.
+/// Of an arm: 1e-4 to 1 of `most`. Where thinner ones pass a corner of a cell, they may be below sliver_fraction of it.
 inline double random_thickness(double most, Random& random) {
-    return most * std::pow(10.0, -6 * between(0, 1, random));
+    return most * std::pow(10.0, -4 * between(0, 1, random));
 }
 
 inline Part polygon_part(const Polygon& outline) {

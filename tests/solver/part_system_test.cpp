@@ -218,4 +218,31 @@ TEST(PartSystem, TellsThatAStiffnessIsNotPositiveDefinite) {
     EXPECT_NE(test::system_of(part, {held(GridSide::left, 0), held(GridSide::left, 1)}, unloaded).failure, "");
 }
 
+/// A material that shears the wrong way: the factorisation ends, and says where and what that means.
+TEST(PartSystem, SaysWhereTheFactorisationEnded) {
+    Elasticity wrong = plane_stress(1000, 0.3);
+    wrong.d33 = -300;
+    const PartInput part = test::rectangle(2, 1, 4, 3, 2, true, wrong);
+    const PartSystem s = test::system_of(part, {held(GridSide::left, 0), held(GridSide::left, 1)}, unloaded);
+    EXPECT_NE(s.failure.find("not positive definite"), std::string::npos) << s.failure;
+    EXPECT_NE(s.failure.find("; "), std::string::npos) << "what to do: " << s.failure;
+    ASSERT_TRUE(s.failed_at.has_value());
+    const int component = s.failed_at->component;
+    bool is_a_function = false;
+    for (int f = 0; f < part.space.n_functions; ++f)
+        is_a_function |=
+            greville_point(part.space, f) == s.failed_at->at && !s.dropped[static_cast<std::size_t>(2 * f + component)];
+    EXPECT_TRUE(is_a_function);
+}
+
+TEST(PartSystem, SaysWhyASupportIsImposedAsItIs) {
+    const PartSystem s = test::system_of(plate,
+                                         {held(GridSide::left, 0), test::side_support(plate.space, GridSide::bottom, 0, 0.1),
+                                          test::by_nitsche(held(GridSide::left, 1))},
+                                         unloaded);
+    EXPECT_NE(s.supports[0].why.find("exact"), std::string::npos);
+    EXPECT_NE(s.supports[1].why.find("prescribes another value"), std::string::npos) << s.supports[1].why;
+    EXPECT_NE(s.supports[2].why.find("outermost lines"), std::string::npos) << s.supports[2].why;
+}
+
 }  // namespace abut::solver

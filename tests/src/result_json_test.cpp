@@ -37,7 +37,7 @@ TEST(ResultJson, HasTheKeysOfTheContractInItsOrder) {
               (Names{"parts", "between", "edges", "kind", "interface", "status", "initial_gap", "force", "moment",
                      "contact_length", "ends", "max_pressure", "max_penetration", "error_estimate", "profile"}));
     EXPECT_EQ(keys(j["contacts"][0]["profile"]), (Names{"edge", "s", "x", "y", "pressure", "gap"}));
-    EXPECT_EQ(keys(j["reactions"][0]), (Names{"support", "force", "moment"}));
+    EXPECT_EQ(keys(j["reactions"][0]), (Names{"support", "force", "moment", "method", "why"}));
     EXPECT_EQ(keys(j["probes"][0]), (Names{"part", "at", "displacement", "stress"}));
     EXPECT_EQ(keys(j["probes"][0]["stress"]), (Names{"xx", "yy", "xy", "zz"}));
 }
