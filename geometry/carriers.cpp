@@ -133,7 +133,8 @@ std::vector<double> breaks_of(const Carrier& carrier, int index, const std::vect
     std::sort(ends.begin(), ends.end());
     for (const double t : ends)
         if (breaks.empty() || length(carrier.curve, breaks.back(), t) > same) breaks.push_back(t);
-    if (breaks.size() > 1 && breaks.back() != 1.0) breaks.back() = 1.0;
+    if (breaks.size() == 1) breaks.push_back(1.0);  // shorter than `same` next to something huge: followed all the same
+    breaks.back() = 1.0;
     return breaks;
 }
 

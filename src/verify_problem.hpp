@@ -31,22 +31,23 @@ struct Quantity {
 };
 
 struct VerifyProblem {
-    std::string name;   ///< "E4-quarter"; the group is what stands before the first '-'
-    std::string about;  ///< one line
-    std::vector<VerifyRun> runs;
+    std::string name;             ///< "E4-quarter"; the group is what stands before the first '-'
+    std::string about;            ///< one line
+    std::vector<VerifyRun> runs;  ///< empty: the quantities need no scene
     std::vector<Quantity> quantities;
     bool expects_failure = false;  ///< the analysis is to fail, and its message is what is looked at
 };
 
 /// The problems of each kind, in order of their names.
-std::vector<VerifyProblem> patch_problems();       ///< E1, E6: fields that the splines hold exactly
-std::vector<VerifyProblem> beam_problems();        ///< E2
-std::vector<VerifyProblem> plate_problems();       ///< E3
-std::vector<VerifyProblem> ring_problems();        ///< E4, E10, and the disc of E5
-std::vector<VerifyProblem> membrane_problems();    ///< E8
-std::vector<VerifyProblem> corner_problems();      ///< E9
-std::vector<VerifyProblem> half_plane_problems();  ///< E13
-std::vector<VerifyProblem> contact_problems();     ///< C and S
-std::vector<VerifyProblem> support_problems();     ///< what holds a part and what does not
+std::vector<VerifyProblem> patch_problems();        ///< E1, E6: fields that the splines hold exactly
+std::vector<VerifyProblem> beam_problems();         ///< E2
+std::vector<VerifyProblem> plate_problems();        ///< E3
+std::vector<VerifyProblem> ring_problems();         ///< E4, E10, and the disc of E5
+std::vector<VerifyProblem> membrane_problems();     ///< E8
+std::vector<VerifyProblem> corner_problems();       ///< E9
+std::vector<VerifyProblem> half_plane_problems();   ///< E13
+std::vector<VerifyProblem> spline_beam_problems();  ///< E14
+std::vector<VerifyProblem> contact_problems();      ///< C and S
+std::vector<VerifyProblem> support_problems();      ///< what holds a part and what does not
 
 }  // namespace abut

@@ -15,8 +15,9 @@ namespace {
 
 std::vector<VerifyProblem> all_problems() {
     std::vector<VerifyProblem> all;
-    for (const auto& group : {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(),
-                              corner_problems(), half_plane_problems(), contact_problems(), support_problems()})
+    for (const auto& group :
+         {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(), corner_problems(),
+          half_plane_problems(), spline_beam_problems(), contact_problems(), support_problems()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

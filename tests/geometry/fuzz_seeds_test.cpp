@@ -153,6 +153,17 @@ TEST(FuzzSeeds, blocks_nest_beside_what_is_large) {
     }
 }
 
+/// An ellipse shorter than what counts as one point of the model was followed by no arc at all.
+TEST(FuzzSeeds, an_ellipse_inside_a_huge_circle_is_seen) {
+    const std::string text = bytes_of(seeds / "scene/ellipse_inside_a_huge_circle.json");
+    EXPECT_THROW((void)read_scene_text(text, "huge.json"), InputError) << "nothing is left";
+    const std::size_t radius = text.find("1e91");
+    ASSERT_NE(radius, std::string::npos);
+    const Scene small = read_scene_text(std::string(text).replace(radius, 4, "1"), "small.json");
+    ASSERT_EQ(small.parts.size(), 1U);
+    EXPECT_EQ(small.parts[0].part.edges.size(), 2U);
+}
+
 TEST(FuzzSeeds, faults_of_parts_are_seen) {
     EXPECT_EQ(fault_of_part(square(2)), "");
     geometry::Part part = square(2);

@@ -218,7 +218,7 @@ TEST(Beam, EndMomentBendsItToAParabola) {
 }
 
 TEST(Beam, ForcesAndMomentsAreReciprocal) {
-    // [Maxwell]: of the discrete solution, too; a force does work on the deflection, a moment on the slope
+    // Maxwell: of the discrete solution, too; a force does work on the deflection, a moment on the slope
     Random random;
     for (int k = 0; k < 50; ++k) {
         Beam beam = random_beam(random);
