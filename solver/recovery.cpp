@@ -2,7 +2,10 @@
 #include "solver/recovery.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
+
+#include "solver/solution_structure.hpp"
 
 namespace abut::solver {
 
@@ -96,6 +99,20 @@ Samples full_cell_samples(const SplineSpace& s, int element, const std::vector<d
     return samples;
 }
 
+/// Quadrature points as samples, their weights relative to the cell's area: they make the fit one in the mean square over the
+/// part, which leaves no function open however little of the part it holds.
+void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement) {
+    const std::vector<CellRule>& rules = input.structure ? input.structure->rules : input.cut_rules;
+    for (const CellRule& rule : rules) {
+        const auto c = static_cast<std::size_t>(space.column_of(rule.element)), r = static_cast<std::size_t>(space.row_of(rule.element));
+        const double area =
+            (space.x.breakpoints[c + 1] - space.x.breakpoints[c]) * (space.y.breakpoints[r + 1] - space.y.breakpoints[r]);
+        Samples samples{rule.points, rule.weights};
+        for (double& w : samples.weights) w /= area;
+        add_element(eq, input, space, displacement, rule.element, samples);
+    }
+}
+
 /// One less than the displacement's, as its stresses have. But where they are a whole order better at the Gauss points, a
 /// spline of one degree less would lose that again.
 int stress_degree(int degree, bool gauss_points_are_better) {
@@ -129,7 +146,11 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
         if (!samples[element].points.empty())
             add_element(eq, input, field.space, displacement, static_cast<int>(element), samples[element]);
 
-    const Factorization factor(assembled(eq.entries, field.space.n_functions));
+    Factorization factor(assembled(eq.entries, field.space.n_functions));
+    if (!factor.ok()) {  // parts of few cells, all cut, with hardly a sample in some
+        add_rules(eq, input, field.space, displacement);
+        factor = Factorization(assembled(eq.entries, field.space.n_functions));
+    }
     if (!factor.ok()) {
         field.failure = "the stress fit is singular";
         return field;
@@ -140,6 +161,7 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
 }
 
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) {
+    if (!field.failure.empty()) return Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
     const PointBasis b = evaluate(field.space, element, x);
     Eigen::Vector3d s = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < b.functions.size(); ++i)

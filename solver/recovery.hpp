@@ -22,11 +22,12 @@ struct StressField {
 };
 
 /// inside: lines of the sample points of a full cell on [0, 1] (Gauss points of order p - 1; the corners are added here);
-/// cut: sample points of the cut cells, inside the part or on its boundary.
+/// cut: sample points of the cut cells, inside the part or on its boundary. Where they leave a function open (parts of few
+/// cells, all cut), the quadrature points of the cut cells are sampled, too.
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
                        const std::vector<SamplePoint>& cut);
 
-/// (xx, yy, xy, zz) at a point of an element.
+/// (xx, yy, xy, zz) at a point of an element; not numbers where the fit has failed.
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x);
 
 }  // namespace abut::solver

@@ -100,7 +100,9 @@ int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local) {
 
 std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
     const geometry::Grid& grid = on_grid.cells.grid;
-    const geometry::GaussRule& line = geometry::gauss_rule(3);
+    // as many as the fit has coefficients in a cell, so that even a quarter of one, alone, determines them
+    const int degree = std::max(on_grid.input.space.x.degree, on_grid.input.space.y.degree);
+    const geometry::GaussRule &line = geometry::gauss_rule(degree + 1), &along = geometry::gauss_rule(std::max(2, degree));
     const auto pieces = geometry::monotone_pieces(on_grid.local);
     std::vector<std::pair<int, Vec2>> samples;
     for (std::size_t c = 0; c < on_grid.cells.cell_class.size(); ++c) {
@@ -117,7 +119,7 @@ std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
         const geometry::BoundaryPiece& piece = on_grid.cells.pieces[k];
         if (on_grid.cells.cell_class[static_cast<std::size_t>(piece.cell)] != geometry::CellClass::boundary) continue;
         const geometry::Curve& curve = on_grid.local.edges[static_cast<std::size_t>(piece.edge)].curve;
-        for (double u : geometry::gauss_rule(2).points)
+        for (double u : along.points)
             samples.emplace_back(on_grid.elements.of_piece[k], point(curve, piece.t0 + u * (piece.t1 - piece.t0)));
     }
     return samples;

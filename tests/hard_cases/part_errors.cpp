@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/hard_cases/part_errors.hpp"
 
+#include <stdexcept>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
@@ -84,6 +85,7 @@ Fields fields_at(const solver::SplineSpace& space, const Eigen::MatrixX2d& c, co
 
 std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eigen::VectorXd& u) {
     const solver::StressField stress = stress_field(g, u);
+    if (!stress.failure.empty()) throw std::runtime_error(stress.failure + " (" + std::to_string(g.input.space.n_functions) + " functions)");
     const Eigen::MatrixX2d c = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(u.data(), u.size() / 2, 2);
     std::vector<At> all;
     for (const CellRule& rule : rules_of(g, problem.degree)) {

@@ -82,7 +82,7 @@ Part ring(double inner, double outer) {
 
 Part plate_with_splines() {
     const Vec2 lower(1.31, 0), upper(1.31, 1.17);
-    Part part = part_of({Segment{{0, 0}, lower}, geometry::bezier_curve({lower, {1.55, 0.35}, {1.2, 0.8}, upper}, {}),
+    Part part = part_of({Segment{{0, 0}, lower}, geometry::bezier_curve({lower, {1.31, 0.35}, {1.08, 0.8}, upper}, {}),
                          Segment{upper, {0, 1.17}}, Segment{{0, 1.17}, {0, 0}}});
     add_spline_hole(part, {0.87, 0.47}, 0.17);
     return with_hole(std::move(part), {0.37, 0.72}, 0.19);

@@ -25,7 +25,7 @@ geometry::Part ring_quarter(double inner, double outer);
 geometry::Part ring(double inner, double outer);
 
 /// A rectangle with its corner in the origin, with a round hole, a hole of two cubic Bezier curves, and a right side that is
-/// one. Edges 0 bottom, 1 right, 2 top, 3 left.
+/// one, curved inwards. Edges 0 bottom, 1 right, 2 top, 3 left.
 geometry::Part plate_with_splines();
 
 geometry::Part with_hole(geometry::Part part, const Vec2& center, double radius);
