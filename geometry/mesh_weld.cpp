@@ -45,32 +45,40 @@ std::vector<int> exact_twins(const std::vector<Vec3>& vertices) {
     return twin;
 }
 
-/// Points kept so far, by cells as wide as the length.
+/// A cell is so many times as wide as the length: points have few cells within the length then, mostly their own, and cells
+/// few points.
+constexpr double cell_width = 8;
+
+/// Points kept so far, by cells.
 class Grid {
 public:
     Grid(const std::vector<Vec3>& vertices, double length) : vertices_(vertices), length_(length) {}
 
-    /// The kept vertex nearest to the place, no farther than the length; -1: none.
+    /// The kept vertex nearest to the place, no farther than the length (of several as near the first); -1: none.
     int nearest(const Vec3& p) const {
         int best = -1;
         double least = length_;
-        const Cell middle = cell_of(p);
-        for (int k = 0; k < 27; ++k) {
-            const auto found = cells_.find({middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1});
-            if (found == cells_.end()) continue;
-            for (int i : found->second) {
-                const double d = (vertices_[static_cast<std::size_t>(i)] - p).norm();
-                if (d < least || (d <= least && best < 0)) best = i, least = d;
-            }
-        }
+        const Cell low = cell_of(p - Vec3::Constant(length_)), high = cell_of(p + Vec3::Constant(length_));
+        for (std::int64_t x = low[0]; x <= high[0]; ++x)
+            for (std::int64_t y = low[1]; y <= high[1]; ++y)
+                for (std::int64_t z = low[2]; z <= high[2]; ++z) look_into({x, y, z}, p, best, least);
         return best;
     }
     void keep(int i) { cells_[cell_of(vertices_[static_cast<std::size_t>(i)])].push_back(i); }
 
 private:
+    void look_into(const Cell& cell, const Vec3& p, int& best, double& least) const {
+        const auto found = cells_.find(cell);
+        if (found == cells_.end()) return;
+        for (int i : found->second) {
+            const double d = (vertices_[static_cast<std::size_t>(i)] - p).norm();
+            if (d < least || (d == least && (best < 0 || i < best))) best = i, least = d;
+        }
+    }
     Cell cell_of(const Vec3& p) const {
         Cell c;
-        for (int k = 0; k < 3; ++k) c[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(p[k] / length_));
+        for (int k = 0; k < 3; ++k)
+            c[static_cast<std::size_t>(k)] = static_cast<std::int64_t>(std::floor(p[k] / (cell_width * length_)));
         return c;
     }
     const std::vector<Vec3>& vertices_;

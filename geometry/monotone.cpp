@@ -25,22 +25,6 @@ Vec2 joint(const Curve& curve, double t) {
     return {arc->center.x(), arc->center.y() + std::copysign(arc->radius, d.y())};
 }
 
-MonotonePiece make_piece(int edge, const Curve& curve, double t0, double t1, const Vec2& from, const Vec2& to) {
-    MonotonePiece piece{edge, t0, t1, from, to};
-    if (const auto* arc = std::get_if<Arc>(&curve)) {
-        const Vec2 d = point(curve, 0.5 * (t0 + t1)) - arc->center;
-        piece.is_arc = true;
-        piece.center = arc->center;
-        piece.radius = arc->radius;
-        piece.x_side = d.x() < 0 ? -1 : 1;
-        piece.y_side = d.y() < 0 ? -1 : 1;
-    } else if (!std::holds_alternative<Segment>(curve)) {
-        piece.is_general = true;
-        piece.curve = curve;
-    }
-    return piece;
-}
-
 /// Parameters in (0, 1), ascending, where pieces of a curve end.
 std::vector<double> joints(const Curve& curve) {
     std::vector<double> cuts = axis_extrema(curve);
@@ -58,11 +42,11 @@ void append_edge(std::vector<MonotonePiece>& pieces, int e, const Curve& curve, 
     Vec2 at = begin;
     for (double next : joints(curve)) {
         const Vec2 p = joint(curve, next);
-        pieces.push_back(make_piece(e, curve, t, next, at, p));
+        pieces.push_back(monotone_piece(e, curve, t, next, at, p));
         t = next;
         at = p;
     }
-    pieces.push_back(make_piece(e, curve, t, 1, at, end));
+    pieces.push_back(monotone_piece(e, curve, t, 1, at, end));
 }
 
 double parameter_on_arc(const MonotonePiece& piece, const Vec2& p, const Arc& arc) {
@@ -142,6 +126,22 @@ void for_slabs_of_pieces(const SlabbedPieces& slabs, Visit visit) {
 }
 
 }  // namespace
+
+MonotonePiece monotone_piece(int edge, const Curve& curve, double t0, double t1, const Vec2& from, const Vec2& to) {
+    MonotonePiece piece{edge, t0, t1, from, to};
+    if (const auto* arc = std::get_if<Arc>(&curve)) {
+        const Vec2 d = point(curve, 0.5 * (t0 + t1)) - arc->center;
+        piece.is_arc = true;
+        piece.center = arc->center;
+        piece.radius = arc->radius;
+        piece.x_side = d.x() < 0 ? -1 : 1;
+        piece.y_side = d.y() < 0 ? -1 : 1;
+    } else if (!std::holds_alternative<Segment>(curve)) {
+        piece.is_general = true;
+        piece.curve = curve;
+    }
+    return piece;
+}
 
 std::vector<MonotonePiece> monotone_pieces(const Part& part) {
     std::vector<MonotonePiece> pieces;

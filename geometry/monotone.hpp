@@ -28,6 +28,9 @@ struct MonotonePiece {
 /// Loop by loop, head to tail. A part without loops counts as one loop of all its edges in order.
 std::vector<MonotonePiece> monotone_pieces(const Part& part);
 
+/// The portion [t0, t1] of a curve, which must be monotone in x and in y, with its end points.
+MonotonePiece monotone_piece(int edge, const Curve& curve, double t0, double t1, const Vec2& from, const Vec2& to);
+
 /// The one-variable forms; clamped to the piece's end coordinates. On a piece along the other axis (from.x = to.x for y_at)
 /// they are undefined.
 double y_at(const MonotonePiece& piece, double x);

@@ -61,11 +61,12 @@ Drawing read_dxf(const std::string& path);
 enum class PartsBy { automatic, layer, block, loop, color };
 
 struct SketchOptions {
-    double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal
+    double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal or total length
     PartsBy parts_by = PartsBy::automatic;
     bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
 };
-/// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined.
+/// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined, or of the total length of
+/// what is drawn where that is less (outlines far apart).
 inline constexpr double joining_fraction = 2e-5;
 
 struct SketchParts {

@@ -16,8 +16,8 @@ struct ClosedOutlines {
 };
 
 /// For entities that may belong together; ends of others are none of their business. The tolerance asked for (or
-/// joining_fraction of the diagonal) is lowered to half the shortest entity, but never below `rounding`: what the coordinates'
-/// own rounding amounts to in the file.
+/// joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
+/// `rounding`: what the coordinates' own rounding amounts to in the file.
 ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding);
 
 }  // namespace abut::geometry

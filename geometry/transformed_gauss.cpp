@@ -52,20 +52,7 @@ struct View {
 
 MonotonePiece piece_of(const CellContours& cell, std::size_t k) {
     const ContourPiece& c = cell[k];
-    MonotonePiece piece{c.edge, c.t0, c.t1, cell.begin[k], cell.end[k]};
-    const Curve& curve = cell.curve(k);
-    if (const auto* arc = std::get_if<Arc>(&curve)) {
-        const Vec2 d = point(curve, 0.5 * (c.t0 + c.t1)) - arc->center;
-        piece.is_arc = true;
-        piece.center = arc->center;
-        piece.radius = arc->radius;
-        piece.x_side = d.x() < 0 ? -1 : 1;
-        piece.y_side = d.y() < 0 ? -1 : 1;
-    } else if (!std::holds_alternative<Segment>(curve)) {
-        piece.is_general = true;
-        piece.curve = curve;
-    }
-    return piece;
+    return monotone_piece(c.edge, cell.curve(k), c.t0, c.t1, cell.begin[k], cell.end[k]);
 }
 
 /// Gauss points along a contour of a given degree of the integrand.

@@ -104,7 +104,8 @@ Samples full_cell_samples(const SplineSpace& s, int element, const std::vector<d
 void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement) {
     const std::vector<CellRule>& rules = input.structure ? input.structure->rules : input.cut_rules;
     for (const CellRule& rule : rules) {
-        const auto c = static_cast<std::size_t>(space.column_of(rule.element)), r = static_cast<std::size_t>(space.row_of(rule.element));
+        const auto c = static_cast<std::size_t>(space.column_of(rule.element)),
+                   r = static_cast<std::size_t>(space.row_of(rule.element));
         const double area =
             (space.x.breakpoints[c + 1] - space.x.breakpoints[c]) * (space.y.breakpoints[r + 1] - space.y.breakpoints[r]);
         Samples samples{rule.points, rule.weights};

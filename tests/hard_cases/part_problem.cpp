@@ -54,9 +54,9 @@ ResolvedConditions conditions_of(const PartProblem& problem) {
 }
 
 bool is_held(const PartProblem& problem, int edge, int component) {
-    return problem.hold != Hold::rigid &&
-           std::any_of(problem.held.begin(), problem.held.end(),
-                       [&](const HeldEdge& h) { return h.edge == edge && h.component == component; });
+    return problem.hold != Hold::rigid && std::any_of(problem.held.begin(), problem.held.end(), [&](const HeldEdge& h) {
+               return h.edge == edge && h.component == component;
+           });
 }
 
 /// Exact tractions of the components that are not held, in the grid's frame.
@@ -95,10 +95,14 @@ double smallest_fraction(const PartOnGrid& g) {
 
 std::string name_of(Hold hold) {
     switch (hold) {
-        case Hold::rigid: return "rigid";
-        case Hold::nitsche: return "nitsche";
-        case Hold::aligned: return "aligned";
-        default: return "structure";
+        case Hold::rigid:
+            return "rigid";
+        case Hold::nitsche:
+            return "nitsche";
+        case Hold::aligned:
+            return "aligned";
+        default:
+            return "structure";
     }
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "src/discretize.hpp"
 #include "solver/part_system.hpp"
+#include "src/discretize.hpp"
 #include "tests/hard_cases/exact_fields.hpp"
 
 namespace abut::test {
@@ -42,16 +42,16 @@ geometry::Grid even_grid(const PartProblem& problem, double h, const Vec2& offse
 struct PartAnswer {
     std::string failure;  ///< not empty: nothing below `smallest_fraction` is filled in
     int unknowns = 0;
-    double smallest_fraction = 1;  ///< filled fraction of the element that holds least
-    double condition = 0;          ///< estimate, scaled matrix
+    double smallest_fraction = 1;   ///< filled fraction of the element that holds least
+    double condition = 0;           ///< estimate, scaled matrix
     double unscaled_condition = 0;  ///< the same of the matrix as it is assembled; not of the web basis
-    double displacement = 0;       ///< L2 norm
-    double energy = 0;             ///< energy norm of the displacement's stresses
+    double displacement = 0;        ///< L2 norm
+    double energy = 0;              ///< energy norm of the displacement's stresses
     double largest_displacement = 0;
     double largest_stress = 0;      ///< of the smoothed stresses
     double largest_raw_stress = 0;  ///< of the displacement's own
     double strain_energy = 0;
-    double exact_energy = 0;                      ///< by quadrature
+    double exact_energy = 0;                       ///< by quadrature
     std::vector<solver::SupportMethod> methods{};  ///< of the supports
 };
 

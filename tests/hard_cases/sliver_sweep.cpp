@@ -76,18 +76,18 @@ double SweepCurve::smallest_fraction() const {
     return smallest;
 }
 
-double SweepCurve::median(double PartAnswer::* value) const {
+double SweepCurve::median(double PartAnswer::*value) const {
     return median_within(*this, value, 0, 2);
 }
 
-double SweepCurve::worst_ratio(double PartAnswer::* value) const {
+double SweepCurve::worst_ratio(double PartAnswer::*value) const {
     double worst = 0;
     for (const PartAnswer& a : answers)
         if (a.failure.empty()) worst = std::max(worst, a.*value);
     return worst / median(value);
 }
 
-double median_within(const SweepCurve& curve, double PartAnswer::* value, double low, double high) {
+double median_within(const SweepCurve& curve, double PartAnswer::*value, double low, double high) {
     std::vector<double> values;
     for (const PartAnswer& a : curve.answers)
         if (a.failure.empty() && a.smallest_fraction >= low && a.smallest_fraction < high) values.push_back(a.*value);
@@ -108,7 +108,7 @@ SweepCurve sweep(const SweptShape& shape, int degree, solver::Basis basis, Hold 
 namespace {
 
 /// Median and range of a value by the smallest fraction, two bins a decade.
-PlotSeries binned(const SweepCurve& curve, double PartAnswer::* value, const std::string& name, const std::string& color,
+PlotSeries binned(const SweepCurve& curve, double PartAnswer::*value, const std::string& name, const std::string& color,
                   bool with_band) {
     PlotSeries series{name, color, {}, {}, false, false};
     for (int k = -26; k < 0; ++k) {
@@ -157,15 +157,20 @@ void write_sweep(const SweptShape& shape, const std::vector<NamedCurve>& curves)
                  "displacement_l2", "energy", "largest_displacement", "largest_stress", "largest_raw_stress"},
                 {},
                 {}};
-    LogPlot plot{"Condition number of a " + shape.name + " moved through its grid", "smallest filled fraction of a cut cell",
-                 "condition number", {-13, 0}, {0, 20}, {}, 2};
+    LogPlot plot{"Condition number of a " + shape.name + " moved through its grid",
+                 "smallest filled fraction of a cut cell",
+                 "condition number",
+                 {-13, 0},
+                 {0, 20},
+                 {},
+                 2};
     for (const NamedCurve& c : curves)
         for (std::size_t k = 0; k < c.curve.answers.size(); ++k) {
             const PartAnswer& a = c.curve.answers[k];
             table.labels.push_back(basis_name(c.basis) + " " + name_of(c.hold));
-            table.rows.push_back({static_cast<double>(c.degree), c.curve.offsets[k].x(), c.curve.offsets[k].y(), a.smallest_fraction,
-                                  a.failure.empty() ? 1.0 : 0.0, a.condition, a.unscaled_condition, a.displacement, a.energy,
-                                  a.largest_displacement, a.largest_stress, a.largest_raw_stress});
+            table.rows.push_back({static_cast<double>(c.degree), c.curve.offsets[k].x(), c.curve.offsets[k].y(),
+                                  a.smallest_fraction, a.failure.empty() ? 1.0 : 0.0, a.condition, a.unscaled_condition,
+                                  a.displacement, a.energy, a.largest_displacement, a.largest_stress, a.largest_raw_stress});
         }
     for (int degree = 1; degree <= 4; ++degree) plot.panels.push_back(panel_of(curves, degree));
     write_csv(name, table);

@@ -23,14 +23,14 @@ struct SweepCurve {
     int failures() const;
     double smallest_fraction() const;
     /// Of those that could be solved.
-    double median(double PartAnswer::* value) const;
+    double median(double PartAnswer::*value) const;
     /// Largest value over the median.
-    double worst_ratio(double PartAnswer::* value) const;
+    double worst_ratio(double PartAnswer::*value) const;
 };
 SweepCurve sweep(const SweptShape& shape, int degree, solver::Basis basis, Hold hold, int n);
 
 /// Median of a value over the answers whose smallest fraction is within [low, high).
-double median_within(const SweepCurve& curve, double PartAnswer::* value, double low, double high);
+double median_within(const SweepCurve& curve, double PartAnswer::*value, double low, double high);
 
 /// Curves of one shape in one folder: sliver_sweep_<shape>.csv with every step, and a picture of the condition numbers.
 struct NamedCurve {

