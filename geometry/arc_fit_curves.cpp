@@ -21,9 +21,8 @@ using std::size_t;
 
 /// The tangent of what is beside a run is that of the curve if they differ by less than this part of the outer facet's turn.
 constexpr double tangent_share = 0.25;
-/// An arc whose points are off it by less than this part of the tolerance, and less than its facets, is one: single precision
-/// is below. Others may be
-/// pieces of a curve.
+/// An arc whose points are off it by less than this part of the tolerance, and by less than its facets, is one: rounding to
+/// single precision is less. Others may be pieces of a curve.
 constexpr double exact_share = 0.05;
 /// Radius of an arc in units of its chord: a flatter one is a line.
 constexpr double flattest_radius = 1e5;

@@ -79,6 +79,30 @@ TEST(Mesh, VerticesAreJoinedAndWhatIsLeftWithoutMeaningGoes) {
     EXPECT_EQ(done.n_doubled, 1);
 }
 
+/// In clusters of about the weld length, wherever the cells of the search lie: as by comparing each with all.
+TEST(Mesh, VerticesJoinTheNearestOneBeforeThem) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    for (int trial = 0; trial < 20; ++trial) {
+        Mesh mesh{"", {{-50, -50, -50}, {50, 50, 50}}, {}};
+        const double length = weld_length(mesh.vertices);
+        for (int cluster = 0; cluster < 20; ++cluster) {
+            const Vec3 center = 40 * Vec3(unit(random), unit(random), unit(random));
+            for (int k = 0; k < 15; ++k)
+                mesh.vertices.push_back(center + 3 * length * Vec3(unit(random), unit(random), unit(random)));
+        }
+        std::vector<Vec3> kept;
+        for (const Vec3& v : mesh.vertices)
+            if (std::none_of(kept.begin(), kept.end(), [&](const Vec3& other) { return (other - v).norm() <= length; }))
+                kept.push_back(v);
+        for (int k = 2; k < static_cast<int>(mesh.vertices.size()); ++k) mesh.triangles.push_back({0, 1, k});  // all are used
+        const std::vector<Vec3> given = mesh.vertices;
+        weld(mesh);
+        EXPECT_EQ(mesh.vertices, kept) << trial;
+        EXPECT_LT(kept.size(), given.size() - 20);
+    }
+}
+
 TEST(Mesh, VerticesFartherApartThanTheWeldLengthStayTwo) {
     Mesh soup = exploded(unit_box);
     soup.vertices[4] += Vec3(3e-6, 0, 0);

@@ -30,7 +30,7 @@ struct RateProblem {
 };
 
 RateProblem kirsch_plate() {
-    RateProblem r{"Kirsch's plate", {}, 0.08, 3, {0, 0}};
+    RateProblem r{"Kirsch's plate", {}, 0.09, 3, {0, 0}};
     r.problem.part = plate_quarter(1.5);
     r.problem.exact = kirsch(elasticity_of(r.problem));
     r.problem.held = {{3, 0}, {0, 1}};
