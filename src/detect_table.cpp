@@ -37,6 +37,7 @@ std::string near_miss_lines(const std::vector<DetectedPair>& pairs) {
 }  // namespace
 
 std::string detection_table(const Scene& scene, const Detection& detection) {
+    if (scene.parts.size() < 2) return "no contacts: there is one part only\n";
     std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " +
                                                      with_unit(detection.distance, 4, scene.length_unit) + " of each other\n"
                                                : pair_rows(scene, detection.pairs);

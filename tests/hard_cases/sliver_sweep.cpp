@@ -157,7 +157,7 @@ void write_sweep(const SweptShape& shape, const std::vector<NamedCurve>& curves)
                  "displacement_l2", "energy", "largest_displacement", "largest_stress", "largest_raw_stress"},
                 {},
                 {}};
-    LogPlot plot{"Condition number of a " + shape.name + " moved through its grid",
+    LogPlot plot{"Condition number as the grid moves through the part: " + shape.name,
                  "smallest filled fraction of a cut cell",
                  "condition number",
                  {-13, 0},
