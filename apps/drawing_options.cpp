@@ -48,11 +48,12 @@ void read_section(const std::string& text, ImportOptions& options) {
 }  // namespace
 
 std::vector<OptionSpec> drawing_option_specs() {
-    return {{"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
-            {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
-            {"--parts-by", "WAY", "what separates the parts: " + listed(known_ways) + " (default: auto)"},
-            {"--section", "PLANE",
-             "where a mesh is cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"}};
+    return {
+        {"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
+        {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
+        {"--parts-by", "WAY", "what separates the parts: " + listed(known_ways) + " (default: auto)"},
+        {"--section", "PLANE", "where a mesh is cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"},
+        {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
 }
 
 ImportOptions drawing_options(const Arguments& arguments) {
@@ -66,6 +67,7 @@ ImportOptions drawing_options(const Arguments& arguments) {
     options.tolerance = positive_number(arguments, "--tolerance").value_or(0);
     options.units = value_or(arguments, "--units", "");
     options.parts_by = *parts_by_of(value_or(arguments, "--parts-by", "auto"));
+    options.recognise_arcs = !has(arguments, "--keep-facets");
     if (has(arguments, "--section")) read_section(arguments.options.at("--section"), options);
     return options;
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/closest_points.hpp"
 #include "geometry/facing.hpp"
+#include "geometry/teeth.hpp"
 
 namespace abut::geometry {
 
@@ -117,9 +118,14 @@ ClosestPoints contact_of(const Part& part1, int edge1, const Part& part2, int ed
     return closest_points(curve1, curve2);
 }
 
+bool are_toothed(const Part& part1, int edge1, const Part& part2, int edge2) {
+    return count_teeth(part1, edge1) > 0 && count_teeth(part2, edge2) > 0;
+}
+
 }  // namespace
 
 std::string interface_kind(const Part& part1, int edge1, const Part& part2, int edge2) {
+    if (are_toothed(part1, edge1, part2, edge2)) return "tooth-on-tooth";
     const ClosestPoints contact = contact_of(part1, edge1, part2, edge2);
     const Shape s1 = shape_at(part1, edge1, contact.t1), s2 = shape_at(part2, edge2, contact.t2);
     if (s1 == Shape::convex && s2 == Shape::concave) return round_in(part2, edge2);
@@ -141,6 +147,7 @@ bool is_convex_corner(const Part& part, int edge, double t) {
 }
 
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2) {
+    if (are_toothed(part1, edge1, part2, edge2)) return "tooth-on-tooth";
     const bool corner1 = is_convex_corner(part1, edge1, t1), corner2 = is_convex_corner(part2, edge2, t2);
     if (corner1 == corner2) return "general";
     const Shape face = corner1 ? shape_at(part2, edge2, t2) : shape_at(part1, edge1, t1);

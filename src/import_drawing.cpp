@@ -76,7 +76,8 @@ ImportRecord import_record(const Drawing& drawing, double factor, std::vector<ge
 namespace {
 
 std::string key_of(const std::string& name, const ImportOptions& options) {
-    std::string key = name + "|" + std::to_string(options.section_axis) + "|" + std::to_string(options.tolerance);
+    std::string key = name + "|" + std::to_string(options.section_axis) + "|" + std::to_string(options.tolerance) + "|" +
+                      std::to_string(options.recognise_arcs);
     return options.section_at ? key + "|" + std::to_string(*options.section_at) : key;
 }
 
@@ -156,6 +157,7 @@ ImportOptions read_import_options(SceneReading& reading, const JsonValue& object
         const auto word = read_word(reading, *parts_by, {{"auto", "layer", "block", "loop", "color", "node"}, {"component"}});
         if (word) options.parts_by = parts_by_of(*word).value_or(options.parts_by);
     }
+    options.recognise_arcs = member_or(reading, object, "recognise_arcs", true, read_flag);
     if (const JsonValue* section = find_member(object, "section")) read_section(reading, *section, options);
     return options;
 }
@@ -168,7 +170,8 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
     geometry::SketchOptions sketch_options;
     sketch_options.tolerance = options.tolerance;
     sketch_options.parts_by = options.parts_by;
-    sketch_options.recognise_arcs = !geometry::is_mesh_file(drawing.file);  // the section has done that
+    sketch_options.recognise_arcs =
+        options.recognise_arcs && !geometry::is_mesh_file(drawing.file);  // the section has done that
     geometry::SketchParts sketch = geometry::parts_of(drawing, sketch_options);
     const std::size_t before = reading.problems.size();
     for (const auto& problem : drawing.problems) report_sketch_problem(reading, at, drawing, problem);
@@ -179,7 +182,7 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
 }
 
 std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node) {
-    if (!check_object(reading, node, {{"file", "layer", "block", "tolerance"}, {}})) return std::nullopt;
+    if (!check_object(reading, node, {{"file", "layer", "block", "tolerance", "recognise_arcs"}, {}})) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);
     const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;
@@ -195,7 +198,7 @@ std::optional<geometry::Part> import_part(SceneReading& reading, Imports& import
 }
 
 std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node) {
-    if (!check_object(reading, node, {{"file", "node", "section", "tolerance"}, {}})) return std::nullopt;
+    if (!check_object(reading, node, {{"file", "node", "section", "tolerance", "recognise_arcs"}, {}})) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);
     const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;

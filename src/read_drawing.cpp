@@ -54,7 +54,8 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
     geometry::Drawing drawing;
     if (geometry::is_mesh_file(path)) {
         const geometry::MeshFile mesh = geometry::read_mesh_file(path);
-        geometry::Section section = geometry::cut(mesh, plane_of(mesh, options), options.tolerance);
+        geometry::Section section =
+            geometry::cut(mesh, plane_of(mesh, options), geometry::SectionOptions{options.tolerance, options.recognise_arcs});
         drawing = std::move(section.drawing);
         drawing.repairs = std::move(section.repairs);
     } else if (is_dxf_file(path)) {

@@ -17,6 +17,7 @@ struct ImportOptions {
     geometry::PartsBy parts_by = geometry::PartsBy::automatic;
     int section_axis = -1;             ///< 0 x, 1 y, 2 z; -1: the thinnest direction
     std::optional<double> section_at;  ///< unset: the middle
+    bool recognise_arcs = true;        ///< facets and splines that are arcs, or stand for a curve, become arcs
 };
 
 /// Is the file one that read_drawing takes, by its ending?

@@ -118,6 +118,7 @@ void write_import(std::ostream& out, const SketchReading& reading, const ImportO
     out << "    \"file\": " << quoted(reading.scene.file) << ",  // relative to this scene's folder\n"
         << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
     if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
+    if (!options.recognise_arcs) out << "    \"recognise_arcs\": false,\n";
     nlohmann::ordered_json section;
     if (options.section_axis >= 0) section["axis"] = axes[options.section_axis];
     if (options.section_at) section["at"] = *options.section_at;

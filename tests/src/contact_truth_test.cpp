@@ -110,4 +110,14 @@ INSTANTIATE_TEST_SUITE_P(Exports, ContactTruth,
                              return name;
                          });
 
+TEST(ContactTruthOfGears, TeethMeetTeethHoweverTheFlanksAreDrawn) {
+    for (const char* file : {"gear_pair_r14.dxf", "gear_pair_r14_lwpoly.dxf", "gear_pair.3mf"}) {
+        if (!std::filesystem::exists(generated + file)) GTEST_SKIP() << "the file is not here";
+        int toothed = 0;
+        for (const DetectedPair& pair : detect_contacts(read_sound(file).scene, distance).pairs)
+            toothed += pair.interface == "tooth-on-tooth";
+        EXPECT_EQ(toothed, 1) << file;
+    }
+}
+
 }  // namespace abut
