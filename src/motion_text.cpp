@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/motion_text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/svg.hpp"
@@ -34,6 +35,15 @@ std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const 
     }
     const Vec2 pole = m.center + Vec2(-m.translation.y(), m.translation.x()) / m.rotation;
     return name + " rotates about " + point_text(g.frame.to_global(pole), g.size);
+}
+
+std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions) {
+    constexpr std::size_t named = 4;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(named, motions.size()); ++k)
+        text += (text.empty() ? "" : "; ") + motion_text(scene, solved, motions[k]);
+    if (motions.size() > named) text += "; and " + std::to_string(motions.size() - named) + " more";
+    return text;
 }
 
 }  // namespace abut

@@ -9,4 +9,7 @@ namespace abut {
 /// "pin slides along (1, 0)" or "pin rotates about (3, 4)", in assembly coordinates.
 std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion);
 
+/// The first few of them, and how many more there are.
+std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions);
+
 }  // namespace abut

@@ -103,9 +103,9 @@ struct Reaction {
     std::string method;  ///< "aligned", "nitsche", "structure", "rigid", "spring"
     Vec2 force{0, 0};
     double moment = 0;
-    std::string why{};                      ///< the method, in words
-    std::optional<Vec2> force_from_stress;  ///< "structure": the same from the stresses along the edges, a second opinion
-    std::optional<double> energy;           ///< "spring": stored in it
+    std::string why{};                        ///< the method, in words
+    std::optional<Vec2> force_from_stress{};  ///< "structure": the same from the stresses along the edges, a second opinion
+    std::optional<double> energy{};           ///< "spring": stored in it
 };
 
 struct ProbeResult {

@@ -99,7 +99,7 @@ TEST(KeepFacets, TakesTrueOrFalseOnly) {
     try {
         read_scene(path);
         FAIL();
-    } catch (const geometry::InputError& error) {
+    } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("/assembly/recognise_arcs"), std::string::npos) << error.what();
     }
 }

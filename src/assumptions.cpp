@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/assumptions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/contact_measures.hpp"
+#include "src/field_results.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
+constexpr double large_rotation = 0.05, large_strain = 0.05;
+constexpr double large_motion = 0.05;  // of the part's size
+/// A peak that still changes by more than this from grid to grid.
+constexpr double doubtful = 0.1;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+struct LargestChange {
+    double rotation = 0, strain = 0;
+};
+
+LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+    LargestChange largest;
+    for (const auto& [element, x] : cut_cell_samples(g)) {
+        const auto u = solver::displacement_at(g.input, displacement, element, x);
+        largest.rotation = std::max(largest.rotation, 0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)));
+        largest.strain = std::max(largest.strain, (0.5 * (u.gradient + u.gradient.transpose())).norm());
+    }
+    return largest;
+}
+
+void check_kinematics(const Scene& scene, const SolvedAssembly& solved, std::size_t k, Result& result) {
+    const PartOnGrid& g = solved.grids[k];
+    const LargestChange largest = largest_change(g, solved.solution.displacement[k]);
+    const std::string& name = scene.parts[at(g.part)].name;
+    const double motion = result.parts[at(g.part)].max_displacement.value;
+    if (motion > large_motion * g.size)
+        result.warnings.push_back("large displacement: part " + name + " moves by " + number_text(motion, 3) +
+                                  "; contacts are paired where they are drawn");
+    if (largest.rotation > large_rotation)
+        result.warnings.push_back("large displacement: part " + name + " turns by up to " +
+                                  number_text(largest.rotation * 180 / std::numbers::pi, 3) +
+                                  " degrees; the answer is that of small displacements");
+    if (largest.strain > large_strain)
+        result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * largest.strain, 3) +
+                                  " %; the answer is that of linear elasticity");
+}
+
+void check_rules(const Scene& scene, const Outcome& out, Result& result) {
+    for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
+        const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
+                                      [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
+        if (!used && scene.contacts.pairs[r].kind == PairRule::Kind::contact)
+            result.warnings.push_back("contacts.pairs " + std::to_string(r) +
+                                      " has no effect: these edges face each other nowhere within the search distance");
+    }
+}
+
+/// In plane strain from this Poisson's ratio on: splines hold few fields without change of area. Measured on the thick ring
+/// (E10), eight cells across: from 0.3 to 0.4999 the largest error of displacements grows 36 times for degree 3, 114 times for
+/// degree 2, and stresses of degree 2 are 4 % off at 0.49 and as large as themselves at 0.4999.
+constexpr double nearly_incompressible = 0.49;
+
+void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    if (scene.analysis != Analysis::plane_strain) return;
+    for (const PartOnGrid& g : solved.grids) {
+        const ScenePart& part = scene.parts[at(g.part)];
+        const double nu = scene.materials[at(part.material)].nu;
+        if (nu >= nearly_incompressible)
+            result.warnings.push_back("part " + part.name + " is nearly incompressible (nu = " + number_text(nu, 6) +
+                                      "): its stresses converge slowly; compare with accuracy.degree 4 and smaller cells");
+    }
+}
+
+void check_grids(const Outcome& out, Result& result) {
+    if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
+    if (out.search_too_short)
+        result.warnings.push_back("contact reaches the end of what was searched; give contacts.search_distance a larger value");
+    if (!out.settled)
+        result.warnings.push_back("the contacts still moved between the last two grids by more than " +
+                                  number_text(100 * settled_fraction, 2) + " % of their length");
+    if (out.solved.limited_grids > 0)
+        result.warnings.push_back(
+            "grids of " + std::to_string(out.solved.limited_grids) +
+            " part(s) are coarser than the contacts ask for, to bound the number of cells; \"fine\" allows more");
+    if (out.solved.refined_for_walls > 0)
+        result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
+                                  " part(s) were refined because a wall was thinner than a cell");
+}
+
+}  // namespace
+
+void fill_errors(const Outcome& out, Result& result) {
+    if (!out.have_previous) {
+        result.error_estimate.method = "none: one grid only";
+        return;
+    }
+    result.error_estimate.method = "change between the last two grids";
+    if (result.strain_energy > 0)
+        result.error_estimate.energy = std::abs(result.strain_energy - out.previous_energy) / result.strain_energy;
+    double worst = 0, largest = 0;
+    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.max_pressure.value);
+    for (std::size_t k = 0; k < result.contacts.size() && k < out.previous_peak.size(); ++k) {
+        if (result.contacts[k].max_pressure.value <= 0) continue;
+        const double change = std::abs(result.contacts[k].max_pressure.value - out.previous_peak[k]);
+        result.contacts[k].error_estimate = change / result.contacts[k].max_pressure.value;
+        worst = std::max(worst, change / largest);
+        if (*result.contacts[k].error_estimate > doubtful)
+            result.warnings.push_back("the largest pressure of contact " + std::to_string(k) + " changed by " +
+                                      number_text(100 * *result.contacts[k].error_estimate, 2) +
+                                      " % from the grid before: it has no limit at a sharp corner, or the grid is too coarse");
+    }
+    if (largest > 0) result.error_estimate.contact_pressure = worst;
+}
+
+void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) check_kinematics(scene, out.solved, k, result);
+    check_rules(scene, out, result);
+    check_grids(out, result);
+    warn_of_locking(scene, out.solved, result);
+}
+
+}  // namespace abut
