@@ -11,6 +11,7 @@
 #include "src/contact_results.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
+#include "src/mobility.hpp"
 #include "src/motion_text.hpp"
 #include "src/part_results.hpp"
 #include "src/plan.hpp"
@@ -40,10 +41,14 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
-void fill_answers(const Scene& scene, const Outcome& out, Stopwatches& seconds, Result& result) {
+void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Stopwatches& seconds,
+                  Result& result) {
     const SolvedAssembly& solved = out.solved;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         result.contacts.push_back(contact_result(scene, solved, out.candidates[k], k));
+        result.contacts.back().functional = functional_interface(scene, out.candidates[k]);
+    }
+    result.under_load = mobility_under_load(scene, conditions, result.contacts);
     result.strain_energy = energy_of(solved);
     fill_equilibrium(scene, solved, result);
     fill_errors(out, result);
@@ -90,6 +95,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
 
     const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
+    result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {out.passes, out.factorizations, out.iterations, largest_condition(out.solved),
                      out.solved.solution.converged};
@@ -112,7 +118,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
                 "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
                 ". Add a support, or a part that it can rest on";
         }
-        fill_answers(scene, out, seconds, result);
+        fill_answers(scene, conditions, out, seconds, result);
     }
     for (Effect& e : result.effects)
         if (e.on && e.name == "contact") e.seconds = seconds["solve"];

@@ -12,6 +12,7 @@
 #include "geometry/interface_kind.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/zone_pieces.hpp"
+#include "src/facing_edges.hpp"
 #include "src/result_units.hpp"
 #include "src/selection.hpp"
 #include "src/svg.hpp"
@@ -26,7 +27,7 @@ using geometry::FacingPair;
 using geometry::FacingZone;
 using geometry::Part;
 
-constexpr double default_distance_fraction = 0.02, near_miss_fraction = 0.10;  // of the smaller part's extent
+constexpr double near_miss_fraction = 0.10;  // of the smaller part's extent
 /// Gaps and overlaps below this fraction of the smaller extent are touching: above the six digits that drawings are commonly
 /// written with, below the joining tolerance of imports and any clearance that means something.
 constexpr double touching_fraction = 1e-6;
@@ -49,6 +50,7 @@ struct Meeting {
     Shares shares;
     double shared_length = 0;
     std::vector<std::array<Vec2, 2>> marks;
+    std::vector<FacingEdges> stretches;
 };
 
 /// Pairs of edges that the scene wants left alone.
@@ -113,6 +115,7 @@ void share_out(Meeting& m, const FacingZone& zone, const IgnoredEdges& ignored) 
     for (const geometry::ZonePiece& piece : zone_pieces(m.first, m.second, zone)) {
         if (ignored.holds(m.part[0], piece.edge1, m.part[1], piece.edge2)) continue;
         m.shares[{piece.edge1, piece.edge2}] += piece.end1 - piece.begin1;
+        m.stretches.push_back(facing_edges(m.first, m.second, zone, piece));
         if (std::max(std::abs(piece.gap_min), std::abs(piece.gap_max)) <= m.touching)
             m.shared_length += piece.end1 - piece.begin1;
     }
@@ -211,6 +214,20 @@ std::string kind_of(const Meeting& m) {
     return geometry::interface_kind(m.first, carrying[0], m.second, carrying[1]);
 }
 
+/// Where nothing faces, the closest points are all there is; a corner's contact is its closest points, too.
+FunctionalInterface functional_of(Meeting m, const std::string& kind) {
+    if (m.stretches.empty() && !m.closest) return {kind, {}, {}, {}, {}, {}, {}, {}};
+    if (m.stretches.empty() || meets_at_corner(m)) {
+        const ClosestPoints& c = *m.closest;
+        m.stretches = {{c.edge1, c.edge2, {c.x1, c.x1}, 0, c.distance}};
+    }
+    const std::array<int, 2> carrying = carrying_edges(m);
+    put_first(m.stretches, carrying[0], carrying[1]);
+    geometry::Box2 box = bounding_box(m.first);
+    box.extend(bounding_box(m.second));
+    return functional_interface(m.first, m.second, kind, m.stretches, {box.center(), box.diagonal()});
+}
+
 /// Gaps along the zones; the closest points where they are closer than any facing ones (a corner), or where nothing faces.
 void set_gaps(const Meeting& m, DetectedPair& pair) {
     const double closest = m.closest ? m.closest->distance : 0;
@@ -258,6 +275,7 @@ DetectedPair describe(const Scene& scene, const Meeting& m, bool near_miss) {
     set_gaps(m, pair);
     pair.status = status_of(m, pair);
     pair.interface = kind_of(m);
+    if (!near_miss) pair.functional = functional_of(m, pair.interface);
     pair.overlap_area = pair.status == "overlap" ? m.overlap.area : 0;
     pair.length = facing_length(m);
     pair.shared_length = m.shared_length;
@@ -288,7 +306,7 @@ void examine(const Scene& scene, int i, int k, std::optional<double> distance, c
     found.distance = std::max(found.distance, reach.distance);
     if (!bounding_box(first).overlaps(bounding_box(second), reach.near_miss) || ignored.holds(scene, i, k)) return;
 
-    Meeting m{{i, k}, first, second, reach.distance, reach.touching, {}, {}, {}, {}, 0, {}};
+    Meeting m{{i, k}, first, second, reach.distance, reach.touching, {}, {}, {}, {}, 0, {}, {}};
     m.closest = geometry::closest_points(first, second, reach.near_miss);
     m.overlap = geometry::overlap(first, second, reach.touching);
     m.zones = geometry::find_facing_zones(first, second, std::max(reach.distance, reach.touching));

@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "src/functional_interface.hpp"
 #include "src/scene.hpp"
 
 namespace abut {
+
+/// Pairs are listed up to this distance, as a fraction of the smaller part's extent.
+inline constexpr double default_distance_fraction = 0.02;
 
 struct DetectedPair {
     std::array<int, 2> part{0, 0};
@@ -22,6 +26,7 @@ struct DetectedPair {
     double shared_length = 0;  ///< of edges that lie on each other wherever they face each other
     std::string cells_case;    ///< the dissertation's a-e (section 4.5.1)
     std::string why;
+    FunctionalInterface functional;          ///< of all that faces each other
     std::vector<std::array<Vec2, 2>> marks;  ///< facing points, on the first and on the second part, for the picture
 };
 

@@ -25,16 +25,21 @@ std::string point_text(const Vec2& p, double scale) {
 
 }  // namespace
 
+std::string motion_words(const geometry::Screw& twist, const geometry::ScrewScale& scale) {
+    const Vec2 c = scale.center;
+    const Vec2 at_center(twist[0] - twist[2] * c.y(), twist[1] + twist[2] * c.x());
+    if (std::abs(twist[2]) * scale.size <= slide_fraction * at_center.norm())
+        return "slides along " + point_text(at_center.normalized(), 1);
+    return "rotates about " + point_text(c + Vec2(-at_center.y(), at_center.x()) / twist[2], scale.size);
+}
+
 std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion) {
     const PartOnGrid& g = solved.grids[static_cast<std::size_t>(motion.part)];
-    const std::string name = scene.parts[static_cast<std::size_t>(g.part)].name;
     const solver::RigidMotion& m = motion.motion;
-    if (std::abs(m.rotation) * g.size <= slide_fraction * m.translation.norm()) {
-        const Vec2 d = g.frame.vector_to_global(m.translation).normalized();
-        return name + " slides along " + point_text(d, 1);
-    }
-    const Vec2 pole = m.center + Vec2(-m.translation.y(), m.translation.x()) / m.rotation;
-    return name + " rotates about " + point_text(g.frame.to_global(pole), g.size);
+    const Vec2 v = g.frame.vector_to_global(m.at({0, 0})), origin = g.frame.to_global({0, 0});
+    const geometry::Screw twist(v.x() + m.rotation * origin.y(), v.y() - m.rotation * origin.x(), m.rotation);
+    return scene.parts[static_cast<std::size_t>(g.part)].name + " " +
+           motion_words(twist, {g.frame.to_global(m.center), g.size});
 }
 
 std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions) {

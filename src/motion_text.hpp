@@ -2,9 +2,13 @@
 #pragma once
 #include <string>
 
+#include "geometry/screw.hpp"
 #include "src/assembly_model.hpp"
 
 namespace abut {
+
+/// "slides along (1, 0)" or "rotates about (3, 4)", for a twist (vx, vy of the point at the origin, w).
+std::string motion_words(const geometry::Screw& twist, const geometry::ScrewScale& scale);
 
 /// "pin slides along (1, 0)" or "pin rotates about (3, 4)", in assembly coordinates.
 std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion);

@@ -242,6 +242,7 @@ std::string tables_section(const Result& result) {
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
     html += reaction_table(result, units);
     if (solved) html += equilibrium_table(result, units);
+    html += mobility_table(result);
     html += part_table(result, units) + probe_table(result, units);
     if (result.unknowns > 0) html += grid_table(result, units) + quality_table(result);
     return html + effect_table(result) + timing_bars(result) + "</section>\n";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/part.hpp"
+#include "src/functional_interface.hpp"
 
 namespace abut {
 
@@ -94,7 +95,22 @@ struct ContactResult {
     ValueAt max_pressure;
     double max_penetration = 0;
     std::optional<double> error_estimate;
+    std::optional<FunctionalInterface> functional;
     ContactProfile profile;
+};
+
+/// What supports and contacts leave the parts to do as rigid bodies; screws about the origin of assembly coordinates.
+struct PartMobility {
+    std::string part;
+    std::vector<Screw> wrenches, twists;  ///< of its supports alone: what they can exert, what they leave free
+    std::vector<std::string> alone;       ///< the twists in words
+    std::vector<Screw> free;              ///< with the contacts, in all motions of the assembly
+    std::vector<std::string> motions;     ///< the same in words
+};
+struct MobilityResult {
+    int degrees_of_freedom = 0, gruebler = 0;
+    int redundant = 0;  ///< by how many conditions the assembly is over-constrained
+    std::vector<PartMobility> parts;
 };
 
 struct Reaction {
@@ -149,6 +165,8 @@ struct Result {
     } error_estimate;
     std::vector<PartResult> parts;
     std::vector<ContactResult> contacts;
+    MobilityResult as_drawn;                   ///< with every contact that could close
+    std::optional<MobilityResult> under_load;  ///< with the contacts that carry force
     std::vector<Reaction> reactions;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;

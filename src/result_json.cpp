@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/functional_json.hpp"
 #include "src/result.hpp"
 
 namespace abut {
@@ -83,6 +84,7 @@ Json contact(const ContactResult& c) {
             {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
             {"kind", c.kind},
             {"interface", c.interface},
+            {"functional_interface", c.functional ? Json::parse(functional_json(*c.functional)) : Json(nullptr)},
             {"status", c.status},
             {"initial_gap", {{"min", number(c.gap_min)}, {"max", number(c.gap_max)}}},
             {"force", vector(c.force)},
@@ -163,6 +165,8 @@ Json to_json(const Result& r) {
                            {"method", r.error_estimate.method}};
     j["parts"] = list_of(r.parts, part);
     j["contacts"] = list_of(r.contacts, contact);
+    j["mobility"] = {{"as_drawn", Json::parse(mobility_json(r.as_drawn))},
+                     {"under_load", r.under_load ? Json::parse(mobility_json(*r.under_load)) : Json(nullptr)}};
     j["reactions"] = list_of(r.reactions, reaction);
     j["probes"] = list_of(r.probes, probe);
     j["warnings"] = names(r.warnings);
