@@ -16,6 +16,7 @@
 #include "src/part_results.hpp"
 #include "src/plan.hpp"
 #include "src/probes.hpp"
+#include "src/self_contact.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -76,6 +77,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     for (const std::string& text : neutral)
         result.warnings.push_back("nothing holds a motion that no load drives (the answer of least motion is given): " + text);
     check_assumptions(scene, out, result);
+    warn_of_self_contact(result);
 }
 
 Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
