@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "src/contact_measures.hpp"
@@ -16,6 +17,8 @@ namespace {
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
 constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;  // of the part's size
+/// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
+constexpr double noted_rounding = 1e-3;
 /// A peak that still changes by more than this from grid to grid.
 constexpr double doubtful = 0.1;
 
@@ -80,6 +83,14 @@ void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& r
     }
 }
 
+void check_rounding(Result& result) {
+    const double rounding = std::numeric_limits<double>::epsilon() * result.solver.condition_estimate;
+    if (rounding > noted_rounding)
+        result.warnings.push_back("rounding may change this answer by up to " + number_text(100 * std::min(rounding, 1.0), 1) +
+                                  " % (condition number " + number_text(result.solver.condition_estimate, 2) +
+                                  "): a part is very slender, or runs out in a very sharp tip");
+}
+
 void check_grids(const Outcome& out, Result& result) {
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
@@ -125,6 +136,7 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
     for (std::size_t k = 0; k < out.solved.grids.size(); ++k) check_kinematics(scene, out.solved, k, result);
     check_rules(scene, out, result);
     check_grids(out, result);
+    check_rounding(result);
     warn_of_locking(scene, out.solved, result);
 }
 
