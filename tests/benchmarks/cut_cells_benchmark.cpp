@@ -82,14 +82,18 @@ BENCHMARK(CutCellsOfManyEdges)
     ->ArgsProduct({{arcs, ellipses, cubics}, {1000}, {100, 10000, 100000}})
     ->Unit(benchmark::kMillisecond);
 
-/// Arguments: kind of edges, cells each way, edges. Beside the cells.
-void ElementsOfManyEdges(benchmark::State& state) {
-    const Part part = wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(2)));
-    const CutCells cells = cut_cells(part, grid_around(part, static_cast<int>(state.range(1))));
+/// Beside the cells, `n` each way.
+void find_elements_of(benchmark::State& state, const Part& part, std::int64_t n) {
+    const CutCells cells = cut_cells(part, grid_around(part, static_cast<int>(n)));
     Elements elements;
     for (auto _ : state) elements = find_elements(part, cells);
     if (elements.unclear > 0) state.SkipWithError("components that are not told apart");
     state.counters["extra"] = static_cast<double>(elements.cell_of_extra.size());
+}
+
+/// Arguments: kind of edges, cells each way, edges.
+void ElementsOfManyEdges(benchmark::State& state) {
+    find_elements_of(state, wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(2))), state.range(1));
 }
 BENCHMARK(ElementsOfManyEdges)
     ->ArgNames({"kind", "n", "edges"})
@@ -116,12 +120,7 @@ Part perforated(int n) {
 
 /// Arguments: holes each way, cells each way.
 void ElementsOfAPerforatedPlate(benchmark::State& state) {
-    const Part part = perforated(static_cast<int>(state.range(0)));
-    const CutCells cells = cut_cells(part, grid_around(part, static_cast<int>(state.range(1))));
-    Elements elements;
-    for (auto _ : state) elements = find_elements(part, cells);
-    if (elements.unclear > 0) state.SkipWithError("components that are not told apart");
-    state.counters["extra"] = static_cast<double>(elements.cell_of_extra.size());
+    find_elements_of(state, perforated(static_cast<int>(state.range(0))), state.range(1));
 }
 BENCHMARK(ElementsOfAPerforatedPlate)
     ->ArgNames({"holes", "n"})

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "geometry/spline_shape.hpp"
+#include "tests/geometry/sample_curves.hpp"
 
 namespace abut::geometry {
 namespace {
@@ -16,18 +17,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double exact = 1e-13;
 
-EllipticArc ellipse(const Vec2& center, double a, double b, double angle = 0) {
-    const Vec2 u(std::cos(angle), std::sin(angle));
-    return {center, a * u, b * left_of(u), 0, 2 * pi};
-}
-
-Part alone(const Curve& curve) {
-    Part part;
-    part.edges.emplace_back();
-    part.edges.back().curve = curve;
-    part.loops.push_back({{0}});
-    return part;
-}
+using test::ellipse;
+using test::of_one_edge;
 
 TEST(ClosestPointsGeneral, EllipseAndLineBySupport) {
     for (int k = 0; k < 60; ++k) {
@@ -103,7 +94,7 @@ TEST(LongClosestPoints, RandomCurvesAgainstSamples) {
 }
 
 TEST(ClosestPointsGeneral, PartsWithinALimit) {
-    const Part a = alone(ellipse({0, 0}, 2, 1)), b = alone(ellipse({5, 0}, 2, 1));
+    const Part a = of_one_edge(ellipse({0, 0}, 2, 1)), b = of_one_edge(ellipse({5, 0}, 2, 1));
     const auto near = closest_points(a, b, 1.5);
     ASSERT_TRUE(near);
     EXPECT_NEAR(near->distance, 1, exact);

@@ -14,9 +14,11 @@
 
 #include "geometry/csg.hpp"
 #include "geometry/spline_shape.hpp"
+#include "tests/geometry/sample_curves.hpp"
 
 namespace abut::geometry::testing {
 
+using test::nurbs_circle;
 inline constexpr double pi = std::numbers::pi;
 
 template <class Shape>
@@ -62,15 +64,6 @@ inline CsgNode loop_of(const std::vector<Curve>& curves) {
         edges.push_back({curve, "e" + k, "/" + k});
     }
     return node(Loops{{edges}});
-}
-
-/// The full circle as a quadratic NURBS of nine points.
-inline Curve nurbs_circle(const Vec2& c, double r) {
-    const double w = std::sqrt(0.5);
-    Nurbs nurbs{2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {}, {1, w, 1, w, 1, w, 1, w, 1}};
-    for (const Vec2& p : std::vector<Vec2>{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}})
-        nurbs.points.push_back(c + r * p);
-    return nurbs_curves(nurbs).front();
 }
 
 /// A closed, smooth, non-convex cubic B-spline about c, of a radius between 0.7 r and 1.3 r.

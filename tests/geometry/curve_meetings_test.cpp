@@ -11,6 +11,7 @@
 #include "geometry/arc_spline.hpp"
 #include "geometry/overlap.hpp"
 #include "geometry/spline_shape.hpp"
+#include "tests/geometry/sample_curves.hpp"
 
 namespace abut::geometry {
 namespace {
@@ -19,20 +20,9 @@ constexpr double pi = std::numbers::pi;
 /// Rounding of Newton's last step on curves of size 1 to 10.
 constexpr double exact = 1e-12;
 
-EllipticArc ellipse(const Vec2& center, double a, double b, double angle = 0, double start = 0, double sweep = 2 * pi) {
-    const Vec2 u(std::cos(angle), std::sin(angle));
-    return {center, a * u, b * left_of(u), start, sweep};
-}
-
-Curve nurbs_circle(const Vec2& center, double radius) {
-    const double w = std::sqrt(0.5);
-    Nurbs nurbs{2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {}, {1, w, 1, w, 1, w, 1, w, 1}};
-    const int x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
-    for (int i = 0; i < 9; ++i) nurbs.points.push_back(center + radius * Vec2(x[i], y[i]));
-    const std::vector<Curve> curves = nurbs_curves(nurbs);
-    EXPECT_EQ(curves.size(), 1u);
-    return curves.front();
-}
+using test::ellipse;
+using test::nurbs_circle;
+using test::of_one_edge;
 
 /// Places farther apart than the tolerance.
 std::vector<Vec2> distinct(const std::vector<Vec2>& points, double tolerance) {
@@ -51,14 +41,6 @@ double nearest(const std::vector<Vec2>& points, const Vec2& p) {
 
 double off(const Curve& curve, const Vec2& p) {
     return (point(curve, closest_parameter(curve, p)) - p).norm();
-}
-
-Part alone(const Curve& curve) {
-    Part part;
-    part.edges.emplace_back();
-    part.edges.back().curve = curve;
-    part.loops.push_back({{0}});
-    return part;
 }
 
 TEST(Meetings, TwoEllipsesCrossAtFourKnownPoints) {
@@ -215,17 +197,18 @@ TEST(Meetings, OrderOfTheCurvesDoesNotMatter) {
 /// Area common to two regions given as level sets, by a fine sum over columns whose ends are exact.
 TEST(Overlaps, EllipsesAndNurbsCirclesAgainstClosedForms) {
     // x^2/4 + y^2 <= 1 and x^2 + y^2/4 <= 1: 8 (a b / 2) atan(b/a)
-    const auto crossed = overlap(alone(ellipse({0, 0}, 2, 1)), alone(ellipse({0, 0}, 1, 2)), 1e-10);
+    const auto crossed = overlap(of_one_edge(ellipse({0, 0}, 2, 1)), of_one_edge(ellipse({0, 0}, 1, 2)), 1e-10);
     EXPECT_NEAR(crossed.area, 8 * std::atan(0.5), 1e-11);
     // one inside the other, and one that is the other
-    EXPECT_NEAR(overlap(alone(ellipse({0, 0}, 2, 1)), alone(ellipse({0.1, 0}, 1, 0.5)), 1e-10).area, pi / 2, 1e-11);
-    EXPECT_NEAR(overlap(alone(ellipse({0, 0}, 2, 1)), alone(ellipse({0, 0}, 2, 1, 0, 1.0)), 1e-10).area, 2 * pi, 1e-8);
-    EXPECT_EQ(overlap(alone(ellipse({0, 0}, 2, 1)), alone(ellipse({4, 0}, 2, 1)), 1e-10).area, 0);  // touching
+    EXPECT_NEAR(overlap(of_one_edge(ellipse({0, 0}, 2, 1)), of_one_edge(ellipse({0.1, 0}, 1, 0.5)), 1e-10).area, pi / 2, 1e-11);
+    EXPECT_NEAR(overlap(of_one_edge(ellipse({0, 0}, 2, 1)), of_one_edge(ellipse({0, 0}, 2, 1, 0, 1.0)), 1e-10).area, 2 * pi,
+                1e-8);
+    EXPECT_EQ(overlap(of_one_edge(ellipse({0, 0}, 2, 1)), of_one_edge(ellipse({4, 0}, 2, 1)), 1e-10).area, 0);  // touching
     // two circles of radius r at distance d
     const double r = 2, d = 1.3, lens = 2 * r * r * std::acos(d / (2 * r)) - d / 2 * std::sqrt(4 * r * r - d * d);
     const Vec2 moved(d * std::cos(0.4), d * std::sin(0.4));
-    EXPECT_NEAR(overlap(alone(nurbs_circle({0, 0}, r)), alone(nurbs_circle(moved, r)), 1e-10).area, lens, 1e-11);
-    EXPECT_NEAR(overlap(alone(nurbs_circle({0, 0}, r)), alone(Arc{moved, r, 0, 2 * pi}), 1e-10).area, lens, 1e-11);
+    EXPECT_NEAR(overlap(of_one_edge(nurbs_circle({0, 0}, r)), of_one_edge(nurbs_circle(moved, r)), 1e-10).area, lens, 1e-11);
+    EXPECT_NEAR(overlap(of_one_edge(nurbs_circle({0, 0}, r)), of_one_edge(Arc{moved, r, 0, 2 * pi}), 1e-10).area, lens, 1e-11);
 }
 
 }  // namespace

@@ -11,23 +11,17 @@
 #include <vector>
 
 #include "geometry/spline_shape.hpp"
+#include "tests/geometry/sample_curves.hpp"
 
 namespace {
 
 using namespace abut::geometry;
+using test::nurbs_circle;
 constexpr double pi = std::numbers::pi;
 
 void expect_moments(const Moments& m, double area, const Vec2& first, double tolerance) {
     EXPECT_NEAR(m.area, area, tolerance);
     EXPECT_LE((m.first - first).norm(), tolerance) << m.first.transpose() << " against " << first.transpose();
-}
-
-Curve nurbs_circle(const Vec2& c, double r) {
-    const double w = std::sqrt(0.5);
-    std::vector<Vec2> points;
-    for (const Vec2& p : std::vector<Vec2>{{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}, {1, 0}})
-        points.push_back(c + r * p);
-    return nurbs_curves({2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, points, {1, w, 1, w, 1, w, 1, w, 1}})[0];
 }
 
 /// One of each kind and then some.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/geometry/clipped_polygon.hpp"
 #include "tests/geometry/random_grids.hpp"
 
 namespace {
@@ -26,24 +27,6 @@ double polygon_area(const Polygon& polygon) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
         twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     return twice / 2;
-}
-
-/// What of `polygon` lies left of the line from a to b [Sutherland, Hodgman 1974]; of a non-convex one with bridges of no area.
-Polygon left_half(const Polygon& polygon, const Vec2& a, const Vec2& b) {
-    Polygon kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
-        const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
-        if (at_p >= 0) kept.push_back(p);
-        if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) kept.emplace_back(p + at_p / (at_p - at_q) * (q - p));
-    }
-    return kept;
-}
-
-Polygon common(Polygon polygon, const Polygon& convex) {
-    for (std::size_t i = 0; i < convex.size() && !polygon.empty(); ++i)
-        polygon = left_half(polygon, convex[i], convex[(i + 1) % convex.size()]);
-    return polygon;
 }
 
 double common_area(const Polygon& polygon, const Polygon& convex) {

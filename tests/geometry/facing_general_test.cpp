@@ -10,6 +10,9 @@
 #include "geometry/facing.hpp"
 #include "geometry/interface_kind.hpp"
 #include "geometry/spline_shape.hpp"
+#include "tests/geometry/facing_checks.hpp"
+#include "tests/geometry/random_grids.hpp"
+#include "tests/geometry/sample_curves.hpp"
 
 namespace abut::geometry {
 namespace {
@@ -17,22 +20,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Rounding of pairs and of bisected ends on models of size 1 to 10: arc lengths come out of quadrature.
 constexpr double exact = 1e-10;
+constexpr test::FacingBounds bounds{.exact = exact, .on_normal = 1e-12, .difference = 1e-7, .advances_within = false};
 
-EllipticArc ellipse(const Vec2& center, double a, double b, double angle = 0, double start = 0, double sweep = 2 * pi) {
-    const Vec2 u(std::cos(angle), std::sin(angle));
-    return {center, a * u, b * left_of(u), start, sweep};
-}
-
-void add_loop(Part& part, const std::vector<Curve>& curves) {
-    Loop loop;
-    for (const Curve& curve : curves) {
-        loop.edges.push_back(static_cast<int>(part.edges.size()));
-        Edge edge;
-        edge.curve = curve;
-        part.edges.push_back(edge);
-    }
-    part.loops.push_back(loop);
-}
+using test::add_loop;
+using test::ellipse;
+using test::length_on_first;
+using test::nurbs_circle;
+using test::turned;
+using test::walk;
 
 Part alone(const std::vector<Curve>& curves) {
     Part part;
@@ -53,14 +48,6 @@ Part plate(double half, const Curve& hole) {
     return part;
 }
 
-Curve nurbs_circle(const Vec2& center, double radius) {
-    const double w = std::sqrt(0.5);
-    Nurbs nurbs{2, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4}, {}, {1, w, 1, w, 1, w, 1, w, 1}};
-    const int x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
-    for (int i = 0; i < 9; ++i) nurbs.points.push_back(center + radius * Vec2(x[i], y[i]));
-    return nurbs_curves(nurbs).front();
-}
-
 /// A cam: closed cubic B-spline through n control points at the radii r(angle).
 Curve cam(const Vec2& center, int n) {
     Nurbs nurbs{3, {}, {}, {}};
@@ -74,62 +61,12 @@ Curve cam(const Vec2& center, int n) {
     return curves.front();
 }
 
-Part turned(const Part& part, double angle, const Vec2& d) {
-    return transformed(part, std::cos(angle), std::sin(angle), d);
-}
-
-/// Pairs found by following a zone from its beginning.
-std::vector<FacingPair> walk(const Part& part1, const Part& part2, const FacingZone& zone, int n) {
-    std::vector<FacingPair> pairs;
-    double guess = zone.begin2;
-    for (int i = 0; i <= n; ++i) {
-        pairs.push_back(pair_from_first(part1, part2, zone, zone.begin1 + (zone.end1 - zone.begin1) * i / n, guess));
-        guess = pairs.back().s2;
-    }
-    return pairs;
-}
-
-/// What must hold for every pair of every zone, whatever the parts.
 void expect_consistent(const Part& part1, const Part& part2, double distance) {
-    for (const FacingZone& zone : find_facing_zones(part1, part2, distance)) {
-        ASSERT_LT(zone.begin1, zone.end1);
-        ASSERT_GT(zone.begin2, zone.end2);
-        const auto pairs = walk(part1, part2, zone, 60);
-        for (const FacingPair& p : pairs) {
-            ASSERT_TRUE(p.found) << "s1 = " << p.s1;
-            EXPECT_NEAR(cross(p.on2.x - p.on1.x, p.normal), 0, 1e-12);
-            EXPECT_NEAR(p.normal.dot(p.on1.normal), -p.normal.dot(p.on2.normal), 1e-12);
-            EXPECT_LE(std::abs(p.gap), distance * (1 + 1e-9));
-            EXPECT_GE(p.gap, zone.gap_min - exact);
-            EXPECT_LE(p.gap, zone.gap_max + exact);
-            const double inward = p.s1 + 0.01 * (0.5 * (zone.begin1 + zone.end1) - p.s1);
-            const FacingPair back = pair_from_second(part1, part2, zone, p.s2, inward);
-            ASSERT_TRUE(back.found);
-            EXPECT_NEAR((back.on1.x - p.on1.x).norm(), 0, exact);
-        }
-        const double off =
-            zone.chain2.closed ? std::remainder(pairs.back().s2 - zone.end2, zone.chain2.length) : pairs.back().s2 - zone.end2;
-        EXPECT_NEAR(off, 0, exact * 10);
-    }
+    test::expect_consistent(part1, part2, distance, bounds);
 }
 
-/// Finite differences against slope and stretch.
 void expect_derivatives(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess) {
-    const double h = 1e-5;
-    const FacingPair p = pair_from_first(part1, part2, zone, s1, guess);
-    const FacingPair a = pair_from_first(part1, part2, zone, s1 - h, p.s2),
-                     b = pair_from_first(part1, part2, zone, s1 + h, p.s2);
-    ASSERT_TRUE(a.found && p.found && b.found);
-    EXPECT_NEAR((b.s2 - a.s2) / (2 * h), p.slope, 1e-7);
-    const Vec2 dm = (b.on1.x + b.on2.x - a.on1.x - a.on2.x) / (4 * h);
-    EXPECT_NEAR(std::abs(cross(p.normal, dm)), p.stretch, 1e-7);
-    EXPECT_NEAR(((b.on1.normal - a.on1.normal) / (2 * h) - p.on1.curvature * p.on1.tangent).norm(), 0, 1e-7);
-}
-
-double length_on_first(const std::vector<FacingZone>& zones) {
-    double sum = 0;
-    for (const FacingZone& zone : zones) sum += zone.end1 - zone.begin1;
-    return sum;
+    test::expect_derivatives(part1, part2, zone, s1, guess, bounds);
 }
 
 TEST(FacingGeneral, EllipticalPinInAHoleThatIsLargerAllRound) {

@@ -10,34 +10,25 @@
 #include <numbers>
 #include <random>
 
+#include "tests/geometry/facing_checks.hpp"
+#include "tests/geometry/random_grids.hpp"
+
 namespace abut::geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 /// Rounding of closed-form pairs and bisected ends on models of size 1 to 100, with room to spare.
 constexpr double exact = 1e-11;
+constexpr test::FacingBounds bounds{.exact = exact, .on_normal = exact, .difference = 1e-8};
 
-void add_loop(Part& part, std::initializer_list<Curve> curves) {
-    Loop loop;
-    for (const Curve& curve : curves) {
-        loop.edges.push_back(static_cast<int>(part.edges.size()));
-        Edge edge;
-        edge.curve = curve;
-        part.edges.push_back(edge);
-    }
-    part.loops.push_back(loop);
-}
+using test::add_loop;
+using test::length_on_first;
+using test::turned;
+using test::walk;
 
 Part polygon(const std::vector<Vec2>& p) {
     Part part;
-    Loop loop;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        Edge edge;
-        edge.curve = Segment{p[i], p[(i + 1) % p.size()]};
-        part.edges.push_back(edge);
-        loop.edges.push_back(static_cast<int>(i));
-    }
-    part.loops.push_back(loop);
+    add_loop(part, test::closed(p));
     return part;
 }
 
@@ -55,11 +46,7 @@ Part disc(const Vec2& center, double radius, double seam = 0) {
 /// A square plate of half width `half` with a round hole: edge 4.
 Part plate_with_hole(double half, const Vec2& center, double radius, double seam = 0) {
     Part part = block(-half, -half, half, half);
-    Loop hole{{4}};
-    Edge edge;
-    edge.curve = Arc{center, radius, seam, -2 * pi};
-    part.edges.push_back(edge);
-    part.loops.push_back(hole);
+    add_loop(part, {Arc{center, radius, seam, -2 * pi}});
     return part;
 }
 
@@ -73,68 +60,12 @@ Part rounded(double x0, double y0, double x1, double y1, double r) {
     return part;
 }
 
-Part turned(const Part& part, double angle, const Vec2& d) {
-    return transformed(part, std::cos(angle), std::sin(angle), d);
-}
-
-/// A pair of points found by following a zone from its beginning.
-std::vector<FacingPair> walk(const Part& part1, const Part& part2, const FacingZone& zone, int n) {
-    std::vector<FacingPair> pairs;
-    double guess = zone.begin2;
-    for (int i = 0; i <= n; ++i) {
-        pairs.push_back(pair_from_first(part1, part2, zone, zone.begin1 + (zone.end1 - zone.begin1) * i / n, guess));
-        guess = pairs.back().s2;
-    }
-    return pairs;
-}
-
-/// What must hold for every pair of every zone, whatever the parts.
 void expect_consistent(const Part& part1, const Part& part2, double distance) {
-    for (const FacingZone& zone : find_facing_zones(part1, part2, distance)) {
-        ASSERT_LT(zone.begin1, zone.end1);
-        ASSERT_GT(zone.begin2, zone.end2);
-        const auto pairs = walk(part1, part2, zone, 60);
-        for (const FacingPair& p : pairs) {
-            ASSERT_TRUE(p.found) << "s1 = " << p.s1;
-            EXPECT_NEAR(cross(p.on2.x - p.on1.x, p.normal), 0, exact);
-            EXPECT_NEAR(p.normal.dot(p.on1.normal), -p.normal.dot(p.on2.normal), exact);
-            EXPECT_LE(std::abs(p.gap), distance * (1 + 1e-9));
-            EXPECT_GE(p.gap, zone.gap_min - exact);
-            EXPECT_LE(p.gap, zone.gap_max + exact);
-            if (&p != &pairs.front() &&
-                &p != &pairs.back()) {  // at a joint the curvature may be that of the edge beyond the end
-                EXPECT_LT(p.slope, 0);
-                EXPECT_GT(p.stretch, 0);
-            }
-            const double inward = p.s1 + 0.01 * (0.5 * (zone.begin1 + zone.end1) - p.s1);
-            const FacingPair back = pair_from_second(part1, part2, zone, p.s2, inward);
-            ASSERT_TRUE(back.found);
-            EXPECT_NEAR((back.on1.x - p.on1.x).norm(), 0, exact);
-        }
-        const double end2 = pairs.back().s2;
-        const double off = zone.chain2.closed ? std::remainder(end2 - zone.end2, zone.chain2.length) : end2 - zone.end2;
-        EXPECT_NEAR(off, 0, exact * 10);
-    }
+    test::expect_consistent(part1, part2, distance, bounds);
 }
 
-/// Finite differences against the analytic slope and stretch, inside one pair of edges.
 void expect_derivatives(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess) {
-    const double h = 1e-5;
-    const FacingPair p = pair_from_first(part1, part2, zone, s1, guess);
-    const FacingPair a = pair_from_first(part1, part2, zone, s1 - h, p.s2),
-                     b = pair_from_first(part1, part2, zone, s1 + h, p.s2);
-    ASSERT_TRUE(a.found && p.found && b.found);
-    EXPECT_NEAR((b.s2 - a.s2) / (2 * h), p.slope, 1e-8);
-    const Vec2 dm = (b.on1.x + b.on2.x - a.on1.x - a.on2.x) / (4 * h);
-    EXPECT_NEAR(std::abs(cross(p.normal, dm)), p.stretch, 1e-8);
-    // curvature is the rate at which the normal turns along the tangent
-    EXPECT_NEAR(((b.on1.normal - a.on1.normal) / (2 * h) - p.on1.curvature * p.on1.tangent).norm(), 0, 1e-8);
-}
-
-double length_on_first(const std::vector<FacingZone>& zones) {
-    double sum = 0;
-    for (const FacingZone& zone : zones) sum += zone.end1 - zone.begin1;
-    return sum;
+    test::expect_derivatives(part1, part2, zone, s1, guess, bounds);
 }
 
 TEST(Chains, CornersSplitAndTangentJointsJoin) {

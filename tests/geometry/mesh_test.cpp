@@ -8,21 +8,12 @@
 #include <random>
 
 #include "geometry/input_error.hpp"
-#include "geometry/mesh_bodies.hpp"
 #include "geometry/mesh_shells.hpp"
 #include "geometry/mesh_weld.hpp"
 #include "tests/geometry/small_meshes.hpp"
 
 namespace abut::geometry {
 namespace {
-
-MeshFile bodies_of(const std::vector<Mesh>& objects) {
-    MeshFile file;
-    file.file = "test";
-    MeshBodies bodies(file);
-    for (const Mesh& object : objects) bodies.add(object);
-    return bodies.finish();
-}
 
 MeshFile read(const std::string& name, const std::string& bytes) {
     const TemporaryFile file(name, bytes);

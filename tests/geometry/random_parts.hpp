@@ -135,6 +135,15 @@ inline Part random_mixed(Random& random) {
     return part;
 }
 
+/// Not at all, by a quarter, or by any angle, and moved.
+inline Part turned_at_random(const Part& part, Random& random) {
+    const std::size_t turn = random() % 3;
+    if (turn == 0) return part;
+    if (turn == 1) return transformed(part, 0, 1, {0, 0});
+    const double angle = between(-std::numbers::pi, std::numbers::pi, random);
+    return transformed(part, std::cos(angle), std::sin(angle), {0.125, -0.25});
+}
+
 inline constexpr int n_part_kinds = 7;
 
 /// Kinds 0 to n_part_kinds - 1; turned not at all, by a quarter, or by any angle, and moved.
@@ -145,11 +154,7 @@ inline Part random_part(int kind, Random& random) {
                       : kind == 3 ? random_ellipse(random)
                       : kind == 4 ? random_mixed(random)
                                   : random_spline(kind == 6, random);
-    const std::size_t turn = random() % 3;
-    if (turn == 0) return part;
-    if (turn == 1) return transformed(part, 0, 1, {0, 0});
-    const double angle = between(-std::numbers::pi, std::numbers::pi, random);
-    return transformed(part, std::cos(angle), std::sin(angle), {0.125, -0.25});
+    return turned_at_random(part, random);
 }
 
 }  // namespace abut::geometry::test

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <random>
 
-#include "geometry/mesh_bodies.hpp"
 #include "geometry/section.hpp"
 #include "tests/geometry/small_meshes.hpp"
 
@@ -16,16 +15,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-MeshFile file_of(const std::vector<Mesh>& objects) {
-    MeshFile file;
-    file.file = "test";
-    MeshBodies bodies(file);
-    for (const Mesh& object : objects) bodies.add(object);
-    return bodies.finish();
-}
-
 Section middle(const std::vector<Mesh>& objects) {
-    return cut(file_of(objects), {2, 0.5}, 0);
+    return cut(bodies_of(objects), {2, 0.5}, 0);
 }
 
 /// A square plate of half width a with a hole of as many points as its edge is given.
@@ -137,7 +128,7 @@ TEST(SectionBulges, ACornerBetweenFacetAndCurveIsInTheWay) {
 TEST(SectionBulges, ArcsCanBeSwitchedOff) {
     std::vector<Vec2> oval;
     for (const Vec2& p : regular_polygon({0, 0}, 10, 60)) oval.push_back({p.x(), 0.7 * p.y()});
-    const MeshFile file = file_of({pin(10, 30, 0), prism(oval, 0, 1, "cam")});
+    const MeshFile file = bodies_of({pin(10, 30, 0), prism(oval, 0, 1, "cam")});
     const Section lines = cut(file, {2, 0.5}, {0, false}), arcs = cut(file, {2, 0.5}, {0, true});
     EXPECT_EQ(n_arcs(lines, "pin") + n_arcs(lines, "cam"), 0);
     EXPECT_EQ(lines.drawing.entities.size(), 90u);

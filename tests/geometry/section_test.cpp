@@ -7,20 +7,11 @@
 #include <filesystem>
 #include <random>
 
-#include "geometry/mesh_bodies.hpp"
 #include "geometry/part.hpp"
 #include "tests/geometry/small_meshes.hpp"
 
 namespace abut::geometry {
 namespace {
-
-MeshFile file_of(const std::vector<Mesh>& objects) {
-    MeshFile file;
-    file.file = "test";
-    MeshBodies bodies(file);
-    for (const Mesh& object : objects) bodies.add(object);
-    return bodies.finish();
-}
 
 std::vector<const SketchEntity*> of_body(const Drawing& drawing, const std::string& body) {
     std::vector<const SketchEntity*> found;
@@ -80,7 +71,7 @@ TEST(Section, ABoxGivesFourLinesOnEveryAxis) {
     const Mesh given = box({1, 2, 3}, {5, 12, 33}, "block");
     const std::vector<std::array<double, 4>> rectangles = {{2, 3, 12, 33}, {1, 3, 5, 33}, {1, 2, 5, 12}};
     for (int axis = 0; axis < 3; ++axis) {
-        const Drawing drawing = section(file_of({given}), {axis, 4}, 0);
+        const Drawing drawing = section(bodies_of({given}), {axis, 4}, 0);
         ASSERT_EQ(drawing.entities.size(), 4u);
         Box2 bounds;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -106,7 +97,7 @@ TEST(Section, FacettedCylindersAreCircles) {
         for (double radius : {0.5, 10.0, 400.0}) {
             Mesh pin = prism(regular_polygon({3, -7}, radius, n, 0.1), 0, 8, "pin");
             round_to_single(pin);
-            const Section cut_at = cut(file_of({pin}), {2, 3.3}, 0);
+            const Section cut_at = cut(bodies_of({pin}), {2, 3.3}, 0);
             ASSERT_EQ(cut_at.drawing.entities.size(), 1u) << n << " facets of radius " << radius;
             const Arc& arc = std::get<Arc>(cut_at.drawing.entities[0].curve);
             EXPECT_NEAR(arc.radius, radius, 2e-6 * radius + 1e-6);
@@ -122,7 +113,7 @@ TEST(Section, FacettedCylindersAreCircles) {
 
 TEST(Section, CoarsePolygonsStayWhatTheyAre) {
     for (int n : {3, 4, 6, 8, 12}) {
-        const Section cut_at = cut(file_of({prism(regular_polygon({0, 0}, 10, n), 0, 8, "nut")}), {2, 4}, 0);
+        const Section cut_at = cut(bodies_of({prism(regular_polygon({0, 0}, 10, n), 0, 8, "nut")}), {2, 4}, 0);
         EXPECT_EQ(cut_at.drawing.entities.size(), static_cast<std::size_t>(n));
     }
 }
@@ -132,7 +123,7 @@ TEST(Section, ASlotIsTwoLinesAndTwoArcsAtAnyHeightAndFineness) {
         for (double z : {0.1, 1.0, 3.9999}) {
             Mesh plate = prism(slot(20, 5, n), 0, 4, "slot");
             round_to_single(plate);
-            const Drawing drawing = section(file_of({plate}), {2, z}, 0);
+            const Drawing drawing = section(bodies_of({plate}), {2, z}, 0);
             ASSERT_EQ(drawing.entities.size(), 4u) << n << " " << z;
             const auto n_arcs = std::count_if(drawing.entities.begin(), drawing.entities.end(), [](const SketchEntity& entity) {
                 return std::holds_alternative<Arc>(entity.curve);
@@ -157,7 +148,7 @@ TEST(Section, AreasOfRandomPrismsInRandomPosesAgree) {
             if (axis == 0) v = Vec3(v.z(), v.x(), v.y());
             if (axis == 1) v = Vec3(v.y(), v.z(), v.x());
         }
-        const Drawing drawing = section(file_of({mesh}), {axis, 0.01 + 5.98 * unit(random)}, 0);
+        const Drawing drawing = section(bodies_of({mesh}), {axis, 0.01 + 5.98 * unit(random)}, 0);
         EXPECT_TRUE(drawing.problems.empty());
         const double area = 0.5 * n * radius * radius * std::sin(2 * std::numbers::pi / n);
         EXPECT_NEAR(enclosed(drawing), area, 1e-6 * area) << round;
@@ -165,7 +156,7 @@ TEST(Section, AreasOfRandomPrismsInRandomPosesAgree) {
 }
 
 TEST(Section, APlaneAlongFacesIsMovedOffThemAndSaysSo) {
-    const MeshFile stepped = file_of({box({0, 0, 0}, {10, 10, 2}, "low"), box({20, 0, 0}, {30, 10, 5}, "high")});
+    const MeshFile stepped = bodies_of({box({0, 0, 0}, {10, 10, 2}, "low"), box({20, 0, 0}, {30, 10, 5}, "high")});
     const double size = Vec3(30, 10, 5).norm();
     for (double z : {0.0, 2.0, 5.0}) {
         const Section moved = cut(stepped, {2, z}, 0);
@@ -180,7 +171,7 @@ TEST(Section, APlaneAlongFacesIsMovedOffThemAndSaysSo) {
 }
 
 TEST(Section, BodiesThatThePlaneMissesAreIgnoredAndNoneAtAllIsAProblem) {
-    const MeshFile file = file_of({box({0, 0, 0}, {10, 10, 2}, "low"), box({20, 0, 0}, {30, 10, 5}, "high")});
+    const MeshFile file = bodies_of({box({0, 0, 0}, {10, 10, 2}, "low"), box({20, 0, 0}, {30, 10, 5}, "high")});
     const Drawing one = section(file, {2, 3}, 0);
     EXPECT_EQ(one.entities.size(), 4u);
     ASSERT_EQ(one.ignored.size(), 1u);
@@ -195,7 +186,7 @@ TEST(Section, BodiesThatThePlaneMissesAreIgnoredAndNoneAtAllIsAProblem) {
 TEST(Section, HolesMatterWhereThePlaneMeetsThem) {
     Mesh open = box({0, 0, 0}, {10, 10, 4}, "tray");
     open.triangles.erase(open.triangles.begin());  // of the wall y = 0
-    const Section torn = cut(file_of({open}), {2, 1}, 0);
+    const Section torn = cut(bodies_of({open}), {2, 1}, 0);
     ASSERT_EQ(torn.drawing.problems.size(), 2u);
     EXPECT_NE(torn.drawing.problems[0].what.find("does not close"), std::string::npos);
     EXPECT_NE(torn.drawing.problems[1].what.find("has holes"), std::string::npos);
@@ -204,7 +195,7 @@ TEST(Section, HolesMatterWhereThePlaneMeetsThem) {
 
     Mesh lidless = box({0, 0, 0}, {10, 10, 4}, "tray");
     std::erase_if(lidless.triangles, [](const auto& t) { return t[0] >= 4 && t[1] >= 4 && t[2] >= 4; });
-    const Section whole = cut(file_of({lidless}), {2, 1}, 0);
+    const Section whole = cut(bodies_of({lidless}), {2, 1}, 0);
     EXPECT_TRUE(whole.drawing.problems.empty());
     EXPECT_EQ(whole.drawing.entities.size(), 4u);
     EXPECT_TRUE(find_repair(whole, "closes all the same"));
@@ -220,7 +211,7 @@ TEST(Section, NarrowCracksAreClosedAndWideOnesReported) {
                         cracked.vertices.push_back(cracked.vertices[static_cast<std::size_t>(i)] - Vec3(gap, 0, 0));
                         i = static_cast<int>(cracked.vertices.size()) - 1;
                     }
-        const Section found = cut(file_of({cracked}), {2, 1}, 0);
+        const Section found = cut(bodies_of({cracked}), {2, 1}, 0);
         EXPECT_EQ(found.drawing.problems.empty(), closes) << gap;
         const Repair* repair = find_repair(found, "crack");
         ASSERT_EQ(repair != nullptr, closes);
@@ -229,7 +220,7 @@ TEST(Section, NarrowCracksAreClosedAndWideOnesReported) {
 }
 
 TEST(Section, TouchingBodiesKeepTheirOwnOutlines) {
-    const MeshFile file = file_of({together(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}))});
+    const MeshFile file = bodies_of({together(box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1}))});
     const Drawing drawing = section(file, {2, 0.5}, 0);
     EXPECT_EQ(of_body(drawing, "shell1").size(), 4u);
     EXPECT_EQ(of_body(drawing, "shell2").size(), 4u);
@@ -237,7 +228,7 @@ TEST(Section, TouchingBodiesKeepTheirOwnOutlines) {
 }
 
 TEST(Section, DamagedBodiesAreProblems) {
-    MeshFile file = file_of({box({0, 0, 0}, {1, 1, 1}, "good")});
+    MeshFile file = bodies_of({box({0, 0, 0}, {1, 1, 1}, "good")});
     Mesh bad = box({0, 0, 0}, {1, 1, 1}, "index");
     bad.triangles[0][0] = 99;
     file.bodies.push_back(bad);

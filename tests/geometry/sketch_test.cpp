@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "tests/geometry/drawings.hpp"
 #include "tests/geometry/dxf_text.hpp"
 #include "tests/src/temporary_folder.hpp"
 
@@ -29,25 +30,6 @@ SketchParts parts_of(const std::string& entities, double tolerance = 0) {
 
 bool has(const std::string& text, const std::string& piece) {
     return text.find(piece) != std::string::npos;
-}
-
-/// Loops are closed head to tail, outer ones counter-clockwise, holes clockwise; every edge lies in one loop.
-void expect_sound(const Part& part, double tolerance = 1e-12) {
-    std::size_t n_edges = 0, n_outer = 0;
-    for (const Loop& loop : part.loops) {
-        Part alone;
-        for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-            const Edge& edge = part.edges.at(static_cast<std::size_t>(loop.edges[i]));
-            const Edge& next = part.edges.at(static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()]));
-            EXPECT_LE((point(edge.curve, 1) - point(next.curve, 0)).norm(), tolerance * bounding_box(part).diagonal())
-                << edge.name;
-            alone.edges.push_back(edge);
-        }
-        n_edges += loop.edges.size();
-        n_outer += area(alone) > 0;
-    }
-    EXPECT_EQ(n_edges, part.edges.size());
-    EXPECT_EQ(n_outer, 1u);
 }
 
 TEST(Sketch, FindsThePartsOfAnAssembly) {

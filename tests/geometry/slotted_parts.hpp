@@ -131,11 +131,7 @@ inline Part slotted_part(int kind, Random& random) {
                       : kind == 5 ? random_ring(random)
                       : kind == 6 ? random_dumbbell(random)
                                   : random_notched(random);
-    const std::size_t turn = random() % 3;
-    if (turn == 0) return part;
-    if (turn == 1) return transformed(part, 0, 1, {0, 0});
-    const double angle = between(-std::numbers::pi, std::numbers::pi, random);
-    return transformed(part, std::cos(angle), std::sin(angle), {0.125, -0.25});
+    return turned_at_random(part, random);
 }
 
 }  // namespace abut::geometry::test

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "geometry/mesh.hpp"
+#include "geometry/mesh_bodies.hpp"
 
 namespace abut::geometry {
 
@@ -55,6 +55,15 @@ inline Mesh together(const Mesh& a, const Mesh& b) {
     sum.vertices.insert(sum.vertices.end(), b.vertices.begin(), b.vertices.end());
     for (const std::array<int, 3>& t : b.triangles) sum.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
     return sum;
+}
+
+/// As if a file had held these objects.
+inline MeshFile bodies_of(const std::vector<Mesh>& objects) {
+    MeshFile file;
+    file.file = "test";
+    MeshBodies bodies(file);
+    for (const Mesh& object : objects) bodies.add(object);
+    return bodies.finish();
 }
 
 inline std::string obj_text(const std::vector<Mesh>& meshes) {

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
 #include <stdexcept>
@@ -279,7 +280,9 @@ TEST(Factorization, KnowsTheConditionsOfStiffnesses) {
             const double scaled = condition_of(scaled_to_unit_diagonal(a)), unscaled = condition_of(a);
             ASSERT_EQ(f.ok(), scaled > 0) << test::name_of(c) << scaled;  // the plain basis is not stable for each sliver
             if (!f.ok()) continue;
-            EXPECT_LT(unscaled, 1e12) << "the dense reference is rounding itself";
+            // a few roundings of the largest eigenvalue are in the smallest: the reference must be surer than what is asked
+            // below
+            EXPECT_LT(8 * std::numeric_limits<double>::epsilon() * unscaled, 1e-3) << test::name_of(c);
             EXPECT_GT(f.condition_estimate(), scaled / 1.2) << test::name_of(c);
             EXPECT_LT(f.condition_estimate(), scaled * 1.001) << test::name_of(c);
             EXPECT_GT(f.unscaled_condition_two(), unscaled / 1.2) << test::name_of(c);
