@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut contacts: contact detection alone.
+#include <filesystem>
 #include <iostream>
 #include <optional>
 
@@ -22,6 +23,15 @@ Scene read_model(const Arguments& arguments) {
     return read_scene(arguments.operand);
 }
 
+/// Without any pair there is no picture, and none of an earlier run is left.
+void write_cells(const std::string& folder, const std::string& svg) {
+    std::error_code ignored;
+    if (svg.empty())
+        std::filesystem::remove(std::filesystem::path(folder) / "cells.svg", ignored);
+    else
+        write_file(folder, "cells.svg", svg);
+}
+
 int report_differences(const Detection& detection, const std::string& expectation_file) {
     const std::vector<std::string> differences = compare_detection(detection, expectation_file);
     for (const std::string& line : differences) std::cerr << "abut: " << expectation_file << ": " << line << "\n";
@@ -38,7 +48,7 @@ CommandSpec contacts_spec() {
                      {}};
     spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's diagonal)"},
                     {"--expect", "FILE", "compare with the pairs of this file; exit status 1 on any difference"},
-                    {"-o", "DIR", "folder for contacts.json and contacts.svg (default: out)"}};
+                    {"-o", "DIR", "folder for contacts.json, contacts.svg and cells.svg (default: out)"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
     return spec;
 }
@@ -52,6 +62,7 @@ int contacts_command(const Arguments& arguments) {
     print_text(detection_table(scene, detection));
     write_file(folder, "contacts.json", detection_json(scene, detection));
     write_file(folder, "contacts.svg", detection_svg(scene, detection));
+    write_cells(folder, detection_cells_svg(scene, detection));
     return has(arguments, "--expect") ? report_differences(detection, arguments.options.at("--expect")) : exit_done;
 }
 

@@ -9,15 +9,27 @@
 #include "apps/data_folder.hpp"
 #include "apps/print_text.hpp"
 #include "apps/progress_line.hpp"
-#include "geometry/input_error.hpp"
+#include "src/verify_dissertation.hpp"
 
 namespace abut {
 
 namespace {
 
-void refuse_future_names(const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), "dissertation") != names.end())
-        throw InputError("verify", "the dissertation's tables are not supported yet", "abut verify --list shows what is");
+constexpr const char* dissertation = "dissertation";
+
+/// Is the dissertation asked for? Its name is taken out of the list.
+bool take_dissertation(std::vector<std::string>& names) {
+    return std::erase(names, dissertation) > 0;
+}
+
+std::vector<SolvedTable> solved_tables(const std::string& folder) {
+    ProgressLine line(true);
+    std::vector<SolvedTable> solved;
+    for (const DissertationTable& table : dissertation_tables()) {
+        line.show(table.title);
+        solved.push_back(solve_table(table, folder));
+    }
+    return solved;
 }
 
 std::vector<VerifyRow> verified(const std::vector<VerifyProblem>& problems, const std::string& folder) {
@@ -52,20 +64,34 @@ CommandSpec verify_spec() {
          {"--json", "", "print the comparison as JSON instead of a table"},
          {"--data", "DIR", "folder with verification/ and scenes/ (default: the one the program came with)"}},
         "NAME is a problem (E4-quarter) or a group of them (E4); without any, all are solved, which takes minutes.\n"
+        "dissertation: the tables of the dissertation, its printed values beside ours.\n"
         "The exit status is 1 where a quantity misses its tolerance.\n"};
     spec.operands = Operands::any;
     return spec;
 }
 
 int verify_command(const Arguments& arguments) {
-    refuse_future_names(arguments.operands);
-    const std::vector<VerifyProblem> problems = chosen_problems(arguments.operands);
+    std::vector<std::string> names = arguments.operands;
+    const bool tables = take_dissertation(names);
+    // the dissertation alone asks for no other problem
+    const std::vector<VerifyProblem> problems = tables && names.empty() ? std::vector<VerifyProblem>{} : chosen_problems(names);
     if (has(arguments, "--list")) {
-        print_text(verify_list(problems));
+        if (!problems.empty()) print_text(verify_list(problems));
+        if (tables || names.empty()) print_text(dissertation_list());
         return exit_done;
     }
-    const std::vector<VerifyRow> rows = verified(problems, data_folder(arguments));
-    print_text(has(arguments, "--json") ? verify_json(rows) : verify_table(rows));
+    const std::string folder = data_folder(arguments);
+    const std::vector<SolvedTable> solved = tables ? solved_tables(folder) : std::vector<SolvedTable>{};
+    std::vector<VerifyRow> rows;
+    for (const SolvedTable& table : solved)
+        for (VerifyRow& row : rows_of(table)) rows.push_back(std::move(row));
+    const std::vector<VerifyRow> others = verified(problems, folder);
+    if (!has(arguments, "--json")) {
+        if (tables) print_text(dissertation_text(solved));
+        if (!others.empty()) print_text(verify_table(others));
+    }
+    rows.insert(rows.end(), others.begin(), others.end());
+    if (has(arguments, "--json")) print_text(verify_json(rows));
     std::cout.flush();
     report_failures(rows);
     const bool all_pass = std::all_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return row.pass; });

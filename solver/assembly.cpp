@@ -25,29 +25,17 @@ void for_full_cells(const SplineSpace& s, F f) {
         if (is_full(s, cell)) f(cell);
 }
 
-std::vector<Vec2> tensor_points(const SplineSpace& s, int cell, const LineRule& rule, std::vector<double>& weights) {
+CellRule tensor_rule(const SplineSpace& s, int cell, const LineRule& rule) {
     const auto c = static_cast<std::size_t>(cell % s.columns()), r = static_cast<std::size_t>(cell / s.columns());
     const double x0 = s.x.breakpoints[c], hx = s.x.breakpoints[c + 1] - x0;
     const double y0 = s.y.breakpoints[r], hy = s.y.breakpoints[r + 1] - y0;
-    std::vector<Vec2> points;
-    weights.clear();
+    CellRule result{cell, {}, {}};
     for (std::size_t j = 0; j < rule.points.size(); ++j)
         for (std::size_t i = 0; i < rule.points.size(); ++i) {
-            points.emplace_back(x0 + rule.points[i] * hx, y0 + rule.points[j] * hy);
-            weights.push_back(rule.weights[i] * rule.weights[j] * hx * hy);
+            result.points.emplace_back(x0 + rule.points[i] * hx, y0 + rule.points[j] * hy);
+            result.weights.push_back(rule.weights[i] * rule.weights[j] * hx * hy);
         }
-    return points;
-}
-
-/// Calls f(cell, points, weights) for every cell of the part.
-template <class F>
-void for_all_cells(const PartInput& input, F f) {
-    std::vector<double> weights;
-    for_full_cells(input.space, [&](int cell) {
-        const std::vector<Vec2> points = tensor_points(input.space, cell, input.line_rule, weights);
-        f(cell, points, weights);
-    });
-    for (const CellRule& rule : input.cut_rules) f(rule.element, rule.points, rule.weights);
+    return result;
 }
 
 /// The elements of a part that hold material: full cells first, then those of the cut rules.
@@ -73,6 +61,7 @@ Elements elements_of(const PartInput& input) {
 /// The assembly under way, with room for one element.
 struct Stiffness {
     const PartInput& input;
+    Elasticity elasticity;
     const Elements& elements;
     BlockScatter scatter;
     CellIntegrals integrals;
@@ -81,7 +70,7 @@ struct Stiffness {
     /// The blocks of element k from its integrals over the B-splines, which are used up.
     void make_blocks(std::size_t k) {
         if (!elements.own[k]) extract(extraction(input.space, elements.element[k]), integrals);
-        stiffness_blocks(integrals, input.elasticity, input.thickness, blocks);
+        stiffness_blocks(integrals, elasticity, input.thickness, blocks);
     }
     void add_blocks(std::size_t k) { scatter.add(elements.functions[k], blocks); }
 };
@@ -122,10 +111,15 @@ void add_at(VectorXd& to, const Extraction& e, const VectorXd& local) {
 
 }  // namespace
 
+void for_all_cells(const PartInput& input, const std::function<void(const CellRule&)>& f) {
+    for_full_cells(input.space, [&](int cell) { f(tensor_rule(input.space, cell, input.line_rule)); });
+    for (const CellRule& rule : input.cut_rules) f(rule);
+}
+
 BlockMatrix assemble_stiffness(const PartInput& input) {
     const Elements elements = elements_of(input);
     BlockMatrix k = make_block_matrix(input.space.n_functions, elements.functions);
-    Stiffness stiffness{input, elements, BlockScatter(k), {}, {}};
+    Stiffness stiffness{input, local_elasticity(input), elements, BlockScatter(k), {}, {}};
     add_full_cells(stiffness);
     add_cut_cells(stiffness);
     return k;
@@ -135,10 +129,10 @@ FunctionIntegrals integrate_functions(const PartInput& input) {
     const SplineSpace& s = input.space;
     FunctionIntegrals f{VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions), VectorXd::Zero(s.n_functions)};
     Sampled at;
-    for_all_cells(input, [&](int cell, const std::vector<Vec2>& points, const std::vector<double>& weights) {
-        sample(s, cell, points, at);
-        const Extraction e = extraction(s, cell);
-        const auto w = as_vector(weights);
+    for_all_cells(input, [&](const CellRule& rule) {
+        sample(s, rule.element, rule.points, at);
+        const Extraction e = extraction(s, rule.element);
+        const auto w = as_vector(rule.weights);
         add_at(f.value, e, at.value.transpose() * w);
         add_at(f.dx, e, at.dx.transpose() * w);
         add_at(f.dy, e, at.dy.transpose() * w);
@@ -150,12 +144,12 @@ VectorXd body_load(const PartInput& input, const std::function<Vec2(const Vec2&)
     const SplineSpace& s = input.space;
     VectorXd fx = VectorXd::Zero(s.n_functions), fy = fx;
     Sampled at;
-    for_all_cells(input, [&](int cell, const std::vector<Vec2>& points, const std::vector<double>& weights) {
-        sample(s, cell, points, at);
-        const Extraction e = extraction(s, cell);
-        VectorXd wx(static_cast<Index>(points.size())), wy = wx;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const Vec2 b = input.thickness * weights[k] * force(points[k]);
+    for_all_cells(input, [&](const CellRule& rule) {
+        sample(s, rule.element, rule.points, at);
+        const Extraction e = extraction(s, rule.element);
+        VectorXd wx(static_cast<Index>(rule.points.size())), wy = wx;
+        for (std::size_t k = 0; k < rule.points.size(); ++k) {
+            const Vec2 b = input.thickness * rule.weights[k] * force(rule.points[k]);
             wx[static_cast<Index>(k)] = b.x();
             wy[static_cast<Index>(k)] = b.y();
         }

@@ -20,6 +20,7 @@ struct CellRule {
 };
 
 struct SolutionStructure;
+struct Dilatation;
 
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
 struct PartInput {
@@ -30,9 +31,20 @@ struct PartInput {
     double thickness = 1;
     /// Supports by weight functions (solution_structure.hpp); none: the functions as they are.
     std::shared_ptr<const SolutionStructure> structure{};
+    /// Whether the volume strain is projected, against locking (dilatation.hpp); not with a structure.
+    bool is_projected = false;
+    std::shared_ptr<const Dilatation> dilatation{};  ///< filled in by make_part_system
 };
 
-/// Stiffness over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices,
+/// What the stresses of a displacement's own gradient follow from; with a projection all but lambda's.
+inline Elasticity local_elasticity(const PartInput& input) {
+    return input.is_projected ? without_volume(input.elasticity) : input.elasticity;
+}
+
+/// Calls f(rule) for the quadrature of every element that holds material, of full cells too.
+void for_all_cells(const PartInput& input, const std::function<void(const CellRule&)>& f);
+
+/// Stiffness of the local elasticity over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices,
 /// once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
 BlockMatrix assemble_stiffness(const PartInput& input);
 

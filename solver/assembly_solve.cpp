@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps: rows of the interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left
-// out
+// Steps: rows of interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left out
 // -> the contact QP -> displacements.
 #include "solver/assembly_solve.hpp"
 
@@ -29,7 +28,7 @@ std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
 /// The rows of one part, numbered among themselves.
 struct LocalRows {
     std::vector<int> global;
-    MatrixXd columns;  // (kept unknowns x rows): D' of the part
+    Eigen::SparseMatrix<double> columns;  // (kept unknowns x rows): D' of the part
 };
 
 LocalRows local_rows(const PartSystem& part, const std::vector<RowEntry>& entries) {
@@ -37,12 +36,14 @@ LocalRows local_rows(const PartSystem& part, const std::vector<RowEntry>& entrie
     for (const RowEntry& e : entries) local.global.push_back(e.row);
     std::sort(local.global.begin(), local.global.end());
     local.global.erase(std::unique(local.global.begin(), local.global.end()), local.global.end());
-    local.columns.setZero(part.n_kept, static_cast<Index>(local.global.size()));
+    std::vector<Eigen::Triplet<double>> kept;
     for (const RowEntry& e : entries) {
         const int unknown = part.number[static_cast<std::size_t>(e.coefficient)];
         const auto column = std::lower_bound(local.global.begin(), local.global.end(), e.row) - local.global.begin();
-        if (unknown >= 0) local.columns(unknown, column) += e.value;
+        if (unknown >= 0) kept.emplace_back(unknown, static_cast<int>(column), e.value);
     }
+    local.columns.resize(part.n_kept, static_cast<Index>(local.global.size()));
+    local.columns.setFromTriplets(kept.begin(), kept.end());
     return local;
 }
 
@@ -61,14 +62,9 @@ VectorXd transposed_times(const std::vector<RowEntry>& entries, const VectorXd& 
 /// C, g, G, h before scaling, with the rows that they belong to.
 ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    ContactQp qp{MatrixXd::Zero(rows.n, rows.n),
-                 rows.gap0,
-                 MatrixXd::Zero(rows.n, offset.back()),
-                 VectorXd::Zero(offset.back()),
-                 rows.unilateral,
-                 VectorXd::Zero(rows.n),
-                 rows.gap0,
-                 problem.load_scale};
+    const Index m = rows.n, n = offset.back();
+    ContactQp qp{MatrixXd::Zero(m, m), rows.gap0, MatrixXd::Zero(m, n), VectorXd::Zero(n), rows.unilateral,
+                 VectorXd::Zero(m),    rows.gap0, problem.load_scale};
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
         const PartSystem& part = problem.parts[i];
         const Index n_modes = part.modes.cols();
@@ -82,12 +78,12 @@ ContactQp condense(const AssemblyProblem& problem, const Rows& rows) {
         for (Index k = 0; k < n_modes; ++k)
             qp.modes.col(offset[i] + k) = rows_times(rows.by_part[i], part.modes.col(k), rows.n);
         const LocalRows local = local_rows(part, rows.by_part[i]);
-        const MatrixXd y = part.factor.solve_lower(local.columns);
-        const MatrixXd c = y.transpose() * y;
+        const MatrixXd c = part.factor.inverse_form(local.columns);
         for (std::size_t a = 0; a < local.global.size(); ++a)
             for (std::size_t b = 0; b < local.global.size(); ++b)
                 qp.compliance(local.global[a], local.global[b]) += c(static_cast<Index>(a), static_cast<Index>(b));
     }
+    qp.compliance.diagonal().head(rows.softness.size()) += rows.softness;
     return qp;
 }
 
@@ -228,43 +224,72 @@ void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, 
     for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
 }
 
+/// Loads, and displacements without the rigid motions.
 void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers,
-                           const VectorXd& amplitudes, AssemblySolution& solution) {
-    const std::vector<Index> offset = mode_offsets(problem.parts);
+                           AssemblySolution& solution) {
     solution.contact_load.clear();
     solution.load.clear();
     solution.displacement.clear();
     VectorXd contact_only = multipliers;
-    for (Index k = 0; k < contact_only.size(); ++k)
-        if (!rows.unilateral[static_cast<std::size_t>(k)]) contact_only[k] = 0;
+    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
         const PartSystem& part = problem.parts[i];
         solution.contact_load.push_back(transposed_times(rows.by_part[i], contact_only, part.n()));
         solution.load.push_back(part.load + transposed_times(rows.by_part[i], multipliers, part.n()));
-        VectorXd u = solve(part, solution.load.back());
-        if (part.modes.cols() > 0) u += part.modes * amplitudes.segment(offset[i], part.modes.cols());
-        solution.displacement.push_back(std::move(u));
+        solution.displacement.push_back(solve(part, solution.load.back()));
     }
 }
 
-/// One step of iterative refinement: what the displacements leave of closed gaps and of equilibrium is the right-hand side of a
-/// correction. It takes out the rounding of C and of the pinned solutions. False where nothing is left to correct.
-bool refine(const AssemblyProblem& problem, const Rows& rows, const MatrixXd& resisted, ContactQp qp,
-            const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes, const AssemblySolution& solution) {
+void add_rigid_motions(const AssemblyProblem& problem, const VectorXd& amplitudes, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    qp.gap = rows.gap0;
-    VectorXd load = VectorXd::Zero(offset.back());
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        qp.gap += rows_times(rows.by_part[i], solution.displacement[i], rows.n);
+        const PartSystem& part = problem.parts[i];
+        if (part.modes.cols() > 0) solution.displacement[i] += part.modes * amplitudes.segment(offset[i], part.modes.cols());
+    }
+}
+
+/// What the refinement changes. The settled amplitudes stay: all else is small against them where there is clearance.
+struct ContactAnswer {
+    VectorXd forces;  // multipliers of the scaled rows
+    VectorXd settled, motion;
+};
+
+/// What displacements (without rigid motions) and forces leave of the gaps and of the balance.
+struct Remainder {
+    VectorXd gap, load;
+};
+Remainder remainder_of(const AssemblyProblem& problem, const Rows& rows, const ContactQp& qp, const MatrixXd& held,
+                       const ContactAnswer& answer, const AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    VectorXd opening = VectorXd::Zero(rows.n), load = VectorXd::Zero(offset.back());
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        opening += rows_times(rows.by_part[i], solution.displacement[i], rows.n);
         load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * solution.load[i];
     }
-    qp.gap = qp.gap.cwiseQuotient(rows.weight);
-    qp.mode_load = resisted.transpose() * load;
-    VectorXd more, further;
-    if (!solve_on_set(qp, active, more, further)) return false;
-    multipliers += more.cwiseQuotient(rows.weight);
-    amplitudes += further;
-    return true;
+    const Index soft = rows.softness.size();
+    opening.head(soft) += rows.softness.cwiseProduct(answer.forces.cwiseQuotient(rows.weight).head(soft));
+    const VectorXd settled_gap = qp.drawn_gap + qp.modes * answer.settled;
+    return {settled_gap + opening.cwiseQuotient(rows.weight) + qp.modes * answer.motion, held.transpose() * load};
+}
+
+/// Displacements under the contact forces, with one step of iterative refinement: what they leave of closed gaps and of
+/// equilibrium is the right-hand side of a correction. It takes out the rounding of C and of the pinned solutions, where the
+/// active set holds every motion.
+void recover_refined(const AssemblyProblem& problem, const Rows& rows, const MatrixXd& held, const ContactQp& qp,
+                     const ContactQpResult& result, ContactAnswer& answer, AssemblySolution& solution) {
+    recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), solution);
+    Remainder left = remainder_of(problem, rows, qp, held, answer, solution);
+    ContactQp correction = qp;
+    correction.gap = left.gap;
+    correction.mode_load = left.load;
+    VectorXd forces, motion;
+    if (solve_on_set(correction, result.active, forces, motion)) {
+        answer.forces += forces;
+        answer.motion += motion;
+        recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), solution);
+        left = remainder_of(problem, rows, qp, held, answer, solution);
+    }
+    solution.residual = contact_residual(qp, {answer.forces, left.gap, left.load});
 }
 
 }  // namespace
@@ -307,10 +332,10 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem) {
         solution.mechanism = part_motions(problem.parts, split.resisted * result.mechanism);
         return solution;
     }
-    VectorXd multipliers = result.multipliers.cwiseQuotient(rows.weight), amplitudes = result.amplitudes;
-    recover_displacements(problem, rows, multipliers, held * amplitudes, solution);
-    if (refine(problem, rows, held, qp, result.active, multipliers, amplitudes, solution))
-        recover_displacements(problem, rows, multipliers, held * amplitudes, solution);
+    ContactAnswer answer{result.multipliers, result.settled, result.motion};
+    recover_refined(problem, rows, held, qp, result, answer, solution);
+    add_rigid_motions(problem, held * (answer.settled + answer.motion), solution);
+    const VectorXd multipliers = answer.forces.cwiseQuotient(rows.weight);
     take_least_motion(problem, split.neutral, solution);
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(

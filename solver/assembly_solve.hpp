@@ -55,6 +55,7 @@ struct AssemblySolution {
     std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
     bool converged = false, used_fallback = false;
+    double residual = 0;  ///< of the contact conditions by these displacements and pressures: contact_residual's
 };
 
 AssemblySolution solve_assembly(const AssemblyProblem& problem);

@@ -113,9 +113,16 @@ void evaluate(const KnotVector& knots, int interval, double x, LocalValues& valu
 }
 
 double greville(const KnotVector& knots, int i) {
+    if (knots.degree == 0)
+        return 0.5 * (knots.knots[static_cast<std::size_t>(i)] + knots.knots[static_cast<std::size_t>(i) + 1]);
     double sum = 0;
     for (int k = 1; k <= knots.degree; ++k) sum += knots.knots[static_cast<std::size_t>(i + k)];
     return sum / knots.degree;
+}
+
+KnotVector derivative_knots(const KnotVector& knots) {
+    KnotVector lower{knots.degree - 1, knots.breakpoints, {knots.knots.begin() + 1, knots.knots.end() - 1}, knots.first};
+    return lower;
 }
 
 LocalValues extension_coefficients(const KnotVector& knots, int interval, int j) {

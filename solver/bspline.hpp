@@ -45,8 +45,11 @@ int interval_of(const KnotVector& knots, double x);
 void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values);
 void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives);
 
-/// Abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville).
+/// Abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville). Degree 0: the middle.
 double greville(const KnotVector& knots, int i);
+
+/// Knots of the derivatives: one degree less, smooth across a knot to one order less.
+KnotVector derivative_knots(const KnotVector& knots);
 
 /// The polynomial pieces of an interval's functions, continued over the whole line, have B-spline coefficients everywhere:
 /// those for function j, one for each function of the interval, are the blossom at j's inner knots. This is the extension of

@@ -23,23 +23,40 @@ struct ContactQp {
 };
 
 struct ContactQpResult {
-    Eigen::VectorXd multipliers, amplitudes, gap;
+    Eigen::VectorXd multipliers, gap;
+    Eigen::VectorXd settled, motion;  ///< amplitudes of the rigid settle, and from there to the answer
+    Eigen::VectorXd amplitudes() const { return settled + motion; }
     std::vector<char> active;
     int iterations = 0;
     bool converged = false;
-    bool used_fallback = false;  ///< the monotone active set had to finish
+    bool used_fallback = false;  ///< the primal-dual active set repeated or lost a set: the descending one went on
     bool feasible = true;        ///< false: no pressures >= 0 balance the loads
     Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive
+    double residual = 0;         ///< of the conditions, scaled: see contact_residual
 };
 
-/// 1. Non-negative least squares on the equilibrium alone: its residual is the motion of a mechanism.
-/// 2. A rigid settle on a Winkler foundation gives the first active set.
-/// 3. Primal-dual active set (Hueber and Wohlmuth 2005) under a proximal term on the amplitudes that is reduced tenfold a pass.
-/// 4. Where that cycles or loses every contact: the monotone primal active set, which always ends.
+/// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
+///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
+/// 2. Primal-dual active set [Hueber05]. Usually the end.
+/// 3. Where it repeats a set, or meets one that leaves a motion free: passes of the same under a proximal term on the
+///    amplitudes, a fraction of the foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of
+///    each pass is tried without the term; where a single point carries all, the balance becomes exact by the passes.
+/// 4. Where a pass repeats or loses a set: the descending active set, which always ends, on the same pass.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 
-/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; false where the set leaves them
-/// open. With residuals in place of gap and mode_load: the correction of a step of iterative refinement.
+/// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
+struct ContactConditions {
+    Eigen::VectorXd multipliers, gap, imbalance;
+};
+/// The largest violation of the conditions: imbalance relative to the loads (a press fit: to the contact forces), negative
+/// multipliers relative to the largest, penetration and gaps of bilateral rows relative to the largest elastic closing max(C
+/// l), which clearances and rigid motions do not enlarge, and min(l, gap) in the same units. Without any multiplier gaps are
+/// relative to the largest of them.
+double contact_residual(const ContactQp& qp, const ContactConditions& conditions);
+
+/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set leaves
+/// free stays at zero. False where C is singular on the set or no row of it resists any motion. With residuals in place of gap
+/// and mode_load: the correction of a step of iterative refinement.
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers,
                   Eigen::VectorXd& amplitudes);
 

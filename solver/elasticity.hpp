@@ -21,6 +21,11 @@ inline Elasticity plane_strain(double E, double nu) {
     return {c * (1 - nu), c * nu, E / (2 * (1 + nu)), nu};
 }
 
+/// What lambda leaves: 2 mu epsilon.
+inline Elasticity without_volume(const Elasticity& d) {
+    return {2 * d.d33, 0, d.d33, d.out_of_plane};
+}
+
 /// Stress (xx, yy, xy) of a displacement gradient (rows: u_x, u_y; columns: d/dx, d/dy).
 inline Eigen::Vector3d stress_of(const Elasticity& d, const Eigen::Matrix2d& gradient) {
     const double exx = gradient(0, 0), eyy = gradient(1, 1), gxy = gradient(0, 1) + gradient(1, 0);

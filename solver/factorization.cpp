@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/factorization.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,8 @@
 
 #include "solver/condition.hpp"
 #include "solver/ordering.hpp"
+#include "solver/schur_complement.hpp"
+#include "solver/signed_factor.hpp"
 
 namespace abut::solver {
 
@@ -57,13 +60,13 @@ Band narrow_band(const SparseSymmetric& m, const MergedPattern& pattern, const N
     return other.width < given.width ? std::move(other) : std::move(given);
 }
 
-/// norm_one: of the matrix before. Diagonal entries come first in their columns. Result: row of the first that is not positive
-/// or of an entry that is not a number.
-int scale_to_unit_diagonal(SparseSymmetric& m, VectorXd& scale, double& norm_one) {
+/// norm_one: of the matrix before. Diagonal entries come first in their columns; from row n_positive on they are to be
+/// negative. Result: row of the first of the wrong sign, or of an entry that is not a number.
+int scale_to_unit_diagonal(SparseSymmetric& m, int n_positive, VectorXd& scale, double& norm_one) {
     scale.resize(m.n);
     VectorXd column_sums = VectorXd::Zero(m.n);
     for (int c = 0; c < m.n; ++c) {
-        const double d = m.value[at(m.first[at(c)])];
+        const double d = m.value[at(m.first[at(c)])] * (c < n_positive ? 1 : -1);
         if (!(d > 0)) return c;
         scale[c] = 1 / std::sqrt(d);
     }
@@ -127,20 +130,30 @@ struct Factorization::Data {
     VectorXd scale;
     double norm_one = 0;  // of the matrix as it was given
     int failed_at = -1;
-    std::variant<std::monostate, BandedFactor, SupernodalFactor> factor;
+    std::variant<std::monostate, BandedFactor, SupernodalFactor, SignedFactor> factor;
+    std::optional<SchurComplement> schur;  // with the signed factor only
 
     int n() const { return static_cast<int>(scale.size()); }
 
     template <class F>
-    auto with_factor(F f) const {
+    auto with_cholesky(F f) const {
         const auto* banded = std::get_if<BandedFactor>(&factor);
         return banded != nullptr ? f(*banded) : f(std::get<SupernodalFactor>(factor));
+    }
+    template <class F>
+    auto with_factor(F f) const {
+        const auto* with_signs = std::get_if<SignedFactor>(&factor);
+        return with_signs != nullptr ? f(*with_signs) : with_cholesky(f);
     }
     VectorXd solved(const VectorXd& b) const {
         return with_factor([&](const auto& l) { return l.solve(b); });
     }
     VectorXd product(const VectorXd& x) const {
-        return with_factor([&](const auto& l) { return l.product(x); });
+        return with_cholesky([&](const auto& l) { return l.product(x); });
+    }
+    LinearMap schur_product() const {
+        const auto mass = std::make_shared<const Factorization>(schur->eliminated());
+        return [this, mass](const VectorXd& x) { return schur->product(x, [&](const VectorXd& b) { return mass->solve(b); }); };
     }
 };
 
@@ -167,16 +180,29 @@ Factorization::Factorization(SparseSymmetric matrix) {
 }
 
 Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic)
-    : data_(new Data{std::move(symbolic), {}, 0, -1, {}}) {
+    : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
     Data& d = *data_;
     if (!d.symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
-    d.failed_at = scale_to_unit_diagonal(matrix, d.scale, d.norm_one);
+    d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
     if (d.failed_at >= 0 || matrix.n == 0) return;
     const Structure& structure = d.symbolic.data_->structure;
     if (const Band* band = std::get_if<Band>(&structure))
         d.factor.emplace<BandedFactor>(matrix, *band);
     else
         d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
+    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
+}
+
+Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
+    : data_(new Data{SymbolicFactorization(matrix, FactorMethod::supernodal), {}, 0, -1, {}, {}}) {
+    Data& d = *data_;
+    const int n_positive = matrix.n - n_eliminated;
+    d.schur.emplace(matrix, n_eliminated);
+    d.failed_at = scale_to_unit_diagonal(matrix, n_positive, d.scale, d.norm_one);
+    if (d.failed_at >= 0 || matrix.n == 0) return;
+    std::vector<double> sign(at(matrix.n), 1.0);
+    std::fill(sign.begin() + n_positive, sign.end(), -1.0);
+    d.factor.emplace<SignedFactor>(matrix, std::get<SupernodalStructure>(d.symbolic.data_->structure), sign);
     d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
 }
 
@@ -201,32 +227,61 @@ double Factorization::bytes() const {
 
 double Factorization::condition_estimate() const {
     const Data& d = *data_;
+    if (!d.schur)
+        return condition_by_lanczos(
+            d.n(), [&](const VectorXd& x) { return d.product(x); }, [&](const VectorXd& b) { return d.solved(b); });
+    const VectorXd& s = d.schur->scale();
+    const LinearMap k = d.schur_product();
     return condition_by_lanczos(
-        d.n(), [&](const VectorXd& x) { return d.product(x); }, [&](const VectorXd& b) { return d.solved(b); });
+        d.schur->n(), [&](const VectorXd& x) -> VectorXd { return s.cwiseProduct(k(s.cwiseProduct(x))); },
+        [&](const VectorXd& b) -> VectorXd { return solve(b.cwiseQuotient(s)).cwiseQuotient(s); });
 }
 
 double Factorization::unscaled_condition_two() const {
     const Data& d = *data_;
+    const auto inverse = [&](const VectorXd& b) { return solve(b); };
+    if (d.schur) return condition_by_lanczos(d.schur->n(), d.schur_product(), inverse);
     const auto product = [&](const VectorXd& x) -> VectorXd {
         return d.product(x.cwiseQuotient(d.scale)).cwiseQuotient(d.scale);
     };
-    return condition_by_lanczos(d.n(), product, [&](const VectorXd& b) { return solve(b); });
+    return condition_by_lanczos(d.n(), product, inverse);
 }
 
 double Factorization::unscaled_condition_one() const {
-    if (data_->n() == 0) return 1;
-    return data_->norm_one * solver::norm_one(data_->n(), [&](const VectorXd& b) { return solve(b); });
+    const Data& d = *data_;
+    if (d.n() == 0) return 1;
+    const int n = d.schur ? d.schur->n() : d.n();
+    const double norm = d.schur ? solver::norm_one(n, d.schur_product()) : d.norm_one;
+    return norm * solver::norm_one(n, [&](const VectorXd& b) { return solve(b); });
 }
 
 VectorXd Factorization::solve(const VectorXd& b) const {
     if (b.size() == 0) return b;
-    return data_->scale.cwiseProduct(data_->solved(data_->scale.cwiseProduct(b)));
+    const auto own = data_->scale.head(b.size());  // a K is without the eliminated rows
+    VectorXd padded = VectorXd::Zero(data_->n());
+    padded.head(b.size()) = own.cwiseProduct(b);
+    return own.cwiseProduct(data_->solved(padded).head(b.size()));
 }
 
 Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
     if (b.size() == 0) return b;
+    if (data_->schur) throw std::logic_error("the factor of a Schur complement has signs: inverse_form() knows them");
     const Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
-    return data_->with_factor([&](const auto& l) { return l.solve_lower(scaled); });
+    return data_->with_cholesky([&](const auto& l) { return l.solve_lower(scaled); });
+}
+
+Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    if (b.size() == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
+    const auto own = data_->scale.head(b.rows()).asDiagonal();
+    if (const auto* signs = std::get_if<SignedFactor>(&data_->factor)) {
+        Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(data_->n(), b.cols());
+        padded.topRows(b.rows()) = own * Eigen::MatrixXd(b);
+        return signs->inverse_form(padded);
+    }
+    if (const auto* supernodal = std::get_if<SupernodalFactor>(&data_->factor))
+        return supernodal->inverse_form(Eigen::SparseMatrix<double>(own * b));
+    const Eigen::MatrixXd y = solve_lower(Eigen::MatrixXd(b));
+    return y.transpose() * y;
 }
 
 }  // namespace abut::solver

@@ -21,6 +21,7 @@
 // With 200 columns banded is better still (squares of degree 2: 0.98 at 10000, 1.11 at 30000).
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
 
@@ -58,6 +59,9 @@ public:
     explicit Factorization(SparseSymmetric matrix);
     /// The pattern must fit (std::logic_error: a bug of the caller).
     Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic);
+    /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of M,
+    /// which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
+    Factorization(SparseSymmetric matrix, int n_eliminated);
     Factorization(Factorization&&) noexcept;
     Factorization& operator=(Factorization&&) noexcept;
     ~Factorization();
@@ -83,6 +87,8 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     /// Y = L^-1 P S B, so that B' A^-1 B = Y'Y.
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
+    /// B' A^-1 B, of a K, too. Sparse columns cost a fraction of solve_lower's.
+    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:
     struct Data;

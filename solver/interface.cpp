@@ -24,31 +24,91 @@ void compress(std::vector<RowEntry>& entries) {
     entries.resize(kept);
 }
 
-void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const InterfacePoint& p,
-               int first_row) {
+/// Rows that a point belongs to, and its part in their integrals.
+struct PointRows {
+    std::array<int, max_degree + 1> row;
+    LocalValues share;
+    std::size_t n;
+};
+
+PointRows mortar_rows(const Interface& face, std::size_t point, int first_row) {
+    const InterfacePoint& p = face.points[point];
     const int interval = interval_of(face.pressure, p.s);
-    LocalValues n;
-    evaluate(face.pressure, interval, p.s, n);
-    const double w = p.weight * face.thickness;
-    const auto row = [&](int k) { return first_row + (interval + k) % n_rows(face); };
-    for (int k = 0; k <= face.pressure.degree; ++k) {
-        const double share = w * n[static_cast<std::size_t>(k)];
-        rows.gap0[row(k)] += share * p.gap;
-        rows.weight[row(k)] += share;
+    PointRows rows;
+    evaluate(face.pressure, interval, p.s, rows.share);
+    rows.n = static_cast<std::size_t>(face.pressure.degree) + 1;
+    for (std::size_t k = 0; k < rows.n; ++k) {
+        rows.row[k] = first_row + (interval + static_cast<int>(k)) % n_rows(face);
+        rows.share[k] *= p.weight * face.thickness;
+    }
+    return rows;
+}
+
+PointRows penalty_row(const Interface& face, std::size_t point, int first_row) {
+    PointRows rows;
+    rows.row[0] = first_row + static_cast<int>(point);
+    rows.share[0] = face.points[point].weight * face.thickness;
+    rows.n = 1;
+    return rows;
+}
+
+void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const InterfacePoint& p,
+               const PointRows& of) {
+    for (std::size_t k = 0; k < of.n; ++k) {
+        rows.gap0[of.row[k]] += of.share[k] * p.gap;
+        rows.weight[of.row[k]] += of.share[k];
     }
     for (std::size_t side = 0; side < 2; ++side) {
         const auto part = static_cast<std::size_t>(face.part[side]);
         const DisplacementBasis b = displacement_basis(parts[part].input, p.element[side], p.x[side]);
         const Vec2 along = (side == 0 ? -1 : 1) * p.normal[side];
-        for (int k = 0; k <= face.pressure.degree; ++k) {
-            const double share = w * n[static_cast<std::size_t>(k)];
-            rows.gap0[row(k)] += share * along.dot(b.data.value);
+        for (std::size_t k = 0; k < of.n; ++k) {
+            rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
             for (std::size_t i = 0; i < b.x.functions.size(); ++i)
                 for (int c = 0; c < 2; ++c)
                     rows.by_part[part].push_back(
-                        {row(k), 2 * b.x.functions[i] + c, share * b.of(c).value[static_cast<Index>(i)] * along[c]});
+                        {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
         }
     }
+}
+
+void add_interface(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, int first_row) {
+    const auto rows_of = face.penalty.empty() ? mortar_rows : penalty_row;
+    for (std::size_t q = 0; q < face.points.size(); ++q)
+        add_point(rows, parts, face, face.points[q], rows_of(face, q, first_row));
+}
+
+void add_softness(Rows& rows, const std::vector<Interface>& interfaces, const std::vector<int>& first_row) {
+    const auto is_penalty = [](const Interface& face) { return !face.penalty.empty(); };
+    if (std::none_of(interfaces.begin(), interfaces.end(), is_penalty)) return;
+    rows.softness = Eigen::VectorXd::Zero(rows.n);
+    for (std::size_t f = 0; f < interfaces.size(); ++f)
+        for (std::size_t q = 0; q < interfaces[f].penalty.size(); ++q) {
+            const Index row = first_row[f] + static_cast<Index>(q);
+            rows.softness[row] = rows.weight[row] / interfaces[f].penalty[q];
+        }
+}
+
+/// Values at the points of a polyline with its two ends: the neighbouring piece continued, without tension.
+Eigen::VectorXd continued(const Interface& face, const Eigen::VectorXd& at_points) {
+    const std::vector<double>& s = face.pressure.breakpoints;
+    const Index n = at_points.size();
+    Eigen::VectorXd all(n + 2);
+    all.segment(1, n) = at_points;
+    const auto line = [&](Index a, Index b, double s_a, double s_b, double to) {
+        return std::max(0.0, at_points[a] + (to - s_a) / (s_b - s_a) * (at_points[b] - at_points[a]));
+    };
+    const auto last = static_cast<std::size_t>(n);
+    const double first_s = s[1], last_s = s[last];
+    if (n == 1) {
+        all[0] = all[2] = at_points[0];
+    } else if (face.periodic) {
+        all[0] = all[n + 1] = line(n - 1, 0, last_s - (s[last + 1] - s[0]), first_s, s[0]);
+    } else {
+        all[0] = line(0, 1, first_s, s[2], s[0]);
+        all[n + 1] = line(n - 1, n - 2, last_s, s[last - 1], s[last + 1]);
+    }
+    return all;
 }
 
 }  // namespace
@@ -65,13 +125,24 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
     rows.gap0 = Eigen::VectorXd::Zero(rows.n);
     rows.weight = Eigen::VectorXd::Zero(rows.n);
     rows.unilateral.assign(static_cast<std::size_t>(rows.n), 1);
-    for (std::size_t k = 0; k < interfaces.size(); ++k)
-        for (const InterfacePoint& p : interfaces[k].points) add_point(rows, parts, interfaces[k], p, first_row[k]);
+    for (std::size_t k = 0; k < interfaces.size(); ++k) {
+        add_interface(rows, parts, interfaces[k], first_row[k]);
+        if (interfaces[k].bilateral) std::fill_n(rows.unilateral.begin() + first_row[k], n_rows(interfaces[k]), 0);
+    }
+    add_softness(rows, interfaces, first_row);
     for (auto& entries : rows.by_part) compress(entries);
     return rows;
 }
 
+KnotVector polyline_knots(const std::vector<InterfacePoint>& points, double begin, double end) {
+    std::vector<double> places{begin};
+    for (const InterfacePoint& p : points) places.push_back(p.s);
+    places.push_back(end);
+    return clamped_knots(std::move(places), 1);
+}
+
 Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown) {
+    if (!face.penalty.empty()) return continued(face, unknown);
     Eigen::VectorXd all(face.pressure.n_functions());
     for (Index k = 0; k < all.size(); ++k) all[k] = unknown[k % unknown.size()];
     return all;

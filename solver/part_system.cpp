@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/dilatation.hpp"
+#include "solver/stress.hpp"
 #include "solver/structure_reactions.hpp"
 
 namespace abut::solver {
@@ -166,6 +168,22 @@ void set_modes(PartSystem& s) {
     }
 }
 
+/// The projection of the volume strain, which Nitsche's supports have a share in.
+void project_dilatation(PartSystem& s) {
+    std::vector<const SupportSet*> by_nitsche;
+    for (const SupportRecord& record : s.supports)
+        if (record.method == SupportMethod::nitsche) by_nitsche.push_back(&record.set);
+    s.input.dilatation = make_dilatation(s.input, by_nitsche);
+    s.failure = s.input.dilatation->failure;
+    if (s.failure.empty()) s.load += volume_load(*s.input.dilatation);
+}
+
+Factorization factorized(const PartSystem& s) {
+    SparseSymmetric a = restricted(s.stiffness, s.number, s.n_kept);
+    if (!s.input.is_projected) return Factorization(std::move(a));
+    return Factorization(with_pressures(a, *s.input.dilatation, s.number), s.input.dilatation->space.n_functions);
+}
+
 /// What a pivot that is not positive means here, and what to do about it.
 std::string failure_text(const PartSystem& s) {
     const std::string text = "the stiffness matrix is not positive definite to working precision: ";
@@ -203,10 +221,16 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     s.input = std::move(input);
     s.applied = std::move(applied);
     s.springs = std::move(springs);
+    if (s.input.structure && s.input.is_projected) {
+        s.failure = "supports by weight functions do not go with a nearly incompressible material; take dirichlet \"nitsche\"";
+        return s;
+    }
     assemble(s, weighted);
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
     apply_supports(s, std::move(supports));
+    if (s.input.is_projected) project_dilatation(s);
+    if (!s.failure.empty()) return s;
     s.free_motions = free_motions(s, center, size);
     if (s.input.structure && !follow_structure(s, size)) {
         s.failure =
@@ -216,7 +240,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     }
     set_modes(s);
     number_unknowns(s);
-    s.factor = Factorization(restricted(s.stiffness, s.number, s.n_kept));
+    s.factor = factorized(s);
     if (!s.factor.ok())
         note_failure(s);
     else if (!s.springs.empty() && s.factor.condition_estimate() > largest_spring_condition)
@@ -224,8 +248,14 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     return s;
 }
 
+Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    Eigen::VectorXd forces = multiply(system.stiffness, displacement);
+    if (system.input.is_projected) forces += volume_forces(*system.input.dilatation, displacement);
+    return forces;
+}
+
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
-    const Eigen::VectorXd rest = load - multiply(system.stiffness, system.prescribed);
+    const Eigen::VectorXd rest = load - stiffness_times(system, system.prescribed);
     Eigen::VectorXd b(system.n_kept);
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
@@ -252,7 +282,7 @@ Resultant dropped_reaction(const PartSystem& system, const SupportRecord& record
 
 std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
                                          const Eigen::VectorXd& load, const Eigen::VectorXd& plain) {
-    const Eigen::VectorXd residual = multiply(system.stiffness, displacement) - load;
+    const Eigen::VectorXd residual = stiffness_times(system, displacement) - load;
     std::vector<Resultant> reactions;
     for (const SupportRecord& record : system.supports)
         reactions.push_back(record.method == SupportMethod::nitsche ? nitsche_reaction(system.input, record.set, displacement)
@@ -262,9 +292,10 @@ std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::
 }
 
 Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
+    const StressOf stress(input, displacement);
     Resultant sum;
     for (const SupportPoint& p : set.points) {
-        const Eigen::Vector3d s = stress_of(input.elasticity, displacement_at(input, displacement, p.element, p.x).gradient);
+        const Eigen::Vector3d s = stress(p.element, p.x);
         const Vec2 traction(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y());
         sum.add(p.x, p.weight * input.thickness * p.direction.dot(traction) * p.direction);
     }
@@ -284,7 +315,8 @@ double strain_energy(const PartSystem& system, const Eigen::VectorXd& displaceme
     for (const SpringSet& set : system.springs) twice -= 2 * spring_answer(system.input, set, displacement).energy;
     for (const SupportRecord& record : system.supports)
         if (record.method == SupportMethod::nitsche) twice -= nitsche_energy(system.input, record.set, displacement);
-    return 0.5 * twice;
+    const double of_volume = system.input.is_projected ? volume_energy(*system.input.dilatation, displacement) : 0;
+    return 0.5 * twice + of_volume;
 }
 
 double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement) {

@@ -45,7 +45,8 @@ inline constexpr double largest_spring_condition = 1e12;
 
 struct PartSystem {
     PartInput input;
-    BlockMatrix stiffness;    ///< with Nitsche's terms, nothing dropped
+    /// With Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has that, too.
+    BlockMatrix stiffness;
     Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
     Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
     std::vector<SupportRecord> supports;
@@ -72,6 +73,9 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
 
 /// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
+
+/// K u of the whole space (2n), nothing dropped.
+Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
 
 /// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones
 /// prescribed.

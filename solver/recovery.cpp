@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "solver/solution_structure.hpp"
+#include "solver/stress.hpp"
 
 namespace abut::solver {
 
@@ -34,8 +35,7 @@ struct NormalEquations {
 };
 
 /// Adds one element's samples: dense within it, then its lower triangle.
-void add_element(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement,
-                 int element, const Samples& samples) {
+void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& stress, int element, const Samples& samples) {
     const std::vector<int> functions = extraction(space, element).functions;
     const auto n = static_cast<Index>(functions.size());
     Eigen::MatrixXd b(static_cast<Index>(samples.points.size()), n);
@@ -43,8 +43,7 @@ void add_element(NormalEquations& eq, const PartInput& input, const SplineSpace&
     for (std::size_t k = 0; k < samples.points.size(); ++k) {
         const Vec2& x = samples.points[k];
         b.row(static_cast<Index>(k)) = evaluate(space, element, x).value.transpose();
-        s.row(static_cast<Index>(k)) =
-            stress_of(input.elasticity, displacement_at(input, displacement, element, x).gradient).transpose();
+        s.row(static_cast<Index>(k)) = stress(element, x).transpose();
     }
     const auto weight = Eigen::Map<const Eigen::VectorXd>(samples.weights.data(), b.rows()).asDiagonal();
     const Eigen::MatrixXd m = b.transpose() * weight * b;
@@ -101,7 +100,7 @@ Samples full_cell_samples(const SplineSpace& s, int element, const std::vector<d
 
 /// Quadrature points as samples, their weights relative to the cell's area: they make the fit one in the mean square over the
 /// part, which leaves no function open however little of the part it holds.
-void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const Eigen::VectorXd& displacement) {
+void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const StressOf& stress) {
     const std::vector<CellRule>& rules = input.structure ? input.structure->rules : input.cut_rules;
     for (const CellRule& rule : rules) {
         const auto c = static_cast<std::size_t>(space.column_of(rule.element)),
@@ -110,7 +109,7 @@ void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& s
             (space.x.breakpoints[c + 1] - space.x.breakpoints[c]) * (space.y.breakpoints[r + 1] - space.y.breakpoints[r]);
         Samples samples{rule.points, rule.weights};
         for (double& w : samples.weights) w /= area;
-        add_element(eq, input, space, displacement, rule.element, samples);
+        add_element(eq, space, stress, rule.element, samples);
     }
 }
 
@@ -138,18 +137,18 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     if (!field.failure.empty()) return field;
 
     const double cut_weight = low ? weight_in_cut_cells : 1;
+    const StressOf stress(input, displacement);
     NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3)};
     std::vector<Samples> samples(from.fraction.size());
     for (std::size_t element = 0; element < from.fraction.size(); ++element)
         if (from.fraction[element] == 1) samples[element] = full_cell_samples(from, static_cast<int>(element), inside);
     for (const SamplePoint& p : cut) add(samples[static_cast<std::size_t>(p.element)], p.x, cut_weight);
     for (std::size_t element = 0; element < samples.size(); ++element)
-        if (!samples[element].points.empty())
-            add_element(eq, input, field.space, displacement, static_cast<int>(element), samples[element]);
+        if (!samples[element].points.empty()) add_element(eq, field.space, stress, static_cast<int>(element), samples[element]);
 
     Factorization factor(assembled(eq.entries, field.space.n_functions));
     if (!factor.ok()) {  // parts of few cells, all cut, with hardly a sample in some
-        add_rules(eq, input, field.space, displacement);
+        add_rules(eq, input, field.space, stress);
         factor = Factorization(assembled(eq.entries, field.space.n_functions));
     }
     if (!factor.ok()) {

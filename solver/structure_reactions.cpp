@@ -14,9 +14,13 @@ using Eigen::VectorXd;
 VectorXd other_forces(const PartSystem& s, const VectorXd& u) {
     std::vector<TractionPoint> points;
     for (const SupportRecord& record : s.supports)
-        if (record.method == SupportMethod::nitsche)
-            for (const SupportPoint& p : record.set.points)
-                points.push_back({p.element, p.x, p.weight, nitsche_traction(s.input, p, u)});
+        if (record.method == SupportMethod::nitsche) {
+            const std::vector<Vec2> tractions = nitsche_tractions(s.input, record.set, u);
+            for (std::size_t k = 0; k < tractions.size(); ++k) {
+                const SupportPoint& p = record.set.points[k];
+                points.push_back({p.element, p.x, p.weight, tractions[k]});
+            }
+        }
     for (const SpringSet& set : s.springs)
         for (const SpringPoint& p : set.points)
             points.push_back(

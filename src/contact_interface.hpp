@@ -22,12 +22,15 @@ struct ContactInterface {
     geometry::FacingZone zone;
     solver::Interface face;  ///< face.part: indices among the solver's parts
     std::vector<std::array<Vec2, 2>> own_normals;
-    std::vector<double> s1, s;  ///< table: arc length on chain 1 against that of the middle curve, ascending
-    std::vector<double> s2;     ///< partners on chain 2 of the table's entries
+    /// Table: arc length on chain 1 against that of the middle curve (penalty: on chain 1 from the zone's begin), ascending.
+    std::vector<double> s1, s;
+    std::vector<double> s2;  ///< partners on chain 2 of the table's entries
     double foundation = 0;
+    Pairing pairing = Pairing::middle;
 };
 
-/// closing: how much the drawn gap is reduced (interference); no_overlap: negative drawn gaps count as zero.
+/// Mortar's, or penalty's where the scene asks for it. closing: how much the drawn gap is reduced (interference); no_overlap:
+/// negative drawn gaps count as zero.
 ContactInterface make_interface(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first,
                                 const PartOnGrid& second, std::array<int, 2> solver_part, double closing, bool no_overlap);
 

@@ -12,7 +12,8 @@ namespace abut {
 namespace {
 
 constexpr int profile_points_per_interval = 6;
-constexpr double margin_fraction = 0.35;  // of the contact's length that a profile shows beyond its ends
+constexpr int profile_points_per_penalty_point = 2;  // they stand closer than a pressure spline's knots
+constexpr double margin_fraction = 0.35;             // of the contact's length that a profile shows beyond its ends
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -49,25 +50,44 @@ std::vector<double> profile_places(const ContactInterface& contact, const std::v
         if (contact.zone.end_is_limit || contact.zone.closed)
             high = std::min(high, runs.back().end + margin_fraction * longest);
     }
+    const int n = contact.face.penalty.empty() ? profile_points_per_interval : profile_points_per_penalty_point;
     std::vector<double> places;
     for (int i = 0; i < k.n_intervals(); ++i) {
         const double a = std::max(low, k.breakpoints[at(i)]), b = std::min(high, k.breakpoints[at(i) + 1]);
         if (b <= a) continue;
-        for (int j = 0; j < profile_points_per_interval; ++j) places.push_back(a + (b - a) * j / profile_points_per_interval);
+        for (int j = 0; j < n; ++j) places.push_back(a + (b - a) * j / n);
     }
     places.push_back(high);
     return places;
 }
 
-void fill_profile(const Scene& scene, const SolvedAssembly& solved, const ContactInterface& contact, const Candidate& candidate,
-                  const Eigen::VectorXd& pressure, const std::vector<ContactRun>& runs, ContactResult& result) {
+/// The pressure that answers to a gap: the pressure spline's, or what the penalty makes of a penetration there (the nearest
+/// point's beta).
+double pressure_for(const ContactInterface& contact, const Eigen::VectorXd& pressure, double s, double gap) {
+    const std::vector<solver::InterfacePoint>& points = contact.face.points;
+    if (contact.face.bilateral) return solver::pressure_at(contact.face.pressure, pressure, s);
+    if (contact.face.penalty.empty()) return std::max(0.0, solver::pressure_at(contact.face.pressure, pressure, s));
+    const auto after = std::lower_bound(points.begin(), points.end(), s, [](const auto& p, double v) { return p.s < v; });
+    auto k = static_cast<std::size_t>(after - points.begin());
+    if (k == points.size() || (k > 0 && s - points[k - 1].s < points[k].s - s)) --k;
+    return contact.face.penalty[k] * std::max(0.0, -gap);
+}
+
+const Eigen::VectorXd& shear_of(const SolvedAssembly& solved, std::size_t contact) {
+    return solved.solution.pressure[at(solved.shear_of[contact])];
+}
+
+void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t k, const Candidate& candidate,
+                  ContactResult& result) {
+    const ContactInterface& contact = solved.contacts[k];
+    const Eigen::VectorXd& pressure = pressure_of(solved, k);
     const Side first = side_of(scene, solved, candidate.first), second = side_of(scene, solved, candidate.second);
-    for (double s : profile_places(contact, runs)) {
+    for (double s : profile_places(contact, solved.runs[k])) {
         const geometry::FacingPair pair = pair_at(scene, contact, s);
         if (!pair.found) continue;
         const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing;
         const double gap = drawn + pair.normal.dot(second.displacement_at(pair.on2) - first.displacement_at(pair.on1));
-        const double p = std::max(0.0, solver::pressure_at(contact.face.pressure, pressure, s));
+        const double p = pressure_for(contact, pressure, s, gap);
         ContactProfile& profile = result.profile;
         profile.edge.push_back(first.edge_name(pair.on1.edge));
         profile.s.push_back(first.arc_length(pair.on1));
@@ -79,6 +99,8 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, const Contac
         profile.y2.push_back(pair.on2.x.y());
         profile.pressure.push_back(p);
         profile.gap.push_back(gap);
+        if (solved.shear_of[k] >= 0)
+            profile.shear.push_back(solver::pressure_at(contact.face.pressure, shear_of(solved, k), s));
         result.max_penetration = std::max(result.max_penetration, -gap);
         if (p > result.max_pressure.value || profile.s.size() == 1) result.max_pressure = {p, pair.on1.x};
     }
@@ -103,10 +125,10 @@ void name_edges(const std::vector<std::string>& edge, const std::vector<double>&
 }
 
 /// Resultant on the first part, from the same quadrature that the solution used.
-void integrate_force(const ContactInterface& contact, const PartOnGrid& grid, const Eigen::VectorXd& pressure,
+void integrate_force(const solver::Interface& face, const PartOnGrid& grid, const Eigen::VectorXd& pressure,
                      ContactResult& result) {
-    for (const solver::InterfacePoint& p : contact.face.points) {
-        const double f = p.weight * contact.face.thickness * solver::pressure_at(contact.face.pressure, pressure, p.s);
+    for (const solver::InterfacePoint& p : face.points) {
+        const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
         const Vec2 force = -f * grid.frame.vector_to_global(p.normal[0]);
         result.force += force;
         result.moment += geometry::cross(grid.frame.to_global(p.x[0]), force);
@@ -125,6 +147,7 @@ std::string interface_of(const Scene& scene, const Candidate& candidate, const s
 }
 
 std::string status_of(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+    if (contact.face.bilateral) return "closed";
     if (runs.empty()) return "open";
     const bool whole = runs.size() == 1 && runs[0].from_start && runs[0].to_end;
     return whole && !contact.zone.begin_is_limit && !contact.zone.end_is_limit ? "closed" : "partial";
@@ -150,11 +173,15 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         result.contact_length += run.end - run.begin;
         for (double s : {run.begin, run.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
     }
-    fill_profile(scene, solved, c, candidate, pressure, solved.runs[contact], result);
+    if (c.face.bilateral) result.kind = "bonded";
+    fill_profile(scene, solved, contact, candidate, result);
     name_edges(result.profile.edge, result.profile.pressure, result.edges[0], result.between[0]);
     name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);
     result.interface = interface_of(scene, candidate, result.between);
-    integrate_force(c, solved.grids[at(solved.solver_part[at(candidate.first)])], pressure, result);
+    const PartOnGrid& grid = solved.grids[at(solved.solver_part[at(candidate.first)])];
+    integrate_force(c.face, grid, pressure, result);
+    if (solved.shear_of[contact] >= 0)
+        integrate_force(solved.problem.interfaces[at(solved.shear_of[contact])], grid, shear_of(solved, contact), result);
     return result;
 }
 

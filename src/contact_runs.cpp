@@ -11,14 +11,24 @@ namespace abut {
 namespace {
 
 constexpr double open_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr int samples = 8;              // of the fit
+// The stretch of the fit, in knot intervals from where the last coefficient's support ends: nearer, the spline that may not be
+// negative overshoots, and farther the pressure is no root any more. Measured on pins in holes (16 grids, h = R/10, half angle
+// of 61 degrees): off by 0.18 degrees at most; 1 to 3 intervals 0.85.
+constexpr double fit_from = 1.5, fit_to = 4;
+constexpr int steps = 40;  // of the integral over the stretch
 
-/// Zero of the line through the squared pressures between `near` and `far` inside the end.
-double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double end, double inward, double near, double far) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (int i = 0; i < samples; ++i) {
-        const double x = near + (far - near) * i / (samples - 1);
-        const double p = solver::pressure_at(k, c, end + inward * x), y = p * p;
+/// Zero of the line through F^(2/3), F the force between the end and a place `from` to `to` inside it: a pressure that ends
+/// like A sqrt(x) has F = 2/3 A x^(3/2). A force averages the waves that the last coefficients throw; the pressure itself does
+/// not.
+double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double end, double inward, double from, double to) {
+    double force = 0, n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    const double step = to / steps;
+    const auto pressure = [&](double x) { return solver::pressure_at(k, c, end + inward * x); };
+    for (int i = 0; i < steps; ++i) {
+        const double a = i * step, x = a + step;
+        force += step / 6 * (pressure(a) + 4 * pressure(a + 0.5 * step) + pressure(x));
+        if (x < from) continue;
+        const double y = std::cbrt(force * force);
         n += 1;
         sx += x;
         sy += y;
@@ -28,7 +38,7 @@ double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double 
     const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
     if (!(slope > 0)) return end;
     const double zero = -(sy - slope * sx) / n / slope;
-    return end + inward * std::clamp(zero, 0.0, near + 0.5 * (far - near));
+    return end + inward * std::clamp(zero, 0.0, from);
 }
 
 }  // namespace
@@ -59,12 +69,12 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
             return pressure.breakpoints[i + 1] - pressure.breakpoints[i];
         };
         if (!run.from_start) {
-            const double h = std::min(knot_at(begin + 1e-9 * whole), whole / 6);
-            run.begin = fitted_end(pressure, coefficients, begin, 1, h, 3 * h);
+            const double h = std::min(knot_at(begin + 1e-9 * whole), whole / (2 * fit_to));
+            run.begin = fitted_end(pressure, coefficients, begin, 1, fit_from * h, fit_to * h);
         }
         if (!run.to_end) {
-            const double h = std::min(knot_at(end - 1e-9 * whole), whole / 6);
-            run.end = fitted_end(pressure, coefficients, end, -1, h, 3 * h);
+            const double h = std::min(knot_at(end - 1e-9 * whole), whole / (2 * fit_to));
+            run.end = fitted_end(pressure, coefficients, end, -1, fit_from * h, fit_to * h);
         }
     }
     return runs;

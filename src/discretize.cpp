@@ -7,6 +7,7 @@
 
 #include "geometry/gauss.hpp"
 #include "geometry/monotone.hpp"
+#include "src/plan.hpp"
 
 namespace abut {
 
@@ -87,7 +88,9 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
         input.cut_rules.push_back({rule.element, std::move(rule.points), std::move(rule.weights)});
     const geometry::GaussRule& line = geometry::gauss_rule(p + 1);
     input.line_rule = {line.points, line.weights};
-    input.elasticity = elasticity_of(scene, scene.materials[static_cast<std::size_t>(source.material)]);
+    const Material& material = scene.materials[static_cast<std::size_t>(source.material)];
+    input.elasticity = elasticity_of(scene, material);
+    input.is_projected = is_nearly_incompressible(scene, material);
     input.thickness = source.thickness;
     return result;
 }

@@ -105,6 +105,14 @@ MobilityResult mobility_of(const Scene& scene, const ResolvedConditions& conditi
     return result;
 }
 
+FunctionalInterface bonded_interface(const FacingEdges& stretch) {
+    FunctionalInterface result;
+    result.kind = "bonded";
+    result.at = 0.5 * (stretch.ends[0] + stretch.ends[1]);
+    result.wrenches = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return result;
+}
+
 }  // namespace
 
 FunctionalInterface functional_interface(const Scene& scene, const Candidate& candidate) {
@@ -116,6 +124,7 @@ FunctionalInterface functional_interface(const Scene& scene, const Candidate& ca
     const auto longest = std::max_element(stretches.begin(), stretches.end(),
                                           [](const FacingEdges& a, const FacingEdges& b) { return a.length < b.length; });
     put_first(stretches, longest->edge1, longest->edge2);
+    if (candidate.bonded) return bonded_interface(stretches.front());
     const std::string kind = geometry::interface_kind(first, stretches[0].edge1, second, stretches[0].edge2);
     return functional_interface(first, second, kind, stretches, scale_of({&first, &second}));
 }

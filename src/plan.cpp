@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "src/svg.hpp"
+
 namespace abut {
 
 namespace {
@@ -21,9 +23,18 @@ Effect effect(const std::string& name, bool on, const std::string& why_on, const
 
 }  // namespace
 
+bool is_nearly_incompressible(const Scene& scene, const Material& material) {
+    return scene.analysis == Analysis::plane_strain && material.nu >= projection_from;
+}
+
 std::vector<Effect> plan_effects(const Scene& scene) {
+    const bool incompressible = std::any_of(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& part) {
+        return is_nearly_incompressible(scene, scene.materials[static_cast<std::size_t>(part.material)]);
+    });
     const bool interference = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
                                           [](const PairRule& r) { return r.interference != 0; });
+    const bool bonded = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
+                                    [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; });
     const bool edges = has_load(scene, Load::Kind::pressure) || has_load(scene, Load::Kind::traction) ||
                        has_load(scene, Load::Kind::edge_force);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
@@ -38,11 +49,16 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                "no rigid support"),
         effect("interference", interference || scene.contacts.overlap == "press_fit",
                "an interference or drawn overlap closes gaps", "no interference"),
-        effect("bonding", false, "", "no bonded pair"),
+        effect("bonding", bonded, "a pair of edges is bonded", "no bonded pair"),
         effect("friction", false, "", "friction is 0"),
         effect("springs", has_support(scene, Support::Kind::spring), "edges rest on springs", "no spring support"),
         effect("temperature", false, "", "no temperature load"),
         effect("spin", false, "", "no spin load"),
+        effect("incompressibility", incompressible,
+               "a part in plane strain has a Poisson's ratio of " + number_text(projection_from, 2) +
+                   " or more: its volume strain is projected onto splines of one degree less",
+               scene.analysis == Analysis::plane_strain ? "every Poisson's ratio is below " + number_text(projection_from, 2)
+                                                        : "not plane strain"),
         effect("large displacement", false, "", "small displacements are assumed; checked after the solution"),
     };
 }

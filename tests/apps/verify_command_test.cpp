@@ -63,6 +63,8 @@ TEST_F(CommandLine, VerifyListsWithoutSolving) {
     const Outcome all = abut({"verify", "--list"});
     EXPECT_EQ(all.status, 0);
     EXPECT_GT(lines_of(all.output).size(), 20U);
+    expect_words(all.output, {"dissertation"});
+    EXPECT_EQ(lines_of(abut({"verify", "dissertation", "--list"}).output).size(), 1U);
     const Outcome group = abut({"verify", "E8", "--list"});
     for (const std::string& line : lines_of(group.output)) EXPECT_EQ(line.rfind("E8-", 0), 0U) << line;
     EXPECT_FALSE(group.output.empty());
@@ -73,9 +75,9 @@ TEST_F(CommandLine, VerifyRefusesWhatItDoesNotKnow) {
     expect_refused(run, 1);
     expect_words(joined(run.errors), {"'E2-quadratik'", "did you mean 'E2-quadratic'", "--list"});
 
-    run = abut({"verify", "dissertation"});
+    run = abut({"verify", "dissertation", "E99"});
     expect_refused(run, 1);
-    expect_words(joined(run.errors), {"dissertation", "not supported yet"});
+    expect_words(joined(run.errors), {"'E99'"});
 
     run = abut({"verify", "E2", "--data", folder_.string()});
     expect_refused(run, 1);

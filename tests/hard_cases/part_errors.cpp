@@ -11,6 +11,7 @@
 #include "geometry/transformed_gauss.hpp"
 #include "solver/cell_integrals.hpp"
 #include "solver/solution_structure.hpp"
+#include "solver/stress.hpp"
 #include "src/field_results.hpp"
 
 namespace abut::test {
@@ -87,6 +88,7 @@ std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eige
     const solver::StressField stress = stress_field(g, u);
     if (!stress.failure.empty())
         throw std::runtime_error(stress.failure + " (" + std::to_string(g.input.space.n_functions) + " functions)");
+    const solver::StressOf raw(g.input, u);
     const Eigen::MatrixX2d c =
         Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(u.data(), u.size() / 2, 2);
     std::vector<At> all;
@@ -105,7 +107,7 @@ std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eige
                 d.gradient << f.dx.row(row).transpose(), f.dy.row(row).transpose();
             }
             all.push_back({p, rule.weights[k], d.value, g.frame.vector_to_local(problem.exact.displacement(global)),
-                           stress_of(g.input.elasticity, d.gradient), solver::stress_at(stress, rule.element, p).head<3>(),
+                           raw(rule.element, p, d.gradient), solver::stress_at(stress, rule.element, p).head<3>(),
                            local_stress(g.frame, problem.exact.stress(global))});
         }
     }

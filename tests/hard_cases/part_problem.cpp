@@ -134,6 +134,7 @@ PreparedPart prepare_part(const PartProblem& problem, const geometry::Grid& grid
         return p;
     }
     g.input.structure = make_structure(scene, conditions_of(problem), g);
+    if (problem.standard_form || g.input.structure) g.input.is_projected = false;
     const auto force = [&](const Vec2& local) -> Vec2 {
         return g.frame.vector_to_local(problem.exact.body_force(g.frame.to_global(local)));
     };
@@ -145,6 +146,7 @@ PreparedPart prepare_part(const PartProblem& problem, const geometry::Grid& grid
         if (problem.exact.body_force) weighted += weighted_body_load(g.input, force);
     }
     p.system = make_part_system(g.input, supports(problem, scene, g), std::move(load), g.center, g.size, {}, weighted);
+    g.input.dilatation = p.system.input.dilatation;
     return p;
 }
 

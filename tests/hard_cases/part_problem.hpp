@@ -30,6 +30,7 @@ struct PartProblem {
     solver::Basis basis = solver::Basis::web;
     int degree = 2;
     Frame frame{};  ///< of the grid
+    bool standard_form = false;  ///< without the projection of the volume strain, whatever nu is
 };
 Elasticity elasticity_of(const PartProblem& problem);
 

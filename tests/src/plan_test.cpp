@@ -101,7 +101,21 @@ TEST(Plan, SaysWhyOfEveryEffect) {
         EXPECT_TRUE(names.insert(e.name).second) << e.name << " twice";
     }
     EXPECT_EQ(names, (Names{"contact", "edge loads", "body force", "gravity", "rigid supports", "interference", "bonding",
-                            "friction", "springs", "temperature", "spin", "large displacement"}));
+                            "friction", "springs", "temperature", "spin", "incompressibility", "large displacement"}));
+}
+
+TEST(Plan, IncompressibilityIsForPlaneStrainNearAHalf) {
+    const auto is_on = [](Analysis analysis, double nu) {
+        Scene scene = scene_of({});
+        scene.analysis = analysis;
+        scene.materials.at(0).nu = nu;
+        const std::vector<Effect> effects = plan_effects(scene);
+        return std::find_if(effects.begin(), effects.end(), [](const Effect& e) { return e.name == "incompressibility"; })->on;
+    };
+    EXPECT_TRUE(is_on(Analysis::plane_strain, 0.4999));
+    EXPECT_TRUE(is_on(Analysis::plane_strain, projection_from));
+    EXPECT_FALSE(is_on(Analysis::plane_strain, std::nextafter(projection_from, 0.0)));
+    EXPECT_FALSE(is_on(Analysis::plane_stress, 0.4999));
 }
 
 // Which parts are solved

@@ -41,7 +41,7 @@ TEST(SlenderBars, BendAsBeams) {
             const double tip = r.probes[0].displacement.norm();
             // 1 + 0.6 / length^2 (Timoshenko, nu = 0)
             EXPECT_NEAR(tip, 1, 0.005) << length << " at " << degrees;
-            if (length < 500) EXPECT_FALSE(warns_of_rounding(r)) << r.solver.condition_estimate;
+            if (length < 500) { EXPECT_FALSE(warns_of_rounding(r)) << r.solver.condition_estimate; }
         }
 }
 

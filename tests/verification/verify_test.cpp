@@ -10,6 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "src/verify_dissertation.hpp"
+
 namespace abut {
 namespace {
 
@@ -23,6 +25,12 @@ TEST(VerifyRegistry, UsesEverySceneOfItsFolderAndNoOther) {
         for (const VerifyRun& run : problem.runs) {
             EXPECT_TRUE(fs::is_regular_file(data + "/" + run.scene)) << problem.name << ": " << run.scene;
             used.insert(run.scene);
+        }
+    for (const DissertationTable& table : dissertation_tables())
+        for (const auto& run : table.runs) {
+            if (!run) continue;
+            EXPECT_TRUE(fs::is_regular_file(data + "/" + run->scene)) << table.name << ": " << run->scene;
+            used.insert(run->scene);
         }
     for (const auto& file : fs::directory_iterator(data + "/verification"))
         there.insert("verification/" + file.path().filename().string());
@@ -146,19 +154,14 @@ TEST(VerifyText, TableShowsWhatMissed) {
 
 /// Longer than half a second, by measurement.
 bool is_long(const std::string& name) {
-    static const std::set<std::string> names{"E3-fine", "C1-cam"};
+    static const std::set<std::string> names{"E3-fine", "C1-cam", "S-D", "S-D-rigid"};
     return names.count(name) > 0;
-}
-
-/// Splines of full integration lock where nu comes near 1/2, degree 3 too: see LocksNearIncompressibility.
-bool locks(const std::string& name) {
-    return name == "E10-ring-3" || name == "E10-membrane";
 }
 
 std::vector<std::string> problem_names(bool long_ones) {
     std::vector<std::string> names;
     for (const VerifyProblem& problem : verify_problems())
-        if (!locks(problem.name) && is_long(problem.name) == long_ones) names.push_back(problem.name);
+        if (is_long(problem.name) == long_ones) names.push_back(problem.name);
     return names;
 }
 
@@ -174,14 +177,6 @@ TEST_P(Verification, IsWithinItsTolerances) {
     for (const VerifyRow& row : verify(chosen_problems({GetParam()}).at(0), data))
         EXPECT_TRUE(row.pass) << row.quantity << " = " << row.value << ", not " << row.reference << ": off by "
                               << row.relative_error << " " << row.failure;
-}
-
-/// Fails as soon as these pass: then they belong with the others.
-TEST(VerifyKnown, LocksNearIncompressibility) {
-    for (const char* name : {"E10-ring-3", "E10-membrane"}) {
-        const auto rows = verify(chosen_problems({name}).at(0), data);
-        EXPECT_TRUE(std::any_of(rows.begin(), rows.end(), [](const VerifyRow& row) { return !row.pass; })) << name;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Problems, Verification, ::testing::ValuesIn(problem_names(false)), test_name);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Active sets of the condensed contact problem under a proximal term on the rigid amplitudes:
+//
+//   gap = g + C l + G a,   G'l + h = E (a - anchor),   l_k >= 0, gap_k >= 0, l_k gap_k = 0 for unilateral k, else gap_k = 0.
+//
+// With E positive definite the amplitudes can be eliminated, which leaves a strictly convex problem in l >= 0 alone: the energy
+// below. E = 0 is the contact problem itself, where the closed rows hold every motion.
+#pragma once
+#include "solver/contact_qp.hpp"
+
+namespace abut::solver {
+
+using ActiveSet = std::vector<char>;
+
+struct Proximal {
+    Eigen::MatrixXd stiffness;  ///< E (n x n)
+    Eigen::VectorXd anchor;     ///< (n)
+};
+
+struct ContactState {
+    Eigen::VectorXd multipliers, amplitudes;
+};
+
+/// The rows that are always closed.
+ActiveSet bilateral_rows(const ContactQp& qp);
+
+/// Stationary point with the gaps of `active` closed and all other multipliers zero; false where C, or with it the amplitudes'
+/// Schur complement, is singular on the set. Cost: a^3 / 3 for a closed rows.
+bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ContactState& state);
+
+/// The same of the problem itself, where the set leaves a motion free: that motion stays at the anchor, its balance as it is.
+/// False where C is singular on the set, or no closed row resists any motion.
+bool solve_least_motion(const ContactQp& qp, const Eigen::VectorXd& anchor, const ActiveSet& active, ContactState& state);
+
+Eigen::VectorXd gap_of(const ContactQp& qp, const ContactState& state);
+
+/// By row: below this a gap is closed, rounding of the terms that it is the sum of.
+Eigen::VectorXd gap_rounding(const ContactQp& qp, const ContactState& state);
+
+/// The primal-dual step: closed where pressed, closing where penetrated.
+ActiveSet next_set(const ContactQp& qp, const ActiveSet& active, const ContactState& state);
+
+/// repeated: a set came back, or none was final after 30 steps; singular: a set left a motion free.
+enum class SetSearch { found, repeated, singular };
+
+/// Primal-dual active set [Hueber05] from `active`; usually 2 to 6 steps.
+SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations);
+
+/// Primal active set with a projected step [Nocedal06, sections 16.5 and 16.7] from the multipliers of `state`, as far as they
+/// are >= 0: the energy falls from one set to the next, so none comes back and it ends. E must be positive definite. False
+/// where C is singular on a set, or rounding stops the descent before the conditions hold.
+bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations);
+
+}  // namespace abut::solver

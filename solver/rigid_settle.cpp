@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/rigid_settle.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <vector>
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int max_newton_steps = 100;
+constexpr double balance_tolerance = 1e-12;  // relative to the loads
+constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
+constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
+/// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
+/// slide far under a small part of its load; more where the step was too long.
+constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
+
+VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
+    const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
+    VectorXd l = -qp.foundation.cwiseProduct(gap);
+    for (Index k = 0; k < l.size(); ++k)
+        if (qp.unilateral[static_cast<std::size_t>(k)]) l[k] = std::max(0.0, l[k]);
+    return l;
+}
+
+double energy(const ContactQp& qp, const VectorXd& amplitudes) {
+    const VectorXd l = pressures(qp, amplitudes);
+    return 0.5 * l.cwiseProduct(l).cwiseQuotient(qp.foundation).sum() - qp.mode_load.dot(amplitudes);
+}
+
+/// G'KG over the rows under pressure.
+MatrixXd pressed_stiffness(const ContactQp& qp, const VectorXd& l) {
+    std::vector<Index> pressed;
+    for (Index k = 0; k < l.size(); ++k)
+        if (l[k] != 0) pressed.push_back(k);
+    const MatrixXd g = qp.modes(pressed, Eigen::all);
+    return g.transpose() * qp.foundation(pressed).asDiagonal() * g;
+}
+
+}  // namespace
+
+double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
+    if (qp.modes.size() == 0) return qp.load_scale;
+    return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
+}
+
+Settled settle_rigidly(const ContactQp& qp) {
+    const Index n = qp.modes.cols();
+    Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
+    if (qp.gap.size() == 0) return s;
+    s.stiffness = qp.modes.transpose() * qp.foundation.asDiagonal() * qp.modes;
+    s.multipliers = pressures(qp, s.amplitudes);
+    if (n == 0) return s;
+    const double mean = s.stiffness.trace() / static_cast<double>(n);
+    double held = first_held;
+    for (int step = 0; step < max_newton_steps; ++step) {
+        const VectorXd residual = qp.modes.transpose() * s.multipliers + qp.mode_load;
+        s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
+        if (s.balanced || mean == 0) break;
+        const VectorXd direction =
+            (pressed_stiffness(qp, s.multipliers) + held * mean * MatrixXd::Identity(n, n)).ldlt().solve(residual);
+        const double before = energy(qp, s.amplitudes), slope = residual.dot(direction);
+        double reach = 1;
+        while (reach > least_reach &&
+               energy(qp, s.amplitudes + reach * direction) > before - sufficient_descent * reach * slope)
+            reach *= 0.5;
+        if (reach <= least_reach) break;
+        held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
+        s.amplitudes += reach * direction;
+        s.multipliers = pressures(qp, s.amplitudes);
+    }
+    return s;
+}
+
+}  // namespace abut::solver
