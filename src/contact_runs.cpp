@@ -27,7 +27,7 @@ double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double 
     for (int i = 0; i < steps; ++i) {
         const double a = i * step, x = a + step;
         force += step / 6 * (pressure(a) + 4 * pressure(a + 0.5 * step) + pressure(x));
-        if (x < from) continue;
+        if (x < from - 0.5 * step) continue;  // half a step: rounding must not choose the first sample
         const double y = std::cbrt(force * force);
         n += 1;
         sx += x;

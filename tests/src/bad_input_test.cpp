@@ -199,8 +199,6 @@ TEST(BadInput, what_is_not_supported_yet_is_refused_by_name) {
              {"\"pressure\"", "\"spin\"", "s.json:9 /loads/0/spin: 'spin' is not supported yet"},
              {"\"pressure\"", "\"temperature\"", "s.json:9 /loads/0/temperature: 'temperature' is not supported yet"},
              {"\"pairs\"", "\"friction\": 0.1, \"pairs\"", "s.json:10 /contacts/friction: 'friction' is not supported yet"},
-             {"\"interference\"", "\"kind\": \"bonded\", \"interference\"",
-              "s.json:10 /contacts/pairs/0/kind: 'bonded' is not supported yet"},
              {"[\"json\"]", "[\"vtu\"]", "s.json:12 /output/formats/0: 'vtu' is not supported yet"},
          }) {
         expect_one_problem(c);
