@@ -44,8 +44,8 @@ inline Elasticity local_elasticity(const PartInput& input) {
 /// Calls f(rule) for the quadrature of every element that holds material, of full cells too.
 void for_all_cells(const PartInput& input, const std::function<void(const CellRule&)>& f);
 
-/// Stiffness of the local elasticity over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by products of 1D matrices,
-/// once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
+/// Stiffness of the local elasticity over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by
+/// products of 1D matrices, once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
 BlockMatrix assemble_stiffness(const PartInput& input);
 
 /// Integrals of every function and of its derivatives over the part (not times the thickness).

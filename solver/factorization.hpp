@@ -59,8 +59,8 @@ public:
     explicit Factorization(SparseSymmetric matrix);
     /// The pattern must fit (std::logic_error: a bug of the caller).
     Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic);
-    /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of M,
-    /// which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
+    /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of
+    /// M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
     Factorization(SparseSymmetric matrix, int n_eliminated);
     Factorization(Factorization&&) noexcept;
     Factorization& operator=(Factorization&&) noexcept;

@@ -13,7 +13,7 @@ struct Candidate {
     geometry::FacingZone zone;
     double closing = 0;       ///< interference
     bool no_overlap = false;  ///< drawn overlaps count as touching
-    bool bonded = false;  ///< held together as drawn
+    bool bonded = false;      ///< held together as drawn
     int rule = -1;            ///< the scene's rule for this pair, if any
 };
 

@@ -178,6 +178,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     name_edges(result.profile.edge, result.profile.pressure, result.edges[0], result.between[0]);
     name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);
     result.interface = interface_of(scene, candidate, result.between);
+    if (result.status == "open") return result;
     const PartOnGrid& grid = solved.grids[at(solved.solver_part[at(candidate.first)])];
     integrate_force(c.face, grid, pressure, result);
     if (solved.shear_of[contact] >= 0)

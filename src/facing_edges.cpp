@@ -12,7 +12,10 @@ FacingEdges facing_edges(const geometry::Part& first, const geometry::Part& seco
         return geometry::pair_from_first(first, second, zone, s1, zone.begin2 + share * (zone.end2 - zone.begin2));
     };
     const geometry::FacingPair begin = partner(piece.begin1), end = partner(piece.end1);
-    return {piece.edge1, piece.edge2, {begin.on1.x, end.on1.x}, begin.found && end.found ? piece.end1 - piece.begin1 : 0.0,
+    return {piece.edge1,
+            piece.edge2,
+            {begin.on1.x, end.on1.x},
+            begin.found && end.found ? piece.end1 - piece.begin1 : 0.0,
             piece.gap_min};
 }
 

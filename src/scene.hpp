@@ -86,15 +86,15 @@ struct PenaltyOptions {
     double factor = 50;
     std::optional<double> length;  ///< unset: the first part's cell along its edge
     Pairing pairing = Pairing::master;
-    /// Points in the pieces between both parts' grid lines: uniform pressure is exact. false: in the first part's cells alone, as
-    /// in the dissertation, where it is not (17 % off on grids turned against each other, five cells along the face).
+    /// Points in the pieces between both parts' grid lines: uniform pressure is exact. false: in the first part's cells alone,
+    /// as in the dissertation, where it is not (17 % off on grids turned against each other, five cells along the face).
     bool split_by_second = true;
 };
 
 struct ContactOptions {
     bool detect = true;
     std::optional<double> search_distance;
-    std::string overlap = "report";  ///< "report", "press_fit", "ignore"
+    std::string overlap = "report";         ///< "report", "press_fit", "ignore"
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
     std::vector<PairRule> pairs;
 };

@@ -4,6 +4,7 @@
 
 #include "src/assembly_model.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
+#include "tests/benchmarks/solve_again.hpp"
 
 namespace abut::benchmarks {
 namespace {
@@ -19,14 +20,7 @@ SolvedAssembly first_pass(const Scene& scene, double coarseness) {
 /// Argument: cells per cell of the standard level. Two held parts (case B), and a pin that only contact holds (pin bracket).
 void solve_contact(benchmark::State& state, const char* file) {
     const SolvedAssembly pass = first_pass(scene_file(file), 1.0 / static_cast<double>(state.range(0)));
-    if (!pass.failure.empty() || !pass.solution.converged) return state.SkipWithError("the pass has no solution");
-    for (auto _ : state) benchmark::DoNotOptimize(solve_assembly(pass.problem));
-    double unknowns = 0;
-    for (const solver::PartSystem& part : pass.problem.parts) unknowns += part.n_kept;
-    state.counters["unknowns"] = unknowns;
-    state.counters["multipliers"] = pass.solution.n_multipliers;
-    state.counters["iterations"] = pass.solution.iterations;
-    state.counters["fallback"] = pass.solution.used_fallback;
+    solve_again(state, pass);
 }
 BENCHMARK_CAPTURE(solve_contact, case_b, "data/scenes/case_b.json")
     ->RangeMultiplier(2)

@@ -2,6 +2,7 @@
 // One pair of parts with hundreds of multipliers: the contact problem apart from the factorisations, and these beside it.
 #include <benchmark/benchmark.h>
 
+#include "tests/benchmarks/solve_again.hpp"
 #include "tests/hard_cases/pin_sweep.hpp"
 
 namespace abut::benchmarks {
@@ -15,13 +16,7 @@ test::PinSetup setup_of(const benchmark::State& state) {
 void contact_of_a_pair(benchmark::State& state) {
     SolvedAssembly pass = solve_case(test::pin_case(setup_of(state)));
     test::scale_loads(pass, 1e-4);
-    if (!pass.failure.empty() || !pass.solution.converged) return state.SkipWithError("the pass has no solution");
-    for (auto _ : state) benchmark::DoNotOptimize(solve_assembly(pass.problem));
-    double unknowns = 0;
-    for (const solver::PartSystem& part : pass.problem.parts) unknowns += part.n_kept;
-    state.counters["unknowns"] = unknowns;
-    state.counters["multipliers"] = pass.solution.n_multipliers;
-    state.counters["iterations"] = pass.solution.iterations;
+    solve_again(state, pass);
 }
 BENCHMARK(contact_of_a_pair)->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond)->UseRealTime();
 

@@ -29,7 +29,7 @@ struct PartProblem {
     std::vector<HeldEdge> held;
     solver::Basis basis = solver::Basis::web;
     int degree = 2;
-    Frame frame{};  ///< of the grid
+    Frame frame{};               ///< of the grid
     bool standard_form = false;  ///< without the projection of the volume strain, whatever nu is
 };
 Elasticity elasticity_of(const PartProblem& problem);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tests/solver/sparse_of.hpp"
 #include "tests/solver/test_spaces.hpp"
 
 namespace abut::solver {
@@ -19,21 +20,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-SparseSymmetric sparse(const MatrixXd& m) {
-    SparseSymmetric s;
-    s.n = static_cast<int>(m.cols());
-    s.first.push_back(0);
-    for (int c = 0; c < s.n; ++c) {
-        for (int r = c; r < s.n; ++r)
-            if (r == c || m(r, c) != 0) {
-                s.row.push_back(r);
-                s.value.push_back(m(r, c));
-            }
-        s.first.push_back(static_cast<int>(s.row.size()));
-    }
-    return s;
-}
 
 /// Banded with a few far couplings, diagonally dominant, rows scaled over six decades.
 MatrixXd positive_definite(int n) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "solver/factorization.hpp"
+#include "tests/solver/sparse_of.hpp"
 
 namespace abut::solver {
 namespace {
@@ -27,21 +28,6 @@ MatrixXd grid_matrix(int n) {
             if (j + 1 < n) couple(i * n + j, i * n + j + 1);
         }
     return m;
-}
-
-SparseSymmetric sparse(const MatrixXd& m) {
-    SparseSymmetric s;
-    s.n = static_cast<int>(m.cols());
-    s.first.push_back(0);
-    for (int c = 0; c < s.n; ++c) {
-        for (int r = c; r < s.n; ++r)
-            if (m(r, c) != 0) {
-                s.row.push_back(r);
-                s.value.push_back(m(r, c));
-            }
-        s.first.push_back(static_cast<int>(s.row.size()));
-    }
-    return s;
 }
 
 TEST(InverseForm, AgreesWithDenseAlgebra) {

@@ -94,8 +94,8 @@ TEST(KeepFacets, IsAKeyOfScenes) {
 TEST(KeepFacets, TakesTrueOrFalseOnly) {
     const TemporaryFolder folder;
     folder.write("disc.dxf", facetted_disc());
-    const std::string path = folder.write(
-        "scene.json", scene_with(R"("assembly": {"file": "disc.dxf", "material": "m", "recognise_arcs": "no"})"));
+    const std::string path =
+        folder.write("scene.json", scene_with(R"("assembly": {"file": "disc.dxf", "material": "m", "recognise_arcs": "no"})"));
     try {
         read_scene(path);
         FAIL();

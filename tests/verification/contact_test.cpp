@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/verification/hertz_error.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {
@@ -16,29 +17,16 @@ void expect_balance(const Result& r) {
     EXPECT_LT(r.equilibrium.relative_moment_residual, 1e-9);
 }
 
-/// Relative L2 error of a contact's pressure against Hertz' ellipse over x, by the trapezoidal rule on the profile.
-double hertz_error(const ContactProfile& profile, double a, double p0) {
-    double error = 0, norm = 0;
-    for (std::size_t i = 0; i + 1 < profile.x.size(); ++i) {
-        const double x = 0.5 * (profile.x[i] + profile.x[i + 1]), dx = std::abs(profile.x[i + 1] - profile.x[i]);
-        const double p = 0.5 * (profile.pressure[i] + profile.pressure[i + 1]);
-        const double exact = std::abs(x) < a ? p0 * std::sqrt(1 - x * x / (a * a)) : 0.0;
-        error += dx * (p - exact) * (p - exact);
-        norm += dx * exact * exact;
-    }
-    return std::sqrt(error / norm);
-}
-
 TEST(Hertz, AHundredthOfTheRadius) {
     const Result r = test::answer_file("data/verification/hertz_001.json");
     expect_balance(r);
     ASSERT_EQ(r.contacts.size(), 1u);
     EXPECT_LE(r.unknowns, 4000);
-    EXPECT_LT(hertz_error(r.contacts[0].profile, 0.01, 500), 0.01);
+    EXPECT_LT(test::hertz_error(r.contacts[0].profile, 0.01, 500), 0.01);
     EXPECT_NEAR(r.contacts[0].contact_length, 0.01, 0.01 * 0.01);
     EXPECT_NEAR(r.contacts[0].force.y(), 3.92699081698724, 1e-9);
     // the measure can fail: half a per cent of shift in p0 is seen
-    EXPECT_GT(hertz_error(r.contacts[0].profile, 0.01, 510), 0.015);
+    EXPECT_GT(test::hertz_error(r.contacts[0].profile, 0.01, 510), 0.015);
 }
 
 TEST(Dissertation, CaseB) {
