@@ -287,7 +287,10 @@ MatrixXd SupernodalFactor::inverse_form(const Eigen::SparseMatrix<double>& b) co
         Share own = std::move(shares[at++]);
         if (own.columns.empty()) return;
         eliminate(l, s, owner, own, shares);
-        const MatrixXd product = own.values.transpose() * own.values;
+        const int n = static_cast<int>(own.columns.size());
+        const double one = 1, zero = 0;
+        MatrixXd product(n, n);  // its lower half
+        dsyrk_("L", "T", &n, &s.width, &one, own.values.data(), &s.width, &zero, product.data(), &n);
         for (std::size_t i = 0; i < own.columns.size(); ++i)
             for (std::size_t j = i; j < own.columns.size(); ++j)
                 form(own.columns[j], own.columns[i]) += product(static_cast<Index>(j), static_cast<Index>(i));

@@ -109,7 +109,9 @@ Part perforated(int n) {
         for (std::size_t i = 0; i < 4; ++i) {
             const Vec2 &p = corners[i], &q = corners[(i + 1) % 4];
             part.loops.back().edges.push_back(static_cast<int>(part.edges.size()));
-            part.edges.push_back({hole ? Curve(Segment{corners[3 - i], corners[(6 - i) % 4]}) : Curve(Segment{p, q}), "", ""});
+            const Segment side = hole ? Segment{corners[3 - i], corners[(6 - i) % 4]} : Segment{p, q};
+            part.edges.emplace_back();
+            part.edges.back().curve = side;
         }
     };
     add_square({0, 0}, 1, false);
