@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int max_primal_dual_steps = 30;
+constexpr int max_primal_dual_steps = 24;    // with the few steps of what follows, thirty in all
 constexpr double singular_fraction = 1e-15;  // of the largest pivot: the closed rows leave a motion free
 constexpr double free_fraction = 1e-10;      // of the largest stiffness against a motion: below, it counts as free
 constexpr double term_rounding = 1e-14;      // of the terms of a gap

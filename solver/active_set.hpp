@@ -40,7 +40,7 @@ Eigen::VectorXd gap_rounding(const ContactQp& qp, const ContactState& state);
 /// The primal-dual step: closed where pressed, closing where penetrated.
 ActiveSet next_set(const ContactQp& qp, const ActiveSet& active, const ContactState& state);
 
-/// repeated: a set came back, or none was final after 30 steps; singular: a set left a motion free.
+/// repeated: a set came back, or none was final after 24 steps; singular: a set left a motion free.
 enum class SetSearch { found, repeated, singular };
 
 /// Primal-dual active set [Hueber05] from `active`; usually 2 to 6 steps.
