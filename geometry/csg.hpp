@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tree of a part's geometry as the scene gives it, and its evaluation to a boundary (boolean.cpp, through CGAL).
+// The tree of a part's geometry as the scene gives it, and its evaluation to a boundary (boolean.cpp, through exact_regions.cpp
+// and CGAL).
 #pragma once
 #include <string>
 #include <variant>

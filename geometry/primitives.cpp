@@ -148,7 +148,7 @@ private:
         if (!h.point.allFinite() || !h.normal.allFinite())
             return report(node, "the half plane is not finite", "check the numbers");
         if (h.normal.norm() == 0) return report(node, "the half plane's normal is zero", "give a direction", h.point);
-        // For names and arc lengths; boolean.cpp takes the exact line from the node itself.
+        // For names and arc lengths; exact_regions.cpp takes the exact line from the node itself.
         primitive.half_plane = true;
         primitive.edges = {{Segment{h.point, h.point + left_of(h.normal).normalized()}, "line"}};
     }

@@ -11,7 +11,7 @@ namespace abut::geometry {
 
 /// One `place`: x -> scale R M (x - about) + about + translate, with M the mirror and R the rotation by quarter_turns * 90
 /// degrees and by the angle whose half has the tangent half_tangent. Both give exactly rational cosines and sines, so that
-/// exact arithmetic (boolean.cpp) and doubles mean the same map.
+/// exact arithmetic (exact_regions.cpp) and doubles mean the same map.
 struct Move {
     int quarter_turns = 0;
     double half_tangent = 0;
