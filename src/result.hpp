@@ -142,6 +142,13 @@ struct LoadMark {
     Vec2 direction;
 };  ///< for the picture: a point and the unit direction of the load there
 
+/// One solution on the way to the last: grids follow the contacts.
+struct PassSummary {
+    int unknowns = 0, multipliers = 0;
+    double seconds = 0;  ///< from the first grid to this solution: grids, assembly, factorisation, contact; without stresses
+    std::optional<double> estimated_error;  ///< of what accuracy.target steers; nothing to compare with on the first grids
+};
+
 struct Result {
     std::string title, status = "ok", message;  ///< status: ok, failed
     std::string length_unit, force_unit;
@@ -171,6 +178,7 @@ struct Result {
     std::vector<Reaction> reactions;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;
+    std::vector<PassSummary> passes;  ///< in their order; the last one is the answer's
 
     // For the pictures; not part of result.json.
     std::vector<geometry::Part> geometry;  ///< parallel to parts

@@ -115,6 +115,7 @@ struct Refinement {
 
 struct Accuracy {
     std::string level = "standard";  ///< "draft", "standard", "fine"
+    std::optional<double> target;    ///< instead of a level: estimated relative error wanted
     int degree = 2;
     std::optional<double> cell_size;
     std::vector<Refinement> refine;
