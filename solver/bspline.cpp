@@ -69,14 +69,23 @@ KnotVector clamped_knots(std::vector<double> breakpoints, int degree, const std:
 }
 
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree) {
+    const std::vector<int> simple(breakpoints.size(), 1);
+    return periodic_knots(std::move(breakpoints), degree, simple);
+}
+
+KnotVector periodic_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity) {
     KnotVector result{degree, std::move(breakpoints), {}, {}};
     const std::vector<double>& b = result.breakpoints;
+    std::vector<double> once;  // the knots of one period
+    for (std::size_t k = 0; k + 1 < b.size(); ++k) {
+        once.insert(once.end(), static_cast<std::size_t>(multiplicity[k]), b[k]);
+        result.first.push_back(static_cast<int>(once.size()) - 1);
+    }
     const double period = b.back() - b.front();
-    const int n = result.n_intervals();
-    for (int k = 0; k < n; ++k) result.first.push_back(k);
+    const int n = static_cast<int>(once.size());
     for (int k = -degree; k <= n + degree; ++k) {
         const int turns = (k < 0 ? k - n + 1 : k) / n;  // rounded down
-        result.knots.push_back(k == n ? b.back() : b[static_cast<std::size_t>(k - turns * n)] + period * turns);
+        result.knots.push_back(k == n ? b.back() : once[static_cast<std::size_t>(k - turns * n)] + period * turns);
     }
     return result;
 }

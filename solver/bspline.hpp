@@ -31,6 +31,8 @@ KnotVector clamped_knots(std::vector<double> breakpoints, int degree, const std:
 /// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then
 /// one periodic function; nothing is special about the seam.
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree);
+/// multiplicity: of every breakpoint but the last, which is the first one again; 1 to p.
+KnotVector periodic_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity);
 
 /// Intervals [begin, end) on which function i lives.
 struct IntervalRange {

@@ -33,12 +33,12 @@ struct PointRows {
 
 PointRows mortar_rows(const Interface& face, std::size_t point, int first_row) {
     const InterfacePoint& p = face.points[point];
-    const int interval = interval_of(face.pressure, p.s);
+    const int interval = interval_of(face.pressure, p.s), first = face.pressure.first[static_cast<std::size_t>(interval)];
     PointRows rows;
     evaluate(face.pressure, interval, p.s, rows.share);
     rows.n = static_cast<std::size_t>(face.pressure.degree) + 1;
     for (std::size_t k = 0; k < rows.n; ++k) {
-        rows.row[k] = first_row + (interval + static_cast<int>(k)) % n_rows(face);
+        rows.row[k] = first_row + (first + static_cast<int>(k)) % n_rows(face);
         rows.share[k] *= p.weight * face.thickness;
     }
     return rows;
@@ -167,11 +167,11 @@ int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const
 }
 
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s) {
-    const int interval = interval_of(pressure, s);
+    const int interval = interval_of(pressure, s), first = pressure.first[static_cast<std::size_t>(interval)];
     LocalValues n;
     evaluate(pressure, interval, s, n);
     double sum = 0;
-    for (int k = 0; k <= pressure.degree; ++k) sum += n[static_cast<std::size_t>(k)] * coefficients[interval + k];
+    for (int k = 0; k <= pressure.degree; ++k) sum += n[static_cast<std::size_t>(k)] * coefficients[first + k];
     return sum;
 }
 

@@ -46,7 +46,7 @@ KnotVector polyline_knots(const std::vector<InterfacePoint>& points, double begi
 /// Unknown coefficients of an interface's pressure.
 inline int n_rows(const Interface& face) {
     if (!face.penalty.empty()) return static_cast<int>(face.penalty.size());
-    return face.periodic ? face.pressure.n_intervals() : face.pressure.n_functions();
+    return face.pressure.n_functions() - (face.periodic ? face.pressure.degree : 0);
 }
 /// All coefficients of the pressure spline from the unknown ones: the periodic ones come again at its end; a polyline is
 /// continued to its ends, or closed around.

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
+#include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
+#include "src/next_candidates.hpp"
 #include "src/plan.hpp"
 
 namespace abut {
@@ -13,80 +16,26 @@ namespace {
 
 constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
+constexpr int max_passes = 7;  // on the same candidates
 
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-int max_passes(const Scene& scene) {
-    if (scene.accuracy.level == "draft") return 3;
-    return scene.accuracy.level == "fine" ? 7 : 6;
-}
+/// First cells at the ends of a contact that was just found, of its length; at most so much finer from one grid to the next
+/// (the end is known to a fraction of a cell), and no finer than the last.
+constexpr double first_end_fraction = 1.0 / 8, end_refinement = 8, least_end_fraction = 1e-4;
+constexpr double end_known = 0.6;
+constexpr double first_cells = 8, cell_refinement = 1.3;
+constexpr double first_corner_fraction = 1.0 / 30;
+/// Relative L2 error of a pressure with one free end, cells h there, over a length L, is about this times h / L (Hertz'
+/// problem, with the pressure's double knot where the end was expected to within half a cell: 0.12 to 0.3).
+constexpr double end_error = 0.15;
+/// Where the estimate missed its target the next cells aim at less, within these factors.
+constexpr double aim = 0.7, least_shrink = 0.25;
+/// Of the sizes that the shape asks for: first and second grids only locate the contacts, and show what the shape's cells do.
+constexpr double first_coarsening = 2, coarsening_step = 1.4;
 
 /// Are all grids given, so that there is nothing to adapt?
 bool grids_are_fixed(const Scene& scene) {
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
     return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
-
-/// Has contact reached an end of a candidate zone that could be longer?
-bool zone_too_short(const SolvedAssembly& s) {
-    for (std::size_t k = 0; k < s.contacts.size(); ++k)
-        for (const ContactRun& run : s.runs[k])
-            if (!s.contacts[k].face.bilateral &&
-                ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)))
-                return true;
-    return false;
-}
-
-/// How far the search must reach, as a factor on the first search distance, for every pair that the displacements could close.
-double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
-    std::vector<double> reach(scene.parts.size(), 0.0);
-    for (std::size_t k = 0; k < s.grids.size(); ++k) {
-        const double largest = solver::largest_displacement(s.grids[k].input, s.solution.displacement[k]);
-        reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], largest);
-    }
-    double factor = 0;
-    for (std::size_t i = 0; i < scene.parts.size(); ++i)
-        for (std::size_t j = i + 1; j < scene.parts.size(); ++j) {
-            const auto a = bounding_box(scene.parts[i].part), b = bounding_box(scene.parts[j].part);
-            const double closing = reach[i] + reach[j];
-            if (a.overlaps(b, closing))
-                factor = std::max(factor, closing / (first_search_fraction * std::min(a.diagonal(), b.diagonal())));
-        }
-    return factor;
-}
-
-/// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the
-/// middle of its hole), the seam moves to the middle of the longest open stretch.
-void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const std::vector<ContactRun>& runs = s.runs[k];
-        geometry::FacingZone& zone = candidates[k].zone;
-        if (!zone.closed || runs.empty() || (!runs.front().from_start && !runs.back().to_end)) continue;
-        double middle = 0, longest = 0;
-        for (std::size_t r = 0; r + 1 < runs.size(); ++r)
-            if (const double open = runs[r + 1].begin - runs[r].end; open > longest) {
-                longest = open;
-                middle = 0.5 * (runs[r].end + runs[r + 1].begin);
-            }
-        const double total = s.contacts[k].s.back();
-        if (const double open = total - runs.back().end; !runs.back().to_end && open > longest) {
-            longest = open;
-            middle = 0.5 * (total + runs.back().end);
-        }
-        if (runs.front().begin > longest) {
-            longest = runs.front().begin;
-            middle = 0.5 * runs.front().begin;
-        }
-        if (longest == 0) continue;  // pressed all round
-        const geometry::FacingPair pair = pair_at(scene, s.contacts[k], middle);
-        if (!pair.found) continue;
-        zone.begin1 = pair.s1;
-        zone.end1 = pair.s1 + zone.chain1.length;
-        zone.begin2 = pair.s2;
-        zone.end2 = pair.s2 - zone.chain2.length;
-    }
 }
 
 std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& candidates) {
@@ -95,69 +44,198 @@ std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& ca
     return pairs;
 }
 
+/// Cells that the next grids are to have.
+struct NextGrids {
+    double target;
+    double coarseness;                          ///< of the shape's cells, at the target
+    double coarsening;                          ///< of these, on the next grids
+    std::vector<double> goal;                   ///< by contact: fraction of its length that reaches the target at its ends
+    std::vector<ContactResolution> resolution;  ///< by contact, on the next grids
+
+    double next_coarseness() const { return std::max(coarseness, coarsening); }
+};
+
+int free_ends(const std::vector<ContactRun>& runs) {
+    int n = 0;
+    for (const ContactRun& run : runs) n += (run.from_start ? 0 : 1) + (run.to_end ? 0 : 1);
+    return std::max(1, n);
+}
+
+void first_goals(const SolvedAssembly& solved, NextGrids& next) {
+    next.goal.clear();
+    next.resolution.clear();
+    for (const auto& runs : solved.runs) {
+        const double per_run =
+            static_cast<double>(free_ends(runs)) / static_cast<double>(std::max<std::size_t>(1, runs.size()));
+        next.goal.push_back(std::clamp(next.target / (end_error * per_run), least_end_fraction, first_end_fraction));
+        next.resolution.push_back({first_cells, std::max(next.goal.back(), first_end_fraction), first_corner_fraction});
+    }
+}
+
+bool at_goal(const NextGrids& next) {
+    for (std::size_t k = 0; k < next.goal.size(); ++k)
+        if (next.resolution[k].end_fraction > next.goal[k]) return false;
+    return next.coarsening <= next.coarseness;
+}
+
+/// Contacts whose error counts get smaller goals; the shape's cells follow slowly.
+void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
+    const double missed = std::clamp(aim * next.target / *error.contact_pressure, least_shrink, aim);
+    for (std::size_t k = 0; k < next.goal.size(); ++k)
+        if (error.contacts[k] && error.contacts[k]->ends > 0.5 * next.target)
+            next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
+    bool inside = false;
+    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target);
+    if (inside) next.coarseness *= std::cbrt(missed);
+}
+
+void refine(const ErrorEstimate& error, NextGrids& next) {
+    if (at_goal(next) && error.contact_pressure) shrink_goals(error, next);
+    for (std::size_t k = 0; k < next.goal.size(); ++k) {
+        const double known = error.contacts.size() > k && error.contacts[k] ? end_known * error.contacts[k]->ends : 0.0;
+        next.resolution[k].cells *= cell_refinement;
+        next.resolution[k].corner_fraction /= cell_refinement;
+        const double last = next.resolution[k].end_fraction;
+        next.resolution[k].end_fraction = std::max({next.goal[k], last / end_refinement, std::min(known, last / 2)});
+    }
+    next.coarsening /= coarsening_step;
+}
+
+class Path {
+public:
+    Path(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds)
+        : scene_(scene), conditions_(conditions), options_(options), seconds_(seconds) {
+        out_.target = target_of(scene.accuracy);
+        next_ = {out_.target, coarseness_of(scene.accuracy), 1, {}, {}};
+    }
+
+    Outcome walk() {
+        search();
+        start_over();
+        while (!step()) continue;
+        return std::move(out_);
+    }
+
+private:
+    void search() {
+        const auto begin = std::chrono::steady_clock::now();
+        out_.candidates = find_candidates(scene_, factor_);
+        seconds_["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    }
+
+    /// Nothing is known of the contacts.
+    void start_over() {
+        next_.coarsening = out_.candidates.empty() || grids_are_fixed(scene_) ? next_.coarseness : first_coarsening;
+        next_.goal.clear();
+        wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+    }
+
+    SolvedAssembly solve() {
+        if (options_.progress) options_.progress("pass " + std::to_string(out_.passes.size() + 1));
+        const std::vector<bool> parts = parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates));
+        SolvedAssembly now =
+            solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_);
+        out_.factorizations += static_cast<int>(now.problem.parts.size());
+        out_.iterations += now.solution.iterations;
+        return now;
+    }
+
+    bool may_widen() const {
+        return !scene_.contacts.search_distance && widenings_ < max_search_widenings && scene_.contacts.detect &&
+               scene_.parts.size() > 1;
+    }
+
+    /// Looks farther; where the parts rest on nothing, until there is more to rest on.
+    void widen(const SolvedAssembly& now, double needed, bool stuck) {
+        ++widenings_;
+        factor_ = std::max(search_widening * factor_, needed);
+        const std::size_t before = out_.candidates.size();
+        search();
+        for (; stuck && out_.candidates.size() == before && widenings_ < max_search_widenings; ++widenings_) {
+            factor_ *= search_widening;
+            search();
+        }
+        comparable_from_ = out_.passes.size();
+        start_over();
+        if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
+            first_goals(now, next_);
+            wanted_ = sizes_from(scene_, now, next_.resolution);
+        }
+    }
+
+    bool end(SolvedAssembly&& now, PathEnd why) {
+        out_.solved = std::move(now);
+        out_.end = why;
+        return true;
+    }
+
+    ErrorEstimate errors_of_last(bool stuck) const {
+        if (stuck) return {};
+        const std::size_t n = out_.passes.size();
+        const bool comparable = n >= comparable_from_ + 2;
+        return estimate_errors(out_.passes.back(), comparable ? &out_.passes[n - 2] : nullptr);
+    }
+
+    /// One solution; true: the last one.
+    bool step() {
+        SolvedAssembly now = solve();
+        const bool stuck = !now.failure.empty() || !now.solution.mechanism.empty();
+        out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
+        out_.errors.push_back(errors_of_last(stuck));
+        const double needed = stuck ? 0.0 : needed_search_factor(scene_, now);
+        if (now.failure.empty() && may_widen() &&
+            (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor_)) {
+            widen(now, needed, stuck);
+            return false;
+        }
+        out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
+                                (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
+        if (stuck || grids_are_fixed(scene_)) return end(std::move(now), PathEnd::no_need);
+        if (!any_run(now) && next_.coarsening <= next_.coarseness) return end(std::move(now), PathEnd::no_need);
+        const ErrorEstimate& error = out_.errors.back();
+        if (error.contact_pressure && *error.contact_pressure <= out_.target) return end(std::move(now), PathEnd::reached);
+        if (next_.coarsening <= next_.coarseness && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
+        if (out_.passes.size() >= comparable_from_ + max_passes) return end(std::move(now), PathEnd::out_of_passes);
+        prepare_next(now, error);
+        return false;
+    }
+
+    void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
+        if (!any_run(now)) {
+            next_.coarsening = next_.coarseness;
+            wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+            return;
+        }
+        if (next_.goal.empty()) {
+            first_goals(now, next_);
+            next_.coarsening /= coarsening_step;
+        } else {
+            refine(error, next_);
+        }
+        wanted_ = sizes_from(scene_, now, next_.resolution);
+        move_seams(scene_, now, out_.candidates);
+        expect_ends(scene_, now, out_.candidates);
+    }
+
+    double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }
+
+    const Scene& scene_;
+    const ResolvedConditions& conditions_;
+    const AnalyzeOptions& options_;
+    Stopwatches& seconds_;
+    Outcome out_;
+    NextGrids next_;
+    WantedSizes wanted_;
+    double factor_ = 1;
+    int widenings_ = 0;
+    std::size_t comparable_from_ = 0;  // passes before have other candidates
+};
+
 }  // namespace
 
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds) {
-    Outcome out;
-    const double coarseness = coarseness_of(scene);
-    double factor = 1;
-    const auto search = [&] {
-        const auto begin = std::chrono::steady_clock::now();
-        out.candidates = find_candidates(scene, factor);
-        seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    };
-    search();
-    WantedSizes wanted = first_sizes(scene, out.candidates, coarseness);
-    int widenings = 0;
-    for (;;) {
-        if (options.progress) options.progress("pass " + std::to_string(out.passes + 1));
-        const std::vector<bool> solve = parts_to_solve(scene, conditions, touching_pairs(out.candidates));
-        SolvedAssembly now = solve_pass(scene, conditions, out.candidates, solve, wanted, coarseness, seconds);
-        ++out.passes;
-        out.factorizations += static_cast<int>(now.problem.parts.size());
-        out.iterations += now.solution.iterations;
-        const bool stuck = !now.failure.empty() || !now.solution.mechanism.empty();
-        const bool may_widen = !scene.contacts.search_distance && widenings < max_search_widenings && scene.contacts.detect &&
-                               scene.parts.size() > 1;
-        const double needed = stuck ? 0.0 : needed_search_factor(scene, now);
-        if (now.failure.empty() && may_widen && (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor)) {
-            ++widenings;
-            factor = std::max(search_widening * factor, needed);
-            const std::size_t before = out.candidates.size();
-            search();
-            // nothing more to rest on: look farther before anything is solved again
-            for (; stuck && out.candidates.size() == before && widenings < max_search_widenings; ++widenings) {
-                factor *= search_widening;
-                search();
-            }
-            out.have_previous = false;
-            if (stuck || !any_run(now))
-                wanted = first_sizes(scene, out.candidates, coarseness);
-            else
-                wanted = sizes_from(scene, now, coarseness);
-            continue;
-        }
-        out.search_too_short = !stuck && scene.parts.size() > 1 && scene.contacts.detect &&
-                               (zone_too_short(now) || (!scene.contacts.search_distance && needed > factor));
-        if (stuck || grids_are_fixed(scene) || !any_run(now)) {
-            out.solved = std::move(now);
-            return out;
-        }
-        const bool settled = out.have_previous && same_contacts(now, out.solved);
-        if (settled || out.passes >= max_passes(scene) + widenings) {
-            out.settled = settled;
-            out.solved = std::move(now);
-            return out;
-        }
-        wanted = sizes_from(scene, now, coarseness);
-        move_seams(scene, now, out.candidates);
-        out.have_previous = true;
-        out.previous_energy = energy_of(now);
-        out.previous_peak.clear();
-        for (std::size_t k = 0; k < now.contacts.size(); ++k) out.previous_peak.push_back(peak_of(now, k));
-        out.solved = std::move(now);
-    }
+    return Path(scene, conditions, options, seconds).walk();
 }
 
 }  // namespace abut

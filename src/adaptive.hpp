@@ -5,22 +5,32 @@
 
 #include "src/analysis.hpp"
 #include "src/assembly_model.hpp"
+#include "src/error_estimate.hpp"
 
 namespace abut {
+
+/// Why there are no finer grids.
+enum class PathEnd {
+    no_need,       ///< grids are given, or no contact carries anything: one solution
+    reached,       ///< the estimated error is below the target
+    out_of_cells,  ///< the budget of cells is spent
+    out_of_passes  ///< the errors do not fall: the pressure has no limit somewhere
+};
 
 struct Outcome {
     std::vector<Candidate> candidates;
     SolvedAssembly solved;  ///< on the last grids
-    int passes = 0, factorizations = 0, iterations = 0;
-    bool settled = true;                ///< the contacts moved little from the grids before to the last ones
+    int factorizations = 0, iterations = 0;
+    PathEnd end = PathEnd::no_need;
+    double target = 0;                  ///< estimated relative error aimed at
     bool search_too_short = false;      ///< contact reaches the end of what was searched
-    bool have_previous = false;         ///< there were grids before the last ones:
-    std::vector<double> previous_peak;  ///< largest pressures on them, by candidate
-    double previous_energy = 0;         ///< and their strain energy
+    std::vector<PassRecord> passes;     ///< all of them
+    std::vector<ErrorEstimate> errors;  ///< parallel to passes
 };
 
-/// Grids, solution, new grids from the contacts found, until these stay where they are or the accuracy level's number of passes
-/// is reached; the search for candidates widens where contact reaches its end, or where the displacements could close more.
+/// Grids, solution, new grids from the contacts found, finer towards their ends, until the estimated error is below the
+/// accuracy's target; the search for candidates widens where contact reaches its end, or where the displacements could close
+/// more.
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds);
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <set>
 
+#include "src/accuracy_results.hpp"
 #include "src/adaptive.hpp"
 #include "src/assumptions.hpp"
 #include "src/contact_measures.hpp"
@@ -99,7 +100,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     fill_parts(scene, out.solved, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
-    result.solver = {out.passes, out.factorizations, out.iterations, largest_condition(out.solved),
+    result.solver = {static_cast<int>(out.passes.size()), out.factorizations, out.iterations, largest_condition(out.solved),
                      out.solved.solution.converged};
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
@@ -127,6 +128,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
         result.timing.emplace_back(stage, seconds[stage]);
+    predict_next_level(result);
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     return result;

@@ -123,8 +123,7 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
         if (a < 0 || b < 0) continue;
-        solved.contacts.back() =
-            make_interface(scene, c.zone, solved.grids[at(a)], solved.grids[at(b)], {a, b}, c.closing, c.no_overlap);
+        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b});
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
         if (c.bonded) bond(contact);
@@ -141,12 +140,6 @@ std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contac
 }
 
 }  // namespace
-
-double coarseness_of(const Scene& scene) {
-    if (scene.accuracy.level == "draft") return 1.6;
-    if (scene.accuracy.level == "fine") return 0.55;
-    return 1;
-}
 
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,

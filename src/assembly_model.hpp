@@ -38,6 +38,7 @@ struct SolvedAssembly {
 struct WantedSize {
     std::vector<Vec2> points;  ///< the cells around all of them
     double size;
+    double growth;  ///< of cells per distance from there
 };
 using WantedSizes = std::vector<std::vector<WantedSize>>;
 
@@ -51,11 +52,15 @@ double largest_condition(const SolvedAssembly& solved);
 /// Sizes wanted before anything is known: cells along the closest portions of the candidates.
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);
 
-/// Sizes wanted from a solution: cells within every contact, finer towards its ends.
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double coarseness);
+/// How finely the next grids resolve a contact.
+struct ContactResolution {
+    double cells;            ///< along each stretch of contact, at least
+    double end_fraction;     ///< cells at its free ends, of its length
+    double corner_fraction;  ///< the same at corners, and where a straight edge meets an arc
+};
 
-/// Factor on all cell sizes for the scene's accuracy level.
-double coarseness_of(const Scene& scene);
+/// Sizes wanted from a solution: cells within every contact, finer towards its ends. resolution: by contact.
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const std::vector<ContactResolution>& resolution);
 
 /// Pressure spline's coefficients of a contact.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);

@@ -20,8 +20,6 @@ constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;  // of the part's size
 /// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
 constexpr double noted_rounding = 1e-3;
-/// A peak that still changes by more than this from grid to grid.
-constexpr double doubtful = 0.1;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -93,9 +91,6 @@ void check_grids(const Outcome& out, Result& result) {
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
         result.warnings.push_back("contact reaches the end of what was searched; give contacts.search_distance a larger value");
-    if (!out.settled)
-        result.warnings.push_back("the contacts still moved between the last two grids by more than " +
-                                  number_text(100 * settled_fraction, 2) + " % of their length");
     if (out.solved.limited_grids > 0)
         result.warnings.push_back(
             "grids of " + std::to_string(out.solved.limited_grids) +
@@ -106,29 +101,6 @@ void check_grids(const Outcome& out, Result& result) {
 }
 
 }  // namespace
-
-void fill_errors(const Outcome& out, Result& result) {
-    if (!out.have_previous) {
-        result.error_estimate.method = "none: one grid only";
-        return;
-    }
-    result.error_estimate.method = "change between the last two grids";
-    if (result.strain_energy > 0)
-        result.error_estimate.energy = std::abs(result.strain_energy - out.previous_energy) / result.strain_energy;
-    double worst = 0, largest = 0;
-    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.max_pressure.value);
-    for (std::size_t k = 0; k < result.contacts.size() && k < out.previous_peak.size(); ++k) {
-        if (result.contacts[k].max_pressure.value <= 0) continue;
-        const double change = std::abs(result.contacts[k].max_pressure.value - out.previous_peak[k]);
-        result.contacts[k].error_estimate = change / result.contacts[k].max_pressure.value;
-        worst = std::max(worst, change / largest);
-        if (*result.contacts[k].error_estimate > doubtful)
-            result.warnings.push_back("the largest pressure of contact " + std::to_string(k) + " changed by " +
-                                      number_text(100 * *result.contacts[k].error_estimate, 2) +
-                                      " % from the grid before: it has no limit at a sharp corner, or the grid is too coarse");
-    }
-    if (largest > 0) result.error_estimate.contact_pressure = worst;
-}
 
 void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
     for (std::size_t k = 0; k < out.solved.grids.size(); ++k) check_kinematics(scene, out.solved, k, result);

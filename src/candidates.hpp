@@ -8,6 +8,12 @@
 
 namespace abut {
 
+/// Where contact is expected to end, from the grids before.
+struct ExpectedEnd {
+    double s1;    ///< arc length on the zone's first chain
+    int outward;  ///< +1: beyond it, at larger s1, the gap is open; -1: the other way
+};
+
 struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second
     geometry::FacingZone zone;
@@ -15,6 +21,7 @@ struct Candidate {
     bool no_overlap = false;  ///< drawn overlaps count as touching
     bool bonded = false;      ///< held together as drawn
     int rule = -1;            ///< the scene's rule for this pair, if any
+    std::vector<ExpectedEnd> ends{};
 };
 
 /// Drawn overlaps up to this fraction of the smaller part's diagonal are the drawing's rounding, not a fault.

@@ -89,8 +89,15 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
     return pieces;
 }
 
-/// Knots at equal shares of the integral of ds / size, as places on the middle curve; and that curve's table against chain 1.
-std::vector<double> place_knots(const std::vector<Piece>& pieces, ContactInterface& c) {
+double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v) {
+    const auto i = std::clamp<std::ptrdiff_t>(std::upper_bound(from.begin(), from.end(), v) - from.begin() - 1, 0,
+                                              static_cast<std::ptrdiff_t>(from.size()) - 2);
+    const auto k = static_cast<std::size_t>(i);
+    return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
+}
+
+/// The middle curve's table against the chains; and at its places the integral of ds / size.
+std::vector<double> make_table(const std::vector<Piece>& pieces, ContactInterface& c) {
     std::vector<double> count{0};
     c.s = {0};
     c.s1 = {pieces.front().begin1};
@@ -101,23 +108,48 @@ std::vector<double> place_knots(const std::vector<Piece>& pieces, ContactInterfa
         c.s1.push_back(p.end1);
         c.s2.push_back(p.end2);
     }
-    const int n = std::max(min_intervals, static_cast<int>(std::lround(count.back())));
-    std::vector<double> knots{0};
-    std::size_t i = 0;
-    for (int k = 1; k < n; ++k) {
-        const double target = count.back() * k / n;
-        while (i + 2 < count.size() && count[i + 1] < target) ++i;
-        knots.push_back(c.s[i] + (target - count[i]) / (count[i + 1] - count[i]) * (c.s[i + 1] - c.s[i]));
-    }
-    knots.push_back(c.s.back());
-    return knots;
+    return count;
 }
 
-double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v) {
-    const auto i = std::clamp<std::ptrdiff_t>(std::upper_bound(from.begin(), from.end(), v) - from.begin() - 1, 0,
-                                              static_cast<std::ptrdiff_t>(from.size()) - 2);
-    const auto k = static_cast<std::size_t>(i);
-    return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
+/// Counts at which the knots are to be double: just beyond where contact is expected to end.
+std::vector<double> double_knots(const std::vector<double>& count, const ContactInterface& c,
+                                 const std::vector<ExpectedEnd>& ends) {
+    std::vector<double> wanted;
+    for (const ExpectedEnd& e : ends) {
+        double s1 = e.s1;
+        if (c.zone.closed) s1 += c.zone.chain1.length * std::ceil((c.s1.front() - s1) / c.zone.chain1.length);
+        wanted.push_back(interpolate(c.s1, count, s1) + end_overhang * e.outward);
+    }
+    std::sort(wanted.begin(), wanted.end());
+    std::vector<double> kept{0};  // whole intervals between them, and to the ends
+    for (double w : wanted)
+        if (w - kept.back() >= 1 && count.back() - w >= 1) kept.push_back(w);
+    kept.erase(kept.begin());
+    return kept;
+}
+
+struct Knots {
+    std::vector<double> places;
+    std::vector<int> multiplicity;
+};
+
+/// Knots on the middle curve, at equal shares of the count between the double ones.
+Knots place_knots(const std::vector<double>& count, const ContactInterface& c, const std::vector<double>& doubled) {
+    std::vector<double> stops{0};
+    stops.insert(stops.end(), doubled.begin(), doubled.end());
+    stops.push_back(count.back());
+    Knots knots;
+    for (std::size_t e = 0; e + 1 < stops.size(); ++e) {
+        const double share = stops[e + 1] - stops[e];
+        const int n = std::max(doubled.empty() ? min_intervals : 1, static_cast<int>(std::lround(share)));
+        for (int k = 0; k < n; ++k) {
+            knots.places.push_back(interpolate(count, c.s, stops[e] + share * k / n));
+            knots.multiplicity.push_back(k == 0 && e > 0 ? 2 : 1);
+        }
+    }
+    knots.places.push_back(c.s.back());
+    knots.multiplicity.push_back(1);
+    return knots;
 }
 
 }  // namespace
@@ -127,25 +159,27 @@ int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
     return on_grid.elements.of_piece[static_cast<std::size_t>(&piece - on_grid.cells.pieces.data())];
 }
 
-ContactInterface make_interface(const Scene& scene, const FacingZone& zone, const PartOnGrid& first, const PartOnGrid& second,
-                                std::array<int, 2> solver_part, double closing, bool no_overlap) {
-    if (scene.contacts.penalty) return make_penalty_interface(scene, zone, first, second, solver_part, {closing, no_overlap});
+ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
+                                const PartOnGrid& second, std::array<int, 2> solver_part) {
+    const GapRule drawn{candidate.closing, candidate.no_overlap};
+    if (scene.contacts.penalty) return make_penalty_interface(scene, candidate.zone, first, second, solver_part, drawn);
     ContactInterface c;
     c.part = {first.part, second.part};
-    c.zone = zone;
+    c.zone = candidate.zone;
     const std::vector<Piece> pieces = measure(scene, c, first, second);
     if (pieces.empty()) return c;
-    const std::vector<double> knots = place_knots(pieces, c);
+    const std::vector<double> count = make_table(pieces, c);
+    const Knots knots = place_knots(count, c, double_knots(count, c, candidate.ends));
     c.face.part = solver_part;
     c.face.thickness = std::min(first.input.thickness, second.input.thickness);
-    c.face.periodic = zone.closed;
-    c.face.pressure = zone.closed ? solver::periodic_knots(knots, solver::multiplier_degree)
-                                  : solver::clamped_knots(knots, solver::multiplier_degree);
+    c.face.periodic = c.zone.closed;
+    c.face.pressure = c.zone.closed ? solver::periodic_knots(knots.places, solver::multiplier_degree, knots.multiplicity)
+                                    : solver::clamped_knots(knots.places, solver::multiplier_degree, knots.multiplicity);
     // between crossings and knots everything is smooth: these are the pieces that are integrated
     std::vector<double> middle, cuts;
     for (std::size_t k = 0; k < c.s1.size(); ++k) middle.push_back(c.s1[k] - c.s2[k]);
     cuts = middle;
-    for (double k : knots) cuts.push_back(interpolate(c.s, middle, k));
+    for (double k : knots.places) cuts.push_back(interpolate(c.s, middle, k));
     std::sort(cuts.begin(), cuts.end());
     const double shortest = shortest_piece * (cuts.back() - cuts.front());
     const auto& rule = geometry::gauss_rule(points_per_piece);
@@ -157,8 +191,7 @@ ContactInterface make_interface(const Scene& scene, const FacingZone& zone, cons
             const auto [pair, stretch] =
                 pair_in_middle(scene, c, m, interpolate(middle, c.s1, m), interpolate(middle, c.s2, m));
             if (!pair.found) continue;
-            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch,
-                         {closing, no_overlap});
+            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch, drawn);
         }
     }
     c.foundation = winkler_stiffness(scene, first, second);

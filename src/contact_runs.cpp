@@ -15,15 +15,23 @@ constexpr double open_fraction = 1e-9;  // of the largest coefficient: below, a 
 // negative overshoots, and farther the pressure is no root any more. Measured on pins in holes (16 grids, h = R/10, half angle
 // of 61 degrees): off by 0.18 degrees at most; 1 to 3 intervals 0.85.
 constexpr double fit_from = 1.5, fit_to = 4;
-constexpr int steps = 40;  // of the integral over the stretch
+constexpr int steps = 40;          // of the integral over the stretch
+constexpr double error_reach = 3;  // knot intervals beside a free end in which its error counts
+/// An interface's end counts as a corner where the pressure is so much larger there than so far away, of the contact's length;
+/// errors so near to it are left out.
+constexpr double corner_rise = 1.05, corner_test = 0.1, corner_reach = 0.05;
 
-/// Zero of the line through F^(2/3), F the force between the end and a place `from` to `to` inside it: a pressure that ends
-/// like A sqrt(x) has F = 2/3 A x^(3/2). A force averages the waves that the last coefficients throw; the pressure itself does
-/// not.
-double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double end, double inward, double from, double to) {
+/// A pressure A sqrt(x - zero), x the distance inward from where the last coefficient's support ends.
+struct Root {
+    double zero = 0, amplitude = 0;
+};
+
+/// From the line through F^(2/3), F the force between the end and a place `from` to `to` inside it: such a pressure has
+/// F = 2/3 A (x - zero)^(3/2). A force averages the waves that the last coefficients throw; the pressure itself does not.
+template <class Pressure>
+Root fitted_root(const Pressure& pressure, double from, double to) {
     double force = 0, n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     const double step = to / steps;
-    const auto pressure = [&](double x) { return solver::pressure_at(k, c, end + inward * x); };
     for (int i = 0; i < steps; ++i) {
         const double a = i * step, x = a + step;
         force += step / 6 * (pressure(a) + 4 * pressure(a + 0.5 * step) + pressure(x));
@@ -36,9 +44,35 @@ double fitted_end(const solver::KnotVector& k, const Eigen::VectorXd& c, double 
         sxy += x * y;
     }
     const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
-    if (!(slope > 0)) return end;
-    const double zero = -(sy - slope * sx) / n / slope;
-    return end + inward * std::clamp(zero, 0.0, from);
+    if (!(slope > 0)) return {};
+    return {std::clamp(-(sy - slope * sx) / n / slope, 0.0, from), 1.5 * slope * std::sqrt(slope)};
+}
+
+/// L2 distance of pressure and root between the end and `to`.
+template <class Pressure>
+double misfit(const Pressure& pressure, const Root& root, double to) {
+    double sum = 0;
+    const double step = to / steps;
+    for (int i = 0; i < steps; ++i) {
+        const double x = (i + 0.5) * step;
+        const double difference = pressure(x) - root.amplitude * std::sqrt(std::max(0.0, x - root.zero));
+        sum += step * difference * difference;
+    }
+    return std::sqrt(sum);
+}
+
+/// How far inside of the last coefficient's support the contact ends; h: knot spacing there.
+template <class Pressure>
+double free_end(const Pressure& pressure, double h, RunEnd& end) {
+    const Root root = fitted_root(pressure, fit_from * h, fit_to * h);
+    end = {RunEnd::Kind::free, error_reach * h, misfit(pressure, root, error_reach * h)};
+    return root.zero;
+}
+
+template <class Pressure>
+RunEnd fixed_end(const Pressure& pressure, double length) {
+    if (pressure(0) > corner_rise * pressure(corner_test * length)) return {RunEnd::Kind::corner, corner_reach * length, 0};
+    return {RunEnd::Kind::plain, 0, 0};
 }
 
 }  // namespace
@@ -63,19 +97,21 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
         k = last;
     }
     for (ContactRun& run : runs) {
-        const double whole = run.end - run.begin, begin = run.begin, end = run.end;
-        const auto knot_at = [&](double s) {
+        const double length = run.end - run.begin;
+        const auto from_begin = [&, s = run.begin](double x) { return solver::pressure_at(pressure, coefficients, s + x); };
+        const auto from_end = [&, s = run.end](double x) { return solver::pressure_at(pressure, coefficients, s - x); };
+        const auto spacing_at = [&](double s) {
             const auto i = static_cast<std::size_t>(solver::interval_of(pressure, s));
-            return pressure.breakpoints[i + 1] - pressure.breakpoints[i];
+            return std::min(pressure.breakpoints[i + 1] - pressure.breakpoints[i], length / (2 * fit_to));
         };
-        if (!run.from_start) {
-            const double h = std::min(knot_at(begin + 1e-9 * whole), whole / (2 * fit_to));
-            run.begin = fitted_end(pressure, coefficients, begin, 1, fit_from * h, fit_to * h);
-        }
-        if (!run.to_end) {
-            const double h = std::min(knot_at(end - 1e-9 * whole), whole / (2 * fit_to));
-            run.end = fitted_end(pressure, coefficients, end, -1, fit_from * h, fit_to * h);
-        }
+        if (run.from_start)
+            run.at_begin = fixed_end(from_begin, length);
+        else
+            run.begin += free_end(from_begin, spacing_at(run.begin), run.at_begin);
+        if (run.to_end)
+            run.at_end = fixed_end(from_end, length);
+        else
+            run.end -= free_end(from_end, spacing_at(std::nextafter(run.end, run.begin)), run.at_end);
     }
     return runs;
 }

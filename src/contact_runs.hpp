@@ -7,10 +7,23 @@
 
 namespace abut {
 
+/// An end of a stretch of contact.
+struct RunEnd {
+    enum class Kind {
+        free,    ///< the gap opens: the pressure ends like the root of the distance
+        corner,  ///< the interface ends and the pressure rises towards it: it may have no limit there
+        plain    ///< the interface ends, and nothing happens: a symmetry plane
+    };
+    Kind kind = Kind::plain;
+    double reach = 0;  ///< how far into the contact the end's own error counts apart from the rest: free ends and corners
+    double error = 0;  ///< free ends: L2 distance within the reach between the spline and the root that is fitted to the force
+};
+
 /// A stretch of an interface's middle curve under pressure.
 struct ContactRun {
     double begin, end;        ///< arc lengths
     bool from_start, to_end;  ///< reaches the interface's own ends
+    RunEnd at_begin{}, at_end{};
 };
 
 /// Stretches where the pressure spline is positive. Ends inside the interface by fitting the force near them: pressures

@@ -43,8 +43,8 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
     const int base = static_cast<int>(r.field.samples.size());
     for (int b = 0; b <= n; ++b)
         for (int a = 0; a <= n; ++a)
-            r.field.samples.push_back(sample(Vec2(lines.x[i] + (lines.x[i + 1] - lines.x[i]) * a / n,
-                                                  lines.y[j] + (lines.y[j + 1] - lines.y[j]) * b / n)));
+            r.field.samples.push_back(sample(
+                Vec2(lines.x[i] + (lines.x[i + 1] - lines.x[i]) * a / n, lines.y[j] + (lines.y[j + 1] - lines.y[j]) * b / n)));
     for (int b = 0; b < n; ++b)
         for (int a = 0; a < n; ++a) {
             const int k = base + b * (n + 1) + a;

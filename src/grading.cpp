@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cell sizes that contacts ask for: before a solution from the drawn gaps, after one from the contacts found.
 #include <algorithm>
+#include <cmath>
 
 #include "src/assembly_model.hpp"
 
@@ -11,23 +12,30 @@ namespace {
 constexpr int samples = 33;
 constexpr double near_gap_fraction = 0.25;  // of a zone's range of gaps: what is closer counts as where contact will be
 constexpr double cells_in_first_contact = 16;
-constexpr double cells_in_contact = 12;
-constexpr double end_fraction = 1.0 / 120;    // of the contact's length: cells at its ends
-constexpr double corner_fraction = 1.0 / 40;  // the same where it ends at a corner that concentrates the pressure:
-constexpr double corner_rise = 1.05;          //   there it is so much larger than
-constexpr double corner_reach = 0.1;          //   this fraction of the length away (a symmetry plane is no such corner)
+/// Cells at the ends from which on the growth towards the middle follows them, by the fourth root: the ends' errors fall with
+/// the cell size, those of the rest with its third power and more.
+constexpr double fast_end = 0.02;
+constexpr double fastest_growth = 0.69;  // neighbours by a factor of 2
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size) {
-    if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size});
+void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size, double growth) {
+    if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size, growth});
+}
+
+double growth_for(const ContactResolution& r) {
+    return fastest_growth * std::min(1.0, std::pow(r.end_fraction / fast_end, 0.25));
+}
+
+double end_size(const RunEnd& end, const ContactResolution& r) {
+    return end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction;
 }
 
 /// Where a straight edge meets an arc within a contact the pressure has a steep peak: fine cells at the joints of either chain.
-void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double size,
-                    WantedSizes& wanted) {
+void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run,
+                    const ContactResolution& resolution, WantedSizes& wanted) {
     const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
     if (!begin.found || !end.found) return;
     const std::array<const geometry::Chain*, 2> chain{&contact.zone.chain1, &contact.zone.chain2};
@@ -41,14 +49,10 @@ void want_at_joints(const Scene& scene, const ContactInterface& contact, const C
                 while (s < low[side]) s += chain[side]->length;
             if (s <= low[side] || s >= high[side]) continue;
             const Vec2 x = geometry::at(part, *chain[side], s).x;
-            for (int p : contact.part) want(wanted, p, {x}, size);
+            for (int p : contact.part)
+                want(wanted, p, {x}, (run.end - run.begin) * resolution.corner_fraction, growth_for(resolution));
         }
     }
-}
-
-bool rises_towards(const Eigen::VectorXd& pressure, const ContactInterface& contact, double end, double inside) {
-    return solver::pressure_at(contact.face.pressure, pressure, end) >
-           corner_rise * solver::pressure_at(contact.face.pressure, pressure, inside);
 }
 
 }  // namespace
@@ -70,19 +74,18 @@ WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candid
             on2.push_back(pair.on2.x);
         }
         const double length = (c.zone.end1 - c.zone.begin1) * static_cast<double>(on1.size()) / samples;
-        want(wanted, c.first, on1, coarseness * length / cells_in_first_contact);
-        want(wanted, c.second, on2, coarseness * length / cells_in_first_contact);
+        want(wanted, c.first, on1, coarseness * length / cells_in_first_contact, size_growth);
+        want(wanted, c.second, on2, coarseness * length / cells_in_first_contact, size_growth);
     }
     return wanted;
 }
 
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double coarseness) {
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const std::vector<ContactResolution>& resolution) {
     WantedSizes wanted(scene.parts.size());
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         for (const ContactRun& run : solved.runs[k]) {
             const ContactInterface& contact = solved.contacts[k];
-            const Eigen::VectorXd& pressure = pressure_of(solved, k);
-            const double length = run.end - run.begin;
+            const double length = run.end - run.begin, growth = growth_for(resolution[k]);
             std::array<std::vector<Vec2>, 2> points;
             for (int i = 0; i < samples; ++i) {
                 const geometry::FacingPair pair = pair_at(scene, contact, run.begin + length * i / (samples - 1));
@@ -90,18 +93,15 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, double 
                 points[0].push_back(pair.on1.x);
                 points[1].push_back(pair.on2.x);
             }
-            want_at_joints(scene, contact, run, coarseness * length * corner_fraction, wanted);
+            want_at_joints(scene, contact, run, resolution[k], wanted);
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
-                want(wanted, contact.part[side], points[side], coarseness * length / cells_in_contact);
-                if (!run.from_start)
-                    want(wanted, contact.part[side], {points[side].front()}, coarseness * length * end_fraction);
-                else if (rises_towards(pressure, contact, run.begin, run.begin + corner_reach * length))
-                    want(wanted, contact.part[side], {points[side].front()}, coarseness * length * corner_fraction);
-                if (!run.to_end)
-                    want(wanted, contact.part[side], {points[side].back()}, coarseness * length * end_fraction);
-                else if (rises_towards(pressure, contact, run.end, run.end - corner_reach * length))
-                    want(wanted, contact.part[side], {points[side].back()}, coarseness * length * corner_fraction);
+                const int part = contact.part[side];
+                want(wanted, part, points[side], length / resolution[k].cells, growth);
+                if (run.at_begin.kind != RunEnd::Kind::plain)
+                    want(wanted, part, {points[side].front()}, length * end_size(run.at_begin, resolution[k]), growth);
+                if (run.at_end.kind != RunEnd::Kind::plain)
+                    want(wanted, part, {points[side].back()}, length * end_size(run.at_end, resolution[k]), growth);
             }
         }
     return wanted;

@@ -31,7 +31,7 @@ double wanted_size(double v, int axis, double largest, const std::vector<SizeFea
     double size = largest;
     for (const SizeFeature& f : features) {
         const double away = std::max({0.0, f.box.min[axis] - v, v - f.box.max[axis]});
-        size = std::min(size, f.size + size_growth * away);
+        size = std::min(size, f.size + f.growth * away);
     }
     return size;
 }

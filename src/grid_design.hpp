@@ -9,16 +9,17 @@
 
 namespace abut {
 
+/// How much cells may grow per distance from where the shape wants a size.
+inline constexpr double size_growth = 0.45;
+
 /// A cell size wanted over a box of the part's local frame; it may grow with the distance from it.
 struct SizeFeature {
     geometry::Box2 box;
     double size;
+    double growth = size_growth;  ///< per distance
 };
 
-/// How much cells may grow per distance from where a size is wanted.
-inline constexpr double size_growth = 0.45;
-
-/// Lines from low to high whose spacing follows min over features (size + size_growth * distance), at most `largest`; axis 0 is
+/// Lines from low to high whose spacing follows min over features (size + growth * distance), at most `largest`; axis 0 is
 /// x.
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);
 

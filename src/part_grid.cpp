@@ -49,7 +49,7 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
 std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, const Frame& frame) {
     std::vector<SizeFeature> features;
     for (const WantedSize& w : wanted) {
-        SizeFeature f{{}, w.size};
+        SizeFeature f{{}, w.size, w.growth};
         for (const Vec2& p : w.points) f.box.extend(frame.to_local(p));
         features.push_back(f);
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/read_accuracy.hpp"
 
+#include "src/accuracy_goal.hpp"
+#include "src/svg.hpp"
+
 namespace abut {
 
 namespace {
@@ -23,6 +26,15 @@ std::vector<Refinement> read_refinements(SceneReading& reading, const JsonValue&
     return refinements;
 }
 
+std::optional<double> read_target(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> target = read_number(reading, value);
+    if (!target || is_target(*target)) return target;
+    report(reading, value,
+           "a relative error to aim at is from " + number_text(least_target, 1) + " to " + number_text(most_target, 1),
+           "0.01 is one percent");
+    return std::nullopt;
+}
+
 std::string word_or(SceneReading& reading, const JsonValue& object, const char* key, const std::string& otherwise,
                     const Words& words) {
     const JsonValue* value = find_member(object, key);
@@ -33,9 +45,12 @@ std::string word_or(SceneReading& reading, const JsonValue& object, const char* 
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {"target"}};
+    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {{"draft", "standard", "fine"}, {}});
+    if (find_member(accuracy, "level") && find_member(accuracy, "target"))
+        report(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own", "take 'level' away");
+    if (const JsonValue* target = find_member(accuracy, "target")) result.target = read_target(reading, *target);
     if (const JsonValue* degree = find_member(accuracy, "degree")) {
         result.degree = read_integer(reading, *degree, least_degree, most_degree).value_or(result.degree);
     }

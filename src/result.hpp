@@ -83,6 +83,19 @@ struct ContactProfile {
     std::vector<double> s2, x2, y2;
 };
 
+/// Estimated, relative to the contact's own values (src/error_estimate.hpp).
+struct ContactErrors {
+    double pressure = 0;  ///< L2 over the contact
+    double peak = 0, force = 0;
+    bool at_corner = false;  ///< the largest pressure stands at a sharp corner, where it may have no limit: no peak at all
+};
+
+/// A finer level, and the seconds that it would probably take.
+struct NextLevel {
+    std::string accuracy;  ///< as --accuracy takes it
+    double target = 0, seconds = 0;
+};
+
 struct ContactResult {
     std::array<int, 2> part{0, 0};  ///< indices into Result::parts
     std::array<std::string, 2> parts, between;
@@ -95,7 +108,8 @@ struct ContactResult {
     std::vector<Vec2> ends;
     ValueAt max_pressure;
     double max_penetration = 0;
-    std::optional<double> error_estimate;
+    std::optional<double> error_estimate;  ///< of the pressure
+    std::optional<ContactErrors> errors;
     std::optional<FunctionalInterface> functional;
     ContactProfile profile;
 };
@@ -171,6 +185,13 @@ struct Result {
         std::optional<double> energy, contact_pressure;
         std::string method;
     } error_estimate;
+    struct {
+        double target = 0;
+        std::optional<double> estimate;
+        bool reached = false;
+        std::string why;  ///< where it was not
+    } accuracy;
+    std::optional<NextLevel> next_level;
     std::vector<PartResult> parts;
     std::vector<ContactResult> contacts;
     MobilityResult as_drawn;                   ///< with every contact that could close

@@ -80,6 +80,12 @@ Json profile(const ContactProfile& p) {
     return json;
 }
 
+Json errors(const std::optional<ContactErrors>& e) {
+    if (!e) return nullptr;
+    return {
+        {"pressure", number(e->pressure)}, {"peak", number(e->peak)}, {"force", number(e->force)}, {"at_corner", e->at_corner}};
+}
+
 Json contact(const ContactResult& c) {
     return {{"parts", Json::array({c.parts[0], c.parts[1]})},
             {"between", Json::array({c.between[0], c.between[1]})},
@@ -96,7 +102,18 @@ Json contact(const ContactResult& c) {
             {"max_pressure", value_at(c.max_pressure)},
             {"max_penetration", number(c.max_penetration)},
             {"error_estimate", number(c.error_estimate)},
+            {"errors", errors(c.errors)},
             {"profile", profile(c.profile)}};
+}
+
+Json accuracy(const Result& r) {
+    Json j = {
+        {"target", number(r.accuracy.target)}, {"estimate", number(r.accuracy.estimate)}, {"reached", r.accuracy.reached}};
+    if (!r.accuracy.why.empty()) j["why"] = r.accuracy.why;
+    j["passes"] = list_of(r.passes, [](const PassSummary& p) {
+        return Json{{"unknowns", p.unknowns}, {"multipliers", p.multipliers}, {"estimated_error", number(p.estimated_error)}};
+    });
+    return j;
 }
 
 Json reaction(const Reaction& r) {
@@ -126,6 +143,8 @@ Json solver(const Result& r) {
 Json timing(const Result& r) {
     Json times = Json::object();
     for (const auto& [stage, seconds] : r.timing) times[stage] = number(seconds);
+    if (!r.passes.empty()) times["passes"] = list_of(r.passes, [](const PassSummary& p) { return number(p.seconds); });
+    if (r.next_level) times["next_level"] = {{"accuracy", r.next_level->accuracy}, {"seconds", number(r.next_level->seconds)}};
     return times;
 }
 
@@ -165,6 +184,7 @@ Json to_json(const Result& r) {
     j["error_estimate"] = {{"energy", number(r.error_estimate.energy)},
                            {"contact_pressure", number(r.error_estimate.contact_pressure)},
                            {"method", r.error_estimate.method}};
+    j["accuracy"] = accuracy(r);
     j["parts"] = list_of(r.parts, part);
     j["contacts"] = list_of(r.contacts, contact);
     j["mobility"] = {{"as_drawn", Json::parse(mobility_json(r.as_drawn))},

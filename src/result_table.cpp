@@ -15,7 +15,10 @@ using Row = TextRow;
 
 std::string pressure_text(const ContactResult& contact) {
     std::string text = number_text(contact.max_pressure.value, 4);
-    if (contact.error_estimate) text += " ± " + number_text(100 * *contact.error_estimate, 2) + " %";
+    if (contact.errors) {
+        const double error = std::max(contact.errors->pressure, contact.errors->peak);
+        text += contact.errors->at_corner ? " at a corner" : " ± " + number_text(100 * error, 2) + " %";
+    }
     return text;
 }
 
@@ -64,6 +67,19 @@ std::string effort(const Result& result) {
     return text + (time.empty() ? "" : ", " + time) + "\n";
 }
 
+/// What was reached, and what more would cost.
+std::string accuracy_lines(const Result& result) {
+    if (!result.accuracy.estimate) return "";
+    const std::string time = seconds_text(stage_seconds(result, "total"));
+    std::string text = "estimated error of the contact pressure: " + number_text(100 * *result.accuracy.estimate, 2) +
+                       " % (aimed at " + number_text(100 * result.accuracy.target, 2) + " %)" +
+                       (time.empty() ? "" : ", in " + time) + "\n";
+    if (result.next_level)
+        text += number_text(100 * result.next_level->target, 2) + " % (--accuracy " + result.next_level->accuracy +
+                ") would take about " + seconds_text(result.next_level->seconds) + "\n";
+    return text;
+}
+
 }  // namespace
 
 std::string result_table(const Result& result) {
@@ -76,6 +92,7 @@ std::string result_table(const Result& result) {
     if (!failed) text += summary(result);
     if (result.unknowns > 0) text += effort(result);
     for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+    if (!failed) text += accuracy_lines(result);
     return text;
 }
 

@@ -180,7 +180,7 @@ TEST(BadInput, entries_that_do_not_fit_together) {
               "s.json:8 /supports/0/rigid: this leaves the part free"},
              {"\"pressure\": \"1+x\"", "\"gravity\": [0, -1]", "s.json:9 /loads/0/on: 'on' does not go with 'gravity'"},
              {"\"pressure\": \"1+x\"", "\"force\": [\"x\", 0]", "s.json:9 /loads/0/force/0: in the expression 'x'"},
-             {"\"degree\": 2", "\"target\": 0.01", "s.json:11 /accuracy/target: 'target' is not supported yet"},
+             {"\"degree\": 2", "\"target\": 2", "s.json:11 /accuracy/target: a relative error to aim at is from 1e-05 to 0.5"},
              {"\"facing\": [0, 1],", "\"near\": [0, 1],", "s.json:9 /loads/0/on/within: 'within' belongs to 'facing'"},
              {"\"between\": [\"block/top\", \"disc/circle\"]", "\"between\": [\"block/top\"]",
               "s.json:10 /contacts/pairs/0/between: expected two selections"},

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/accuracy_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/accuracy_goal.hpp"
+#include "src/svg.hpp"
+
+namespace abut {
+
+namespace {
+
+/// A peak that still changes by more than this from grid to grid.
+constexpr double doubtful = 0.1;
+
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
+/// Does the largest pressure stand at a corner, where it may have no limit?
+bool peak_at_corner(const ContactRecord& c) {
+    const double peak = change_of(c, c).peak;
+    const auto stands = [&](const RunEnd& end, double s) {
+        return end.kind == RunEnd::Kind::corner && solver::pressure_at(c.pressure, c.coefficients, s) >= peak;
+    };
+    return std::any_of(c.runs.begin(), c.runs.end(),
+                       [&](const ContactRun& run) { return stands(run.at_begin, run.begin) || stands(run.at_end, run.end); });
+}
+
+void fill_contact(const ContactError& e, const ContactRecord& record, std::size_t k, Result& result) {
+    ContactResult& c = result.contacts[k];
+    c.error_estimate = e.pressure;
+    c.errors = ContactErrors{e.pressure, e.peak, e.force, peak_at_corner(record)};
+    const std::string largest = "the largest pressure of contact " + std::to_string(k);
+    if (c.errors->at_corner)
+        result.warnings.push_back(largest + " stands at a sharp corner, where it grows with every finer grid (by " +
+                                  percent(e.peak) + " yet, or more); error estimates leave out what is beside it");
+    else if (e.peak > doubtful && c.max_pressure.value > 0)
+        result.warnings.push_back(largest + " is uncertain by " + percent(std::min(e.peak, 1.0)) +
+                                  ": the grids are too coarse for it");
+}
+
+std::string why_it_ended(PathEnd end) {
+    if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
+    return "finer grids do not bring it down: a pressure without limit at a sharp corner, or contact that comes and goes";
+}
+
+void fill_target(const Outcome& out, Result& result) {
+    const ErrorEstimate& error = out.errors.back();
+    result.accuracy.target = out.target;
+    result.accuracy.estimate = error.contact_pressure;
+    result.accuracy.reached = out.end == PathEnd::reached;
+    if (out.end != PathEnd::out_of_cells && out.end != PathEnd::out_of_passes) return;
+    result.accuracy.why = why_it_ended(out.end);
+    result.warnings.push_back("the estimated error of the contact pressure, " + percent(error.contact_pressure.value_or(1)) +
+                              ", is above the " + percent(out.target) + " aimed at: " + result.accuracy.why);
+}
+
+}  // namespace
+
+void fill_errors(const Outcome& out, Result& result) {
+    for (std::size_t k = 0; k < out.passes.size(); ++k)
+        result.passes.push_back(
+            {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, out.errors[k].contact_pressure});
+    const ErrorEstimate& error = out.errors.back();
+    fill_target(out, result);
+    if (!error.energy) {
+        result.error_estimate.method = "none: one grid only";
+        return;
+    }
+    result.error_estimate.method =
+        "fit of the root at free ends of contact; elsewhere the change between the last two grids, continued";
+    result.error_estimate.energy = error.energy;
+    result.error_estimate.contact_pressure = error.contact_pressure;
+    for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
+        if (error.contacts[k]) fill_contact(*error.contacts[k], out.passes.back().contacts[k], k, result);
+}
+
+namespace {
+
+/// Solution time grows a little faster than unknowns.
+constexpr double time_exponent = 1.2;
+/// Passes that a finer target adds, of the last one's size.
+constexpr double passes_added = 2.5;
+constexpr double finer = 5;
+/// Bounds on the growth of unknowns per fall of the error, as an exponent.
+constexpr double least_growth = 0.1, most_growth = 1;
+
+NextLevel next_target(double target) {
+    for (const char* level : {"draft", "standard", "fine"}) {
+        Accuracy accuracy;
+        accuracy.level = level;
+        if (target_of(accuracy) < target / 1.5) return {level, target_of(accuracy), 0};
+    }
+    return {number_text(target / finer, 2), target / finer, 0};
+}
+
+double stage_seconds_of(const Result& result, const std::string& stage) {
+    for (const auto& [name, seconds] : result.timing)
+        if (name == stage) return seconds;
+    return 0;
+}
+
+}  // namespace
+
+void predict_next_level(Result& result) {
+    const auto& passes = result.passes;
+    if (passes.size() < 2 || !result.accuracy.estimate) return;
+    // from the first pass with an estimate to the last
+    const auto first =
+        std::find_if(passes.begin(), passes.end(), [](const PassSummary& p) { return p.estimated_error.has_value(); });
+    const PassSummary &last = passes.back(), &before = passes[passes.size() - 2];
+    double growth = most_growth / 2;
+    if (first != passes.end() && *first->estimated_error > *last.estimated_error && last.unknowns > first->unknowns)
+        growth = std::log(static_cast<double>(last.unknowns) / first->unknowns) /
+                 std::log(*first->estimated_error / *last.estimated_error);
+    growth = std::clamp(growth, least_growth, most_growth);
+    NextLevel next = next_target(result.accuracy.target);
+    const double more = std::pow(std::max(1.0, *last.estimated_error / next.target), growth);
+    const double last_seconds = last.seconds - before.seconds;
+    next.seconds = last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) +
+                   more * stage_seconds_of(result, "recovery") + stage_seconds_of(result, "import");
+    result.next_level = next;
+}
+
+}  // namespace abut

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the answer's accuracy: estimated errors, whether the target was reached, what the next level would cost.
+#pragma once
+#include "src/adaptive.hpp"
+#include "src/result.hpp"
+
+namespace abut {
+
+/// Estimated errors of the contacts (parallel to the candidates) and of the whole, passes, and warnings where the target was
+/// missed or a pressure may have no limit.
+void fill_errors(const Outcome& out, Result& result);
+
+/// The next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over the
+/// passes and from the seconds they took; nothing where there are no two passes to go by. Call with the timing filled in.
+void predict_next_level(Result& result);
+
+}  // namespace abut

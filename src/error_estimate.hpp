@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Estimated errors of a solution.
+//
+// Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
+// the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks, forces and energies, the
+// error is the change from the solution before, continued as a geometric series by the ratio of the cell sizes. Corners at
+// which the pressure may have no limit are left out.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "src/pass_record.hpp"
+
+namespace abut {
+
+/// Of one contact, relative to its own values.
+struct ContactError {
+    double pressure = 0;          ///< L2 over the contact:
+    double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
+    double peak = 0, force = 0;
+};
+
+/// Unset: nothing to compare with.
+struct ErrorEstimate {
+    std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
+    std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
+    std::optional<double> energy;
+};
+
+/// before: the solution on coarser grids, with the same candidates; none: no estimate.
+ErrorEstimate estimate_errors(const PassRecord& now, const PassRecord* before);
+
+}  // namespace abut

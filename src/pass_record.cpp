@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/pass_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/gauss.hpp"
+#include "src/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
+
+double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v) {
+    const auto after = std::upper_bound(from.begin() + 1, from.end() - 1, v) - from.begin();
+    const auto k = static_cast<std::size_t>(after) - 1;
+    return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
+}
+
+double spacing(const solver::KnotVector& knots, double s) {
+    const auto i = static_cast<std::size_t>(interval_of(knots, s));
+    return knots.breakpoints[i + 1] - knots.breakpoints[i];
+}
+
+/// Is a place within the reach of an end of that kind?
+bool beside(RunEnd::Kind kind, const std::vector<ContactRun>& runs, double s) {
+    return std::any_of(runs.begin(), runs.end(), [=](const ContactRun& run) {
+        return (run.at_begin.kind == kind && std::abs(s - run.begin) < run.at_begin.reach) ||
+               (run.at_end.kind == kind && std::abs(s - run.end) < run.at_end.reach);
+    });
+}
+
+/// Place in `before` of a place on the first chain; a closed zone may begin elsewhere than before.
+double place_in(const ContactRecord& before, double s1) {
+    const double whole = before.s1.back() - before.s1.front();
+    if (s1 < before.s1.front()) s1 += whole;
+    if (s1 > before.s1.back()) s1 -= whole;
+    return interpolate(before.s1, before.s, s1);
+}
+
+}  // namespace
+
+PassRecord record_of(const SolvedAssembly& solved, double seconds) {
+    PassRecord record;
+    record.energy = energy_of(solved);
+    record.multipliers = solved.solution.n_multipliers;
+    record.seconds = seconds;
+    for (const PartOnGrid& g : solved.grids) record.unknowns += 2 * g.input.space.n_functions;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        record.contacts.emplace_back();
+        if (solved.interface_of[k] < 0) continue;
+        const ContactInterface& c = solved.contacts[k];
+        record.contacts.back() = {c.s1, c.s, c.face.pressure, pressure_of(solved, k), solved.runs[k], c.face.thickness};
+    }
+    return record;
+}
+
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before) {
+    PressureChange change;
+    double ratios = 0, length = 0;
+    if (now.s.empty() || before.s.empty()) return change;
+    const auto& rule = geometry::gauss_rule(points_per_interval);
+    for (int i = 0; i < now.pressure.n_intervals(); ++i) {
+        const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
+        const double h = now.pressure.breakpoints[static_cast<std::size_t>(i) + 1] - a;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const double s = a + h * rule.points[q], w = h * rule.weights[q];
+            const double p = solver::pressure_at(now.pressure, now.coefficients, s);
+            const double s0 = place_in(before, interpolate(now.s, now.s1, s));
+            const double p0 = solver::pressure_at(before.pressure, before.coefficients, s0);
+            change.force += w * p * now.thickness;
+            change.force_before += w * p0 * now.thickness;
+            change.peak = std::max(change.peak, p);
+            change.peak_before = std::max(change.peak_before, p0);
+            if (beside(RunEnd::Kind::corner, now.runs, s) || beside(RunEnd::Kind::corner, before.runs, s0)) continue;
+            const double square = w * (p - p0) * (p - p0);
+            change.difference += square;
+            change.norm += w * p * p;
+            if (beside(RunEnd::Kind::free, now.runs, s) || beside(RunEnd::Kind::free, before.runs, s0)) continue;
+            change.inside += square;
+            const double h0 = spacing(before.pressure, s0);
+            if (p > 0 && p0 > 0) {
+                ratios += w * std::log(h / h0);
+                length += w;
+            }
+        }
+    }
+    change.difference = std::sqrt(change.difference);
+    change.inside = std::sqrt(change.inside);
+    change.refinement = length > 0 ? std::exp(ratios / length) : 1;
+    change.norm = std::sqrt(change.norm);
+    return change;
+}
+
+}  // namespace abut
