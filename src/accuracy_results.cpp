@@ -18,20 +18,10 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-/// Does the largest pressure stand at a corner, where it may have no limit?
-bool peak_at_corner(const ContactRecord& c) {
-    const double peak = change_of(c, c).peak;
-    const auto stands = [&](const RunEnd& end, double s) {
-        return end.kind == RunEnd::Kind::corner && solver::pressure_at(c.pressure, c.coefficients, s) >= peak;
-    };
-    return std::any_of(c.runs.begin(), c.runs.end(),
-                       [&](const ContactRun& run) { return stands(run.at_begin, run.begin) || stands(run.at_end, run.end); });
-}
-
-void fill_contact(const ContactError& e, const ContactRecord& record, std::size_t k, Result& result) {
+void fill_contact(const ContactError& e, std::size_t k, Result& result) {
     ContactResult& c = result.contacts[k];
     c.error_estimate = e.pressure;
-    c.errors = ContactErrors{e.pressure, e.peak, e.force, peak_at_corner(record)};
+    c.errors = ContactErrors{e.pressure, e.peak, e.force, e.at_corner};
     const std::string largest = "the largest pressure of contact " + std::to_string(k);
     if (c.errors->at_corner)
         result.warnings.push_back(largest + " stands at a sharp corner, where it grows with every finer grid (by " +
@@ -43,18 +33,25 @@ void fill_contact(const ContactError& e, const ContactRecord& record, std::size_
 
 std::string why_it_ended(PathEnd end) {
     if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
-    return "finer grids do not bring it down: a pressure without limit at a sharp corner, or contact that comes and goes";
+    return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
+}
+
+/// What the target is an error of.
+std::optional<double> steering(const ErrorEstimate& e) {
+    return e.contact_pressure ? std::max(*e.contact_pressure, *e.peak) : e.stress;
 }
 
 void fill_target(const Outcome& out, Result& result) {
     const ErrorEstimate& error = out.errors.back();
+    result.accuracy.of = error.contact_pressure ? "contact pressure" : "stress";
     result.accuracy.target = out.target;
-    result.accuracy.estimate = error.contact_pressure;
-    result.accuracy.reached = out.end == PathEnd::reached;
+    result.accuracy.estimate = steering(error);
+    result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
     if (out.end != PathEnd::out_of_cells && out.end != PathEnd::out_of_passes) return;
     result.accuracy.why = why_it_ended(out.end);
-    result.warnings.push_back("the estimated error of the contact pressure, " + percent(error.contact_pressure.value_or(1)) +
-                              ", is above the " + percent(out.target) + " aimed at: " + result.accuracy.why);
+    result.warnings.push_back("the estimated error of the " + result.accuracy.of + ", " +
+                              percent(result.accuracy.estimate.value_or(1)) + ", is above the " + percent(out.target) +
+                              " aimed at: " + result.accuracy.why);
 }
 
 }  // namespace
@@ -62,19 +59,22 @@ void fill_target(const Outcome& out, Result& result) {
 void fill_errors(const Outcome& out, Result& result) {
     for (std::size_t k = 0; k < out.passes.size(); ++k)
         result.passes.push_back(
-            {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, out.errors[k].contact_pressure});
-    const ErrorEstimate& error = out.errors.back();
+            {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
     fill_target(out, result);
+    const ErrorEstimate& error = out.errors.back();
     if (!error.energy) {
         result.error_estimate.method = "none: one grid only";
         return;
     }
     result.error_estimate.method =
-        "fit of the root at free ends of contact; elsewhere the change between the last two grids, continued";
+        error.contact_pressure
+            ? "fit of the root at free ends of contact; elsewhere the change between the last two grids, continued"
+            : "changes between the last three grids, continued; stress: in the energy norm";
     result.error_estimate.energy = error.energy;
     result.error_estimate.contact_pressure = error.contact_pressure;
+    result.error_estimate.stress = error.stress;
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
-        if (error.contacts[k]) fill_contact(*error.contacts[k], out.passes.back().contacts[k], k, result);
+        if (error.contacts[k]) fill_contact(*error.contacts[k], k, result);
 }
 
 namespace {

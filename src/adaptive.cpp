@@ -30,7 +30,7 @@ constexpr double end_error = 0.15;
 /// Where the estimate missed its target the next cells aim at less, within these factors.
 constexpr double aim = 0.7, least_shrink = 0.25;
 /// Of the sizes that the shape asks for: first and second grids only locate the contacts, and show what the shape's cells do.
-constexpr double first_coarsening = 2, coarsening_step = 1.4;
+constexpr double first_coarsening = 2, coarsening_step = 1.4, least_step = 1.2;
 
 /// Are all grids given, so that there is nothing to adapt?
 bool grids_are_fixed(const Scene& scene) {
@@ -53,6 +53,11 @@ struct NextGrids {
     std::vector<ContactResolution> resolution;  ///< by contact, on the next grids
 
     double next_coarseness() const { return std::max(coarseness, coarsening); }
+    /// The last step is no smaller than the others, or there would be nothing to see in it.
+    void coarsen_less() {
+        coarsening /= coarsening_step;
+        if (coarsening < least_step * coarseness) coarsening = coarseness;
+    }
 };
 
 int free_ends(const std::vector<ContactRun>& runs) {
@@ -98,7 +103,7 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
         const double last = next.resolution[k].end_fraction;
         next.resolution[k].end_fraction = std::max({next.goal[k], last / end_refinement, std::min(known, last / 2)});
     }
-    next.coarsening /= coarsening_step;
+    next.coarsen_less();
 }
 
 class Path {
@@ -125,7 +130,7 @@ private:
 
     /// Nothing is known of the contacts.
     void start_over() {
-        next_.coarsening = out_.candidates.empty() || grids_are_fixed(scene_) ? next_.coarseness : first_coarsening;
+        next_.coarsening = grids_are_fixed(scene_) ? next_.coarseness : first_coarsening;
         next_.goal.clear();
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
     }
@@ -171,10 +176,27 @@ private:
 
     ErrorEstimate errors_of_last(bool stuck) const {
         if (stuck) return {};
-        const std::size_t n = out_.passes.size();
-        const bool comparable = n >= comparable_from_ + 2;
-        return estimate_errors(out_.passes.back(), comparable ? &out_.passes[n - 2] : nullptr);
+        return estimate_errors(std::span(out_.passes).subspan(comparable_from_));
     }
+
+    bool on_final_cells() const { return next_.coarsening <= next_.coarseness; }
+
+    /// Without contact: three grids show the rate; finer ones only for a target of its own.
+    bool step_without_contact(SolvedAssembly&& now) {
+        if (on_final_cells()) {
+            const ErrorEstimate& error = out_.errors.back();
+            if (!scene_.accuracy.target || !error.stress) return end(std::move(now), PathEnd::no_need);
+            if (*error.stress <= out_.target) return end(std::move(now), PathEnd::reached);
+            if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
+            if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
+            next_.coarseness /= coarsening_step;
+        }
+        next_.coarsen_less();
+        wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+        return false;
+    }
+
+    bool out_of_passes() const { return out_.passes.size() >= comparable_from_ + max_passes; }
 
     /// One solution; true: the last one.
     bool step() {
@@ -191,24 +213,20 @@ private:
         out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         if (stuck || grids_are_fixed(scene_)) return end(std::move(now), PathEnd::no_need);
-        if (!any_run(now) && next_.coarsening <= next_.coarseness) return end(std::move(now), PathEnd::no_need);
+        if (!any_run(now)) return step_without_contact(std::move(now));
         const ErrorEstimate& error = out_.errors.back();
-        if (error.contact_pressure && *error.contact_pressure <= out_.target) return end(std::move(now), PathEnd::reached);
-        if (next_.coarsening <= next_.coarseness && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
-        if (out_.passes.size() >= comparable_from_ + max_passes) return end(std::move(now), PathEnd::out_of_passes);
+        if (error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target)
+            return end(std::move(now), PathEnd::reached);
+        if (on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
+        if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         prepare_next(now, error);
         return false;
     }
 
     void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
-        if (!any_run(now)) {
-            next_.coarsening = next_.coarseness;
-            wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-            return;
-        }
         if (next_.goal.empty()) {
             first_goals(now, next_);
-            next_.coarsening /= coarsening_step;
+            next_.coarsen_less();
         } else {
             refine(error, next_);
         }

@@ -10,6 +10,8 @@ namespace {
 
 /// Order of the errors away from the ends in the cell size, and the least refinement that a change tells anything of.
 constexpr double order = 3, largest_rate = 0.6;
+/// Bounds on rates that two changes of the energy show.
+constexpr double least_observed = 0.05, most_observed = 0.8;
 
 /// Factor on errors from one grid to the next.
 double rate_of(double refinement) {
@@ -28,8 +30,17 @@ double end_errors(const ContactRecord& c) {
     return std::sqrt(square);
 }
 
+bool peak_at_corner(const ContactRecord& c, double peak) {
+    const auto stands = [&](const RunEnd& end, double s) {
+        return end.kind == RunEnd::Kind::corner && solver::pressure_at(c.pressure, c.coefficients, s) >= peak;
+    };
+    return std::any_of(c.runs.begin(), c.runs.end(),
+                       [&](const ContactRun& run) { return stands(run.at_begin, run.begin) || stands(run.at_end, run.end); });
+}
+
 ContactError estimate(const ContactRecord& now, const PressureChange& c) {
     ContactError e;
+    e.at_corner = peak_at_corner(now, c.peak);
     const double rate = rate_of(c.refinement);
     e.ends = end_errors(now) / c.norm;
     e.inside = remainder(c.inside, rate) / c.norm;
@@ -39,25 +50,39 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c) {
     return e;
 }
 
+/// Grids that follow the contacts change in many ways at once: two changes of the energy show a rate only where there are none.
+double energy_rate(std::span<const PassRecord> passes, bool has_contact) {
+    const std::size_t n = passes.size();
+    const double change = passes[n - 1].energy - passes[n - 2].energy;
+    if (n > 2 && !has_contact && passes[n - 2].energy != passes[n - 3].energy)
+        return std::clamp(std::abs(change / (passes[n - 2].energy - passes[n - 3].energy)), least_observed, most_observed);
+    return rate_of(std::sqrt(static_cast<double>(passes[n - 2].unknowns) / passes[n - 1].unknowns));
+}
+
 }  // namespace
 
-ErrorEstimate estimate_errors(const PassRecord& now, const PassRecord* before) {
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes) {
     ErrorEstimate e;
+    const PassRecord& now = passes.back();
     e.contacts.resize(now.contacts.size());
-    if (!before) return e;
-    double worst = 0, strongest = 0;
+    if (passes.size() < 2) return e;
+    const PassRecord& before = passes[passes.size() - 2];
+    double worst = 0, strongest = 0, worst_peak = 0, largest_peak = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-        const PressureChange c = change_of(now.contacts[k], before->contacts[k]);
+        const PressureChange c = change_of(now.contacts[k], before.contacts[k]);
         if (!(c.norm > 0)) continue;
-        e.contacts[k] = estimate(now.contacts[k], c);
-        worst = std::max(worst, e.contacts[k]->pressure * c.norm);
+        const ContactError error = estimate(now.contacts[k], c);
+        e.contacts[k] = error;
+        worst = std::max(worst, error.pressure * c.norm);
         strongest = std::max(strongest, c.norm);
+        if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * c.peak);
+        largest_peak = std::max(largest_peak, c.peak);
     }
     if (strongest > 0) e.contact_pressure = worst / strongest;
-    if (now.energy > 0)
-        e.energy =
-            remainder(now.energy - before->energy, rate_of(std::sqrt(static_cast<double>(before->unknowns) / now.unknowns))) /
-            now.energy;
+    if (strongest > 0) e.peak = worst_peak / largest_peak;
+    if (!(now.energy > 0)) return e;
+    e.energy = remainder(now.energy - before.energy, energy_rate(passes, strongest > 0)) / now.energy;
+    e.stress = std::sqrt(*e.energy);
     return e;
 }
 

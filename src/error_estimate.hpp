@@ -7,6 +7,7 @@
 // which the pressure may have no limit are left out.
 #pragma once
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "src/pass_record.hpp"
@@ -18,16 +19,19 @@ struct ContactError {
     double pressure = 0;          ///< L2 over the contact:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double peak = 0, force = 0;
+    bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
 };
 
 /// Unset: nothing to compare with.
 struct ErrorEstimate {
     std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
     std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
-    std::optional<double> energy;
+    std::optional<double> peak;                         ///< the same of largest pressures, but for those at corners
+    std::optional<double> energy;                       ///< strain energy
+    std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
 };
 
-/// before: the solution on coarser grids, with the same candidates; none: no estimate.
-ErrorEstimate estimate_errors(const PassRecord& now, const PassRecord* before);
+/// passes: those on the same candidates, the last one's errors, from its change to the one before and the rate of two changes.
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes);
 
 }  // namespace abut

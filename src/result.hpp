@@ -182,10 +182,11 @@ struct Result {
         double relative_residual = 0, relative_moment_residual = 0;
     } equilibrium;
     struct {
-        std::optional<double> energy, contact_pressure;
+        std::optional<double> energy, contact_pressure, stress;
         std::string method;
     } error_estimate;
     struct {
+        std::string of;  ///< "contact pressure", or "stress" where there is no contact
         double target = 0;
         std::optional<double> estimate;
         bool reached = false;

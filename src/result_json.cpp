@@ -183,6 +183,7 @@ Json to_json(const Result& r) {
     j["equilibrium"] = equilibrium(r);
     j["error_estimate"] = {{"energy", number(r.error_estimate.energy)},
                            {"contact_pressure", number(r.error_estimate.contact_pressure)},
+                           {"stress", number(r.error_estimate.stress)},
                            {"method", r.error_estimate.method}};
     j["accuracy"] = accuracy(r);
     j["parts"] = list_of(r.parts, part);

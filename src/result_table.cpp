@@ -71,7 +71,7 @@ std::string effort(const Result& result) {
 std::string accuracy_lines(const Result& result) {
     if (!result.accuracy.estimate) return "";
     const std::string time = seconds_text(stage_seconds(result, "total"));
-    std::string text = "estimated error of the contact pressure: " + number_text(100 * *result.accuracy.estimate, 2) +
+    std::string text = "estimated error of the " + result.accuracy.of + ": " + number_text(100 * *result.accuracy.estimate, 2) +
                        " % (aimed at " + number_text(100 * result.accuracy.target, 2) + " %)" +
                        (time.empty() ? "" : ", in " + time) + "\n";
     if (result.next_level)
