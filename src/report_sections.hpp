@@ -28,6 +28,8 @@ std::string fields_section(const Result& result);
 /// Pressure curves and close-up of every contact.
 std::string contacts_section(const Result& result);
 std::string tables_section(const Result& result);
+/// Errors aimed at and reached (report_accuracy.cpp); empty without an estimate.
+std::string accuracy_table(const Result& result);
 /// What supports and contacts leave the parts to do; empty before that is known.
 std::string mobility_table(const Result& result);
 

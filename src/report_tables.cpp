@@ -29,6 +29,11 @@ std::string ends_text(const std::vector<Vec2>& ends, double size) {
     return words.empty() ? "–" : joined(words, "  ");
 }
 
+std::string peak_error(const ContactResult& c) {
+    if (!c.errors) return "–";
+    return c.errors->at_corner ? "no limit" : percent(std::max(c.errors->pressure, c.errors->peak));
+}
+
 std::string contact_table(const Result& result, const ResultUnits& u) {
     if (result.contacts.empty()) return subsection("Contacts", "<p>No parts touch.</p>\n");
     const double size = model_size(result);
@@ -38,8 +43,8 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
         const std::string number = contact_number(k);
         forces.push_back({number, c.between[0], c.between[1], c.interface,
                           c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 5),
-                          number_text(c.moment, 5), number_text(c.max_pressure.value, 5), place_text(c.max_pressure.at, size),
-                          percent(c.error_estimate)});
+                          number_text(c.moment, 5), number_text(c.max_pressure.value, 5), peak_error(c),
+                          place_text(c.max_pressure.at, size), percent(c.error_estimate)});
         shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5),
                           ends_text(c.ends, size), number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4),
                           number_text(c.max_penetration, 3)});
@@ -52,8 +57,9 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
                                               {heading("force on first", u.force), true},
                                               {heading("moment", u.moment), true},
                                               {heading("max pressure", u.stress), true},
+                                              {"est. error", true},
                                               {heading("at", u.length), true},
-                                              {"est. error", true}},
+                                              {"est. error of pressures", true}},
                                              forces) +
                                       html_table({{"", true},
                                                   {"edges of the first"},
@@ -167,12 +173,6 @@ std::string grid_table(const Result& result, const ResultUnits& u) {
                         counted(static_cast<std::size_t>(std::max(s.contact_iterations, 0)), "contact iteration");
     if (s.condition_estimate > 0) words += "; condition number about " + number_text(s.condition_estimate, 2);
     words += s.converged ? "." : "; not converged.";
-    std::vector<std::string> errors;
-    if (result.error_estimate.energy) errors.push_back("energy " + percent(result.error_estimate.energy));
-    if (result.error_estimate.contact_pressure)
-        errors.push_back("contact pressure " + percent(result.error_estimate.contact_pressure));
-    if (!errors.empty()) words += " Estimated relative error: " + joined(errors, ", ");
-    if (!errors.empty()) words += result.error_estimate.method.empty() ? "." : " (" + result.error_estimate.method + ").";
     std::string html = "<p>" + escape_xml(words) + "</p>\n";
     if (!rows.empty())
         html += html_table({{"part"},
@@ -244,7 +244,7 @@ std::string tables_section(const Result& result) {
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);
     html += part_table(result, units) + probe_table(result, units);
-    if (result.unknowns > 0) html += grid_table(result, units) + quality_table(result);
+    if (result.unknowns > 0) html += accuracy_table(result) + grid_table(result, units) + quality_table(result);
     return html + effect_table(result) + timing_bars(result) + "</section>\n";
 }
 
