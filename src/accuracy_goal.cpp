@@ -7,7 +7,6 @@ namespace abut {
 
 namespace {
 
-constexpr double draft_target = 0.05, standard_target = 0.01, fine_target = 0.002;
 /// Away from the ends of contact errors fall faster than with the cell size: quadratic splines' pressures and stresses.
 constexpr double coarseness_exponent = 0.15;
 

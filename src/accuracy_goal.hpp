@@ -5,6 +5,7 @@
 
 namespace abut {
 
+inline constexpr double draft_target = 0.05, standard_target = 0.01, fine_target = 0.002;
 /// What can be aimed at.
 inline constexpr double least_target = 1e-5, most_target = 0.5;
 inline bool is_target(double error) {

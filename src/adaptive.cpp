@@ -18,12 +18,15 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
 constexpr int max_passes = 7;  // on the same candidates
 
-/// First cells at the ends of a contact that was just found, of its length; at most so much finer from one grid to the next
-/// (the end is known to a fraction of a cell), and no finer than the last.
-constexpr double first_end_fraction = 1.0 / 8, end_refinement = 8, least_end_fraction = 1e-4;
-constexpr double end_known = 0.6;
-constexpr double first_cells = 8, cell_refinement = 1.3;
-constexpr double first_corner_fraction = 1.0 / 30;
+/// Cells at the free ends of a contact that was just found, of its length. From one grid to the next they become finer by a
+/// factor between these two: as fine as the end is known, which is about this times the end's relative error. None is finer
+/// than the last.
+constexpr double first_end_fraction = 1.0 / 8, least_refinement = 4, end_refinement = 8, end_known = 0.6;
+constexpr double least_end_fraction = 1e-4;
+/// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
+constexpr double affordable_unknowns = 30000, affordable_growth = 12;
+/// Cells along the contact, and at its corners of its length, likewise.
+constexpr double first_cells = 8, cell_refinement = 1.3, first_corner_fraction = 1.0 / 30, corner_refinement = 2;
 /// Relative L2 error of a pressure with one free end, cells h there, over a length L, is about this times h / L (Hertz'
 /// problem, with the pressure's double knot where the end was expected to within half a cell: 0.12 to 0.3).
 constexpr double end_error = 0.15;
@@ -90,18 +93,27 @@ void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
         if (error.contacts[k] && error.contacts[k]->ends > 0.5 * next.target)
             next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
     bool inside = false;
-    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target);
+    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target && c->inside > c->ends);
     if (inside) next.coarseness *= std::cbrt(missed);
+}
+
+/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure?
+bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
+    if (k >= error.contacts.size() || !error.contacts[k]) return false;
+    const ContactError& c = *error.contacts[k];
+    return c.share * std::max(c.pressure, c.at_corner ? 0.0 : c.peak) <= aim * target;
 }
 
 void refine(const ErrorEstimate& error, NextGrids& next) {
     if (at_goal(next) && error.contact_pressure) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
+        if (is_good(error, k, next.target)) continue;
         const double known = error.contacts.size() > k && error.contacts[k] ? end_known * error.contacts[k]->ends : 0.0;
         next.resolution[k].cells *= cell_refinement;
-        next.resolution[k].corner_fraction /= cell_refinement;
+        next.resolution[k].corner_fraction /= corner_refinement;
         const double last = next.resolution[k].end_fraction;
-        next.resolution[k].end_fraction = std::max({next.goal[k], last / end_refinement, std::min(known, last / 2)});
+        next.resolution[k].end_fraction =
+            std::max({next.goal[k], last / end_refinement, std::min(known, last / least_refinement)});
     }
     next.coarsen_less();
 }
@@ -176,7 +188,8 @@ private:
 
     ErrorEstimate errors_of_last(bool stuck) const {
         if (stuck) return {};
-        return estimate_errors(std::span(out_.passes).subspan(comparable_from_));
+        const bool first = out_.passes.size() <= comparable_from_ + 1;
+        return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back());
     }
 
     bool on_final_cells() const { return next_.coarsening <= next_.coarseness; }
@@ -194,6 +207,13 @@ private:
         next_.coarsen_less();
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
         return false;
+    }
+
+    /// Finer grids would cost more than a user of this level would expect.
+    bool too_dear() const {
+        const double affordable = std::max(affordable_unknowns * std::sqrt(standard_target / out_.target),
+                                           affordable_growth * out_.passes[comparable_from_].unknowns);
+        return out_.passes.back().unknowns > affordable;
     }
 
     bool out_of_passes() const { return out_.passes.size() >= comparable_from_ + max_passes; }
@@ -219,6 +239,7 @@ private:
             return end(std::move(now), PathEnd::reached);
         if (on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
+        if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
         prepare_next(now, error);
         return false;
     }

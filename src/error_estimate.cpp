@@ -10,6 +10,7 @@ namespace {
 
 /// Order of the errors away from the ends in the cell size, and the least refinement that a change tells anything of.
 constexpr double order = 3, largest_rate = 0.6;
+constexpr double same_cells = 0.95;  // ratio of knot spacings above which they are no finer
 /// Bounds on rates that two changes of the energy show.
 constexpr double least_observed = 0.05, most_observed = 0.8;
 
@@ -38,14 +39,18 @@ bool peak_at_corner(const ContactRecord& c, double peak) {
                        [&](const ContactRun& run) { return stands(run.at_begin, run.begin) || stands(run.at_end, run.end); });
 }
 
-ContactError estimate(const ContactRecord& now, const PressureChange& c) {
+ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before) {
     ContactError e;
     e.at_corner = peak_at_corner(now, c.peak);
     const double rate = rate_of(c.refinement);
     e.ends = end_errors(now) / c.norm;
     e.inside = remainder(c.inside, rate) / c.norm;
-    e.pressure = std::hypot(e.ends, e.inside);
     e.peak = remainder(c.peak - c.peak_before, rate) / c.peak;
+    if (before && c.refinement > same_cells) {
+        e.inside = std::max(e.inside, before->inside);
+        e.peak = std::max(e.peak, before->peak);
+    }
+    e.pressure = std::hypot(e.ends, e.inside);
     e.force = remainder(c.force - c.force_before, rate) / c.force;
     return e;
 }
@@ -61,7 +66,7 @@ double energy_rate(std::span<const PassRecord> passes, bool has_contact) {
 
 }  // namespace
 
-ErrorEstimate estimate_errors(std::span<const PassRecord> passes) {
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before) {
     ErrorEstimate e;
     const PassRecord& now = passes.back();
     e.contacts.resize(now.contacts.size());
@@ -71,13 +76,18 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes) {
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         const PressureChange c = change_of(now.contacts[k], before.contacts[k]);
         if (!(c.norm > 0)) continue;
-        const ContactError error = estimate(now.contacts[k], c);
+        const bool known = k < estimate_before.contacts.size();
+        const ContactError error =
+            estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::optional<ContactError>());
         e.contacts[k] = error;
+        e.contacts[k]->share = c.norm;
         worst = std::max(worst, error.pressure * c.norm);
         strongest = std::max(strongest, c.norm);
         if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * c.peak);
         largest_peak = std::max(largest_peak, c.peak);
     }
+    for (auto& c : e.contacts)
+        if (c) c->share /= strongest;
     if (strongest > 0) e.contact_pressure = worst / strongest;
     if (strongest > 0) e.peak = worst_peak / largest_peak;
     if (!(now.energy > 0)) return e;

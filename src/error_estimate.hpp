@@ -19,6 +19,7 @@ struct ContactError {
     double pressure = 0;          ///< L2 over the contact:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double peak = 0, force = 0;
+    double share = 1;  ///< of the strongest contact's pressure (L2)
     bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
 };
 
@@ -31,7 +32,8 @@ struct ErrorEstimate {
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
 };
 
-/// passes: those on the same candidates, the last one's errors, from its change to the one before and the rate of two changes.
-ErrorEstimate estimate_errors(std::span<const PassRecord> passes);
+/// Of the last pass. passes: those on the same candidates; before: the estimate of the last but one, which stands where a
+/// contact's cells stayed as they were.
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before);
 
 }  // namespace abut

@@ -15,7 +15,7 @@ constexpr double cells_in_first_contact = 16;
 /// Cells at the ends from which on the growth towards the middle follows them, by the fourth root: the ends' errors fall with
 /// the cell size, those of the rest with its third power and more.
 constexpr double fast_end = 0.02;
-constexpr double fastest_growth = 0.69;  // neighbours by a factor of 2
+constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -26,7 +26,7 @@ void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double
 }
 
 double growth_for(const ContactResolution& r) {
-    return fastest_growth * std::min(1.0, std::pow(r.end_fraction / fast_end, 0.25));
+    return std::clamp(fastest_growth * std::pow(r.end_fraction / fast_end, 0.25), slowest_growth, fastest_growth);
 }
 
 double end_size(const RunEnd& end, const ContactResolution& r) {
