@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <tuple>
 
 #include "src/svg.hpp"
 
@@ -108,17 +107,44 @@ void add_patch(const Patch& patch, BandEdges& bands) {
     for (std::size_t i = 0; i < 4; ++i) add_triangle({corners[i], corners[(i + 1) % 4], middle}, bands);
 }
 
+/// An edge without its direction, by numbers that are ordered like its points, lower one first; and which way it ran.
+struct CountedEdge {
+    std::uint64_t low, high;
+    int sign;
+};
+
+constexpr std::uint32_t flip = 0x80000000u;  // makes unsigned numbers ordered like signed ones
+
+std::uint64_t packed(const GridPoint& p) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.x) ^ flip) << 32 | (static_cast<std::uint32_t>(p.y) ^ flip);
+}
+
+GridPoint unpacked(std::uint64_t p) {
+    return {static_cast<std::int32_t>(static_cast<std::uint32_t>(p >> 32) ^ flip),
+            static_cast<std::int32_t>(static_cast<std::uint32_t>(p) ^ flip)};
+}
+
+std::vector<CountedEdge> counted(const std::vector<DirectedEdge>& edges) {
+    std::vector<CountedEdge> result;
+    result.reserve(edges.size());
+    for (const DirectedEdge& e : edges) {
+        const std::uint64_t a = packed(e.from), b = packed(e.to);
+        result.push_back(a < b ? CountedEdge{a, b, 1} : CountedEdge{b, a, -1});
+    }
+    std::sort(result.begin(), result.end(),
+              [](const CountedEdge& a, const CountedEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
+    return result;
+}
+
 /// What is left when opposite edges have cancelled, ordered by their first points.
-std::vector<DirectedEdge> without_pairs(std::vector<DirectedEdge> edges) {
-    const auto key = [](const DirectedEdge& e) { return std::minmax(e.from, e.to); };
-    const auto undirected = [&](const DirectedEdge& e) { return std::tuple(key(e).first, key(e).second); };
-    std::sort(edges.begin(), edges.end(), [&](const auto& a, const auto& b) { return undirected(a) < undirected(b); });
+std::vector<DirectedEdge> without_pairs(const std::vector<DirectedEdge>& edges) {
+    const std::vector<CountedEdge> all = counted(edges);
     std::vector<DirectedEdge> left;
-    for (std::size_t i = 0; i < edges.size();) {
-        const auto same = undirected(edges[i]);
+    for (std::size_t i = 0; i < all.size();) {
+        const CountedEdge& first = all[i];
         int balance = 0;
-        for (; i < edges.size() && undirected(edges[i]) == same; ++i) balance += edges[i].from < edges[i].to ? 1 : -1;
-        const DirectedEdge forward{std::get<0>(same), std::get<1>(same)}, backward{forward.to, forward.from};
+        for (; i < all.size() && all[i].low == first.low && all[i].high == first.high; ++i) balance += all[i].sign;
+        const DirectedEdge forward{unpacked(first.low), unpacked(first.high)}, backward{forward.to, forward.from};
         left.insert(left.end(), static_cast<std::size_t>(std::abs(balance)), balance > 0 ? forward : backward);
     }
     std::sort(left.begin(), left.end());
@@ -195,7 +221,7 @@ std::string filled_bands(const std::vector<Patch>& patches) {
         if (drawable(patch)) add_patch(patch, bands);
     std::string paths;
     for (int band = 0; band < n_bands; ++band) {
-        const std::string path = path_of(closed_loops(without_pairs(std::move(bands[static_cast<std::size_t>(band)]))));
+        const std::string path = path_of(closed_loops(without_pairs(bands[static_cast<std::size_t>(band)])));
         if (path.empty()) continue;
         const std::string color = band_color(band);
         paths += "<path fill=\"" + color + "\" stroke=\"" + color + "\" d=\"" + path + "\"/>\n";
