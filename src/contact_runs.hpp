@@ -19,6 +19,9 @@ struct RunEnd {
     double error = 0;  ///< free ends: L2 distance within the reach between the spline and the root that is fitted to the force
 };
 
+/// Knot spacings beside a free end in which its error counts.
+inline constexpr double error_reach = 3;
+
 /// A stretch of an interface's middle curve under pressure.
 struct ContactRun {
     double begin, end;        ///< arc lengths

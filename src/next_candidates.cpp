@@ -2,10 +2,15 @@
 #include "src/next_candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace abut {
 
 namespace {
+
+/// Of the knot spacing there: ends that are found so near to where they were expected need no other knots.
+constexpr double noted_move = 0.08;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -69,17 +74,46 @@ void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candida
     }
 }
 
-void expect_ends(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        candidates[k].ends.clear();
-        if (s.contacts[k].face.bilateral) continue;
-        for (const ContactRun& run : s.runs[k]) {
-            const geometry::FacingPair begin = pair_at(scene, s.contacts[k], run.begin),
-                                       end = pair_at(scene, s.contacts[k], run.end);
-            if (!run.from_start && begin.found) candidates[k].ends.push_back({begin.s1, -1});
-            if (!run.to_end && end.found) candidates[k].ends.push_back({end.s1, 1});
-        }
+namespace {
+
+std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, std::size_t contact) {
+    std::vector<ExpectedEnd> ends;
+    if (s.contacts[contact].face.bilateral) return ends;
+    const auto append = [&](double at_s, int outward) {
+        const geometry::FacingPair pair = pair_at(scene, s.contacts[contact], at_s);
+        if (pair.found) ends.push_back({pair.s1, outward});
+    };
+    for (const ContactRun& run : s.runs[contact]) {
+        if (!run.from_start) append(run.begin, -1);
+        if (!run.to_end) append(run.end, 1);
     }
+    return ends;
+}
+
+/// Knot spacing beside a free end, from its reach.
+double spacing_at(const SolvedAssembly& s, std::size_t contact) {
+    double spacing = std::numeric_limits<double>::infinity();
+    for (const ContactRun& run : s.runs[contact])
+        for (const RunEnd& end : {run.at_begin, run.at_end})
+            if (end.kind == RunEnd::Kind::free) spacing = std::min(spacing, end.reach / error_reach);
+    return spacing;
+}
+
+}  // namespace
+
+void expect_ends(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, k);
+}
+
+bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const std::vector<ExpectedEnd> now = free_ends(scene, s, k), &expected = candidates[k].ends;
+        if (now.size() != expected.size()) return true;
+        const double limit = noted_move * spacing_at(s, k);
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (std::abs(now[i].s1 - expected[i].s1) > limit) return true;
+    }
+    return false;
 }
 
 }  // namespace abut

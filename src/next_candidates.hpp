@@ -18,4 +18,7 @@ void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Ca
 /// The free ends of all contacts, as the next pressure splines expect them.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
+/// Do the free ends lie elsewhere than the candidates expected, by so much that other knots would tell more?
+bool ends_moved(const Scene& scene, const SolvedAssembly& solved, const std::vector<Candidate>& candidates);
+
 }  // namespace abut
