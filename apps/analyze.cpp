@@ -11,6 +11,7 @@
 #include "apps/progress_line.hpp"
 #include "apps/result_files.hpp"
 #include "apps/stopwatch.hpp"
+#include "apps/thread_option.hpp"
 #include "geometry/input_error.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/analysis.hpp"
@@ -43,9 +44,10 @@ void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
                      "use " + listed(accuracy_levels) + "," + numbers);
 }
 
-Result analyze_with_progress(const Scene& scene, bool quiet) {
+Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);
     AnalyzeOptions options;
+    options.threads = threads;
     options.progress = [&line](const std::string& message) { line.show(message); };
     return analyze(scene, options);
 }
@@ -67,6 +69,7 @@ CommandSpec analyze_spec() {
             "Analyses one scene and writes its results.",
             {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
              {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
+             {"--threads", "N", "parts side by side on at most so many threads (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
              {"--quiet", "", "print nothing but errors"}},
@@ -80,6 +83,7 @@ int analyze_command(const Arguments& arguments) {
     Scene scene = read_scene(arguments.operand);
     const double reading_seconds = watch.seconds();
     override_accuracy(scene.accuracy, arguments);
+    const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
         print_text(has(arguments, "--json") ? plan_json(plan_effects(scene)) : plan_table(plan_effects(scene)));
         return exit_done;
@@ -87,7 +91,7 @@ int analyze_command(const Arguments& arguments) {
     check_formats(scene);
     const std::string folder = value_or(arguments, "-o", "out");
     prepare_output_folder(folder);
-    Result result = analyze_with_progress(scene, has(arguments, "--quiet"));
+    Result result = analyze_with_progress(scene, has(arguments, "--quiet"), threads);
     complete_import_time(result, reading_seconds);
     write_results(result, folder, scene.output.formats, watch);
     print_result(result, folder, arguments, scene.output);

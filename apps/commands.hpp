@@ -20,6 +20,7 @@ int analyze_command(const Arguments& arguments);
 int contacts_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
 int init_command(const Arguments& arguments);
+int study_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 
 /// What each command accepts, for parsing and for its help.
@@ -27,6 +28,7 @@ CommandSpec analyze_spec();
 CommandSpec contacts_spec();
 CommandSpec inspect_spec();
 CommandSpec init_spec();
+CommandSpec study_spec();
 CommandSpec verify_spec();
 
 }  // namespace abut

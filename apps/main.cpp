@@ -24,15 +24,12 @@ struct Command {
 };
 
 std::vector<Command> known_commands() {
-    return {{analyze_spec(), analyze_command},
-            {contacts_spec(), contacts_command},
-            {inspect_spec(), inspect_command},
-            {init_spec(), init_command},
-            {verify_spec(), verify_command}};
+    return {{analyze_spec(), analyze_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
+            {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command}};
 }
 
 /// Named in the documentation of the command line, and refused by name until they exist.
-const std::vector<std::string> future_commands{"study", "batch", "merge"};
+const std::vector<std::string> future_commands{"batch", "merge"};
 
 std::string general_help() {
     std::string text = "usage: abut COMMAND FILE [OPTIONS]\n\nContact analysis of plane assemblies.\n\ncommands:\n";

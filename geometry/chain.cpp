@@ -26,6 +26,10 @@ std::vector<std::size_t> corners_of(const Part& part, const Loop& loop) {
     return corners;
 }
 
+bool is_proportional(const Curve& curve) {
+    return std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve);
+}
+
 /// The n edges of the loop from position `first` on, as one chain.
 Chain chain_from(const Part& part, const Loop& loop, std::size_t first, std::size_t n) {
     Chain chain;
@@ -34,17 +38,18 @@ Chain chain_from(const Part& part, const Loop& loop, std::size_t first, std::siz
         chain.edges.push_back(edge);
         chain.begin.push_back(chain.length);
         chain.length += length(curve_of(part, edge));
+        chain.lengths.push_back(is_proportional(curve_of(part, edge)) ? LengthTable{} : length_table(curve_of(part, edge)));
     }
     return chain;
 }
 
 /// Parameter at arc length s of a curve of the given length. That of segments and arcs is proportional to arc length.
-double parameter_on(const Curve& curve, double s, double length) {
+double parameter_on(const Curve& curve, const LengthTable* table, double s, double length) {
     if (s >= length) return 1;
-    const bool proportional = std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve);
-    if (proportional) return std::clamp(s / length, 0.0, 1.0);
+    if (is_proportional(curve)) return std::clamp(s / length, 0.0, 1.0);
     const double rounding = std::numeric_limits<double>::epsilon() * length;  // of a quadrature
-    return s <= rounding ? 0.0 : parameter_at_length(curve, s);
+    if (s <= rounding) return 0;
+    return table ? parameter_at_length(curve, *table, s) : parameter_at_length(curve, s);
 }
 
 double wrapped(double s, double period) {
@@ -80,7 +85,7 @@ ChainPoint at(const Part& part, const Chain& chain, double s) {
     ChainPoint p;
     p.edge = chain.edges[i];
     const Curve& curve = curve_of(part, p.edge);
-    p.t = parameter_on(curve, s - chain.begin[i], end - chain.begin[i]);
+    p.t = parameter_on(curve, i < chain.lengths.size() ? &chain.lengths[i] : nullptr, s - chain.begin[i], end - chain.begin[i]);
     p.x = point(curve, p.t);
     p.tangent = unit_tangent(curve, p.t);
     p.normal = right_of(p.tangent);

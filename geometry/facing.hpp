@@ -8,6 +8,7 @@
 #pragma once
 #include <vector>
 
+#include "geometry/length_table.hpp"
 #include "geometry/part.hpp"
 
 namespace abut::geometry {
@@ -16,7 +17,8 @@ namespace abut::geometry {
 /// A closed loop without any corner is a closed chain: s is then periodic.
 struct Chain {
     std::vector<int> edges;
-    std::vector<double> begin;  ///< arc length where each edge begins; begin[0] = 0
+    std::vector<double> begin;           ///< arc length where each edge begins; begin[0] = 0
+    std::vector<LengthTable> lengths{};  ///< by edge; without entries for segments and arcs
     double length = 0;
     bool closed = false;
 };

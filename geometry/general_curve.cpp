@@ -20,22 +20,11 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// divides it by up to 2^32, the rule's degree.
 constexpr int n_length_points = 16;
 constexpr double agreement = 1e-13;
-/// The speed of a flat ellipse is singular at complex parameters as near to the real ones as b / a: log2(a / b) halvings.
-constexpr int most_halvings = 50;
-
-double length_by_gauss(const Curve& curve, double t0, double t1) {
-    const GaussRule& rule = gauss_rule(n_length_points);
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.points.size(); ++i)
-        sum += rule.weights[i] * general_values(curve, t0 + rule.points[i] * (t1 - t0))[1].norm();
-    return (t1 - t0) * sum;
-}
-
 /// `whole` is the rule's length of [t0, t1]; `total` that of the curve, of which a rounding is good enough.
 double length_by_halving(const Curve& curve, double t0, double t1, double whole, double total, int halvings) {
     const double middle = 0.5 * (t0 + t1);
     const double a = length_by_gauss(curve, t0, middle), b = length_by_gauss(curve, middle, t1);
-    if (halvings == 0 || std::abs(a + b - whole) <= std::max(agreement * (a + b), epsilon * total)) return a + b;
+    if (halvings == 0 || lengths_agree(a + b, whole, total)) return a + b;
     return length_by_halving(curve, t0, middle, a, total, halvings - 1) +
            length_by_halving(curve, middle, t1, b, total, halvings - 1);
 }
@@ -58,6 +47,18 @@ std::array<Vec2, 3> general_values(const Curve& curve, double t) {
     return values;
 }
 
+double length_by_gauss(const Curve& curve, double t0, double t1) {
+    const GaussRule& rule = gauss_rule(n_length_points);
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.points.size(); ++i)
+        sum += rule.weights[i] * general_values(curve, t0 + rule.points[i] * (t1 - t0))[1].norm();
+    return (t1 - t0) * sum;
+}
+
+bool lengths_agree(double halves, double whole, double total) {
+    return std::abs(halves - whole) <= std::max(agreement * halves, epsilon * total);
+}
+
 double general_length(const Curve& curve, double t0, double t1) {
     if (t0 > t1) return -general_length(curve, t1, t0);
     std::vector<double> cuts{t0};
@@ -69,7 +70,7 @@ double general_length(const Curve& curve, double t0, double t1) {
     const double total = std::accumulate(rough.begin(), rough.end(), 0.0);
     double sum = 0;
     for (std::size_t i = 0; i < rough.size(); ++i)
-        sum += length_by_halving(curve, cuts[i], cuts[i + 1], rough[i], total, most_halvings);
+        sum += length_by_halving(curve, cuts[i], cuts[i + 1], rough[i], total, most_length_halvings);
     return sum;
 }
 

@@ -30,36 +30,36 @@ bool is_unilateral(const ContactQp& qp, Index row) {
     return qp.unilateral[static_cast<std::size_t>(row)] != 0;
 }
 
-/// The closed rows condensed to the amplitudes, measured from an anchor.
+/// The closed rows condensed to the amplitudes, measured from an anchor; L is the factor of C there.
 struct Condensed {
-    std::vector<Index> closed;
     MatrixXd stiffness;  // G'C^-1 G
     VectorXd load;       // h - G'C^-1 g
-    MatrixXd w;          // C^-1 G
-    VectorXd z;          // C^-1 g
-
-    VectorXd multipliers(const ContactQp& qp, const VectorXd& motion) const {
-        VectorXd l = VectorXd::Zero(qp.gap.size());
-        if (!closed.empty()) l(closed) = -z - w * motion;
-        return l;
-    }
+    MatrixXd w;          // L^-1 G
+    VectorXd z;          // L^-1 g
 };
 
-/// False where C is singular on the set. Cost: a^3 / 3 for a closed rows.
-bool condense(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, Condensed& c) {
+/// False where C is singular on the set.
+bool condense(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor, Condensed& c) {
+    if (!factor.move_to(active)) return false;
+    const std::vector<Index>& closed = factor.rows();
     const Index n = qp.modes.cols();
-    c.closed = members(active);
-    c.stiffness = MatrixXd::Zero(n, n);
-    c.load = qp.mode_load;
-    if (c.closed.empty()) return true;
-    const Eigen::LLT<MatrixXd> factor(qp.compliance(c.closed, c.closed));
-    if (factor.info() != Eigen::Success) return false;
-    const MatrixXd g = qp.modes(c.closed, Eigen::all);
-    c.w = factor.solve(g);
-    c.z = factor.solve(qp.gap(c.closed) + g * anchor);
-    c.stiffness += g.transpose() * c.w;
-    c.load -= g.transpose() * c.z;
+    MatrixXd columns(static_cast<Index>(closed.size()), n + 1);
+    columns.leftCols(n) = qp.modes(closed, Eigen::all);
+    columns.col(n) = qp.gap(closed) + columns.leftCols(n) * anchor;
+    factor.solve_lower(columns);
+    c.w = columns.leftCols(n);
+    c.z = columns.col(n);
+    c.stiffness = c.w.transpose() * c.w;
+    c.load = qp.mode_load - c.w.transpose() * c.z;
     return true;
+}
+
+VectorXd multipliers_of(const ContactQp& qp, const Condensed& c, const ClosedFactor& factor, const VectorXd& motion) {
+    MatrixXd forces = -c.z - c.w * motion;
+    factor.solve_transposed(forces);
+    VectorXd l = VectorXd::Zero(qp.gap.size());
+    l(factor.rows()) = forces.col(0);
+    return l;
 }
 
 /// What `descend` lowers: 1/2 l'Cl + g'l + anchor'(G'l + h) + 1/2 (G'l + h)' E^-1 (G'l + h).
@@ -126,32 +126,34 @@ ActiveSet bilateral_rows(const ContactQp& qp) {
     return set;
 }
 
-bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ContactState& state) {
+bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
+              ContactState& state) {
     Condensed c;
-    if (!condense(qp, proximal.anchor, active, c)) return false;
+    if (!condense(qp, proximal.anchor, active, factor, c)) return false;
     const Index n = qp.modes.cols();
     VectorXd motion = VectorXd::Zero(n);
     if (n > 0) {
-        const Eigen::LDLT<MatrixXd> factor(c.stiffness + proximal.stiffness);
-        const VectorXd d = factor.vectorD().cwiseAbs();
-        if (factor.info() != Eigen::Success || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
-        motion = factor.solve(c.load);
+        const Eigen::LDLT<MatrixXd> held(c.stiffness + proximal.stiffness);
+        const VectorXd d = held.vectorD().cwiseAbs();
+        if (held.info() != Eigen::Success || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
+        motion = held.solve(c.load);
     }
-    state = {c.multipliers(qp, motion), proximal.anchor + motion};
+    state = {multipliers_of(qp, c, factor, motion), proximal.anchor + motion};
     return true;
 }
 
-bool solve_least_motion(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ContactState& state) {
+bool solve_least_motion(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+                        ContactState& state) {
     Condensed c;
     const Index n = qp.modes.cols();
-    if (n == 0 || !condense(qp, anchor, active, c)) return false;
+    if (n == 0 || !condense(qp, anchor, active, factor, c)) return false;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(c.stiffness);
     const VectorXd& stiffness = eigen.eigenvalues();
     if (!(stiffness[n - 1] > 0)) return false;
     VectorXd motion = eigen.eigenvectors().transpose() * c.load;
     for (Index k = 0; k < n; ++k) motion[k] = stiffness[k] > free_fraction * stiffness[n - 1] ? motion[k] / stiffness[k] : 0.0;
     motion = eigen.eigenvectors() * motion;
-    state = {c.multipliers(qp, motion), anchor + motion};
+    state = {multipliers_of(qp, c, factor, motion), anchor + motion};
     return true;
 }
 
@@ -178,12 +180,13 @@ ActiveSet next_set(const ContactQp& qp, const ActiveSet& active, const ContactSt
     return next;
 }
 
-SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations) {
+SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
+                      ContactState& state, int& iterations) {
     std::set<ActiveSet> seen;
     for (int step = 0; step < max_primal_dual_steps; ++step) {
         if (!seen.insert(active).second) return SetSearch::repeated;
         ++iterations;
-        if (!solve_on(qp, proximal, active, state)) return SetSearch::singular;
+        if (!solve_on(qp, proximal, active, factor, state)) return SetSearch::singular;
         ActiveSet next = next_set(qp, active, state);
         if (next == active) return SetSearch::found;
         active = std::move(next);
@@ -191,7 +194,8 @@ SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& 
     return SetSearch::repeated;
 }
 
-bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations) {
+bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+             int& iterations) {
     const ProximalEnergy energy(qp, proximal);
     VectorXd l = state.multipliers;
     project(qp, l, active);
@@ -200,7 +204,7 @@ bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, C
     const int limit = 50 + 10 * static_cast<int>(l.size());
     for (int step = 0; step < limit; ++step) {
         ++iterations;
-        if (!solve_on(qp, proximal, active, state)) return false;
+        if (!solve_on(qp, proximal, active, factor, state)) return false;
         const Block block = first_block(qp, active, l, state.multipliers);
         VectorXd trial = state.multipliers;
         ActiveSet trial_set = active;

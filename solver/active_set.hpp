@@ -6,6 +6,7 @@
 // With E positive definite the amplitudes can be eliminated, which leaves a strictly convex problem in l >= 0 alone: the energy
 // below. E = 0 is the contact problem itself, where the closed rows hold every motion.
 #pragma once
+#include "solver/closed_factor.hpp"
 #include "solver/contact_qp.hpp"
 
 namespace abut::solver {
@@ -25,12 +26,14 @@ struct ContactState {
 ActiveSet bilateral_rows(const ContactQp& qp);
 
 /// Stationary point with the gaps of `active` closed and all other multipliers zero; false where C, or with it the amplitudes'
-/// Schur complement, is singular on the set. Cost: a^3 / 3 for a closed rows.
-bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ContactState& state);
+/// Schur complement, is singular on the set. factor: of the problem's compliance, on any set before; so for all that follows.
+bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
+              ContactState& state);
 
 /// The same of the problem itself, where the set leaves a motion free: that motion stays at the anchor, its balance as it is.
 /// False where C is singular on the set, or no closed row resists any motion.
-bool solve_least_motion(const ContactQp& qp, const Eigen::VectorXd& anchor, const ActiveSet& active, ContactState& state);
+bool solve_least_motion(const ContactQp& qp, const Eigen::VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+                        ContactState& state);
 
 Eigen::VectorXd gap_of(const ContactQp& qp, const ContactState& state);
 
@@ -44,11 +47,13 @@ ActiveSet next_set(const ContactQp& qp, const ActiveSet& active, const ContactSt
 enum class SetSearch { found, repeated, singular };
 
 /// Primal-dual active set [Hueber05] from `active`; usually 2 to 6 steps.
-SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations);
+SetSearch primal_dual(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
+                      ContactState& state, int& iterations);
 
 /// Primal active set with a projected step [Nocedal06, sections 16.5 and 16.7] from the multipliers of `state`, as far as they
 /// are >= 0: the energy falls from one set to the next, so none comes back and it ends. E must be positive definite. False
 /// where C is singular on a set, or rounding stops the descent before the conditions hold.
-bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ContactState& state, int& iterations);
+bool descend(const ContactQp& qp, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+             int& iterations);
 
 }  // namespace abut::solver

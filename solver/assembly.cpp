@@ -95,10 +95,9 @@ void add_full_cells(Stiffness& s) {
 }
 
 void add_cut_cells(Stiffness& s) {
-    CutWorkspace work;
     std::size_t k = s.elements.element.size() - s.input.cut_rules.size();
     for (const CellRule& rule : s.input.cut_rules) {
-        integrate_cut_cell(s.input.space, rule.element, rule.points, rule.weights, work, s.integrals);
+        integrate_cut_cell(s.input.space, rule.element, rule.points, rule.weights, s.integrals);
         s.make_blocks(k);
         s.add_blocks(k++);
     }

@@ -43,6 +43,14 @@ struct AssemblyProblem {
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
 };
 
+/// Wall time of the steps.
+struct SolveSeconds {
+    double rows = 0;           ///< of interfaces and constraints
+    double condensation = 0;   ///< to the multipliers
+    double contact = 0;        ///< start, active sets, neutral motions
+    double displacements = 0;  ///< with the refinement
+};
+
 struct AssemblySolution {
     std::vector<Eigen::VectorXd> displacement;  ///< (2n) by part
     std::vector<Eigen::VectorXd> load;          ///< (2n) by part, contact and constraints included
@@ -56,8 +64,11 @@ struct AssemblySolution {
     int n_multipliers = 0, iterations = 0;
     bool converged = false, used_fallback = false;
     double residual = 0;  ///< of the contact conditions by these displacements and pressures: contact_residual's
+    SolveSeconds seconds;
 };
 
-AssemblySolution solve_assembly(const AssemblyProblem& problem);
+/// Parts are condensed and solved side by side on `threads` threads (see usable_threads); the solution is the same for any
+/// number.
+AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads = 1);
 
 }  // namespace abut::solver

@@ -2,8 +2,12 @@
 #include "solver/banded_factor.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
 
 #include "solver/blas.hpp"
+#include "solver/ordering.hpp"
 
 namespace abut::solver {
 
@@ -16,16 +20,16 @@ using Eigen::VectorXd;
 /// Columns of L that are applied to all right-hand sides at once.
 constexpr int panel = 64;
 
-/// One panel of a forward solution, columns j to j + w of L, w <= max(b, 1). Entries (i, j) of the band are one number less
-/// than its leading dimension apart from (i, j + 1), so that pieces of it are ordinary matrices:
+/// One panel of a forward solution of the first m columns of y, columns j to j + w of L, w <= max(b, 1). Entries (i, j) of the
+/// band are one number less than its leading dimension apart from (i, j + 1), so that pieces of it are ordinary matrices:
 ///
 ///     \        triangle of w rows: solved
 ///     |\ \     rectangle of the rows that all its columns reach: a product
 ///     |  |     triangle of w - 1 rows below, upper: the last columns only
 ///      \ |     (below the matrix's end the band holds zeros)
 ///        \|
-void solve_panel(const MatrixXd& l, int j, int w, MatrixXd& y) {
-    const int b = static_cast<int>(l.rows()) - 1, n = static_cast<int>(l.cols()), m = static_cast<int>(y.cols());
+void solve_panel(const MatrixXd& l, int j, int w, MatrixXd& y, int m) {
+    const int b = static_cast<int>(l.rows()) - 1, n = static_cast<int>(l.cols());
     const int step = std::max(b, 1), ldy = static_cast<int>(y.rows());
     const double one = 1, minus = -1;
     const double* a = &l(0, j);
@@ -34,9 +38,9 @@ void solve_panel(const MatrixXd& l, int j, int w, MatrixXd& y) {
     if (full > 0) dgemm_("N", "N", &full, &m, &w, &minus, a + w, &step, &y(j, 0), &ldy, &one, &y(j + w, 0), &ldy);
     const int below = std::min(j + b + w, n) - (j + b + 1), last = w - 1;
     if (below <= 0) return;
-    MatrixXd part = y.middleRows(j + 1, last);
+    MatrixXd part = y.block(j + 1, 0, last, m);
     dtrmm_("L", "U", "N", "N", &last, &m, &one, &l(b, j + 1), &step, part.data(), &last);
-    y.middleRows(j + b + 1, below) -= part.topRows(below);
+    y.block(j + b + 1, 0, below, m) -= part.topRows(below);
 }
 
 /// The first row in which some column is not zero; n: none.
@@ -44,6 +48,26 @@ Index first_row_of(const MatrixXd& b) {
     for (Index i = 0; i < b.rows(); ++i)
         if ((b.row(i).array() != 0).any()) return i;
     return b.rows();
+}
+
+/// The columns of a sparse matrix by where they begin among positions.
+struct Staircase {
+    std::vector<int> position;       // of each row
+    std::vector<int> column, begin;  // in their order; begin: the first position with an entry, n: none
+};
+Staircase staircase_of(const Eigen::SparseMatrix<double>& b, std::vector<int> position) {
+    Staircase stairs{std::move(position), std::vector<int>(static_cast<std::size_t>(b.cols())), {}};
+    std::vector<int> begin(stairs.column.size(), static_cast<int>(b.rows()));
+    for (int c = 0; c < b.cols(); ++c)
+        for (Eigen::SparseMatrix<double>::InnerIterator e(b, c); e; ++e) {
+            int& first = begin[static_cast<std::size_t>(c)];
+            first = std::min(first, stairs.position[static_cast<std::size_t>(e.row())]);
+        }
+    const auto begin_of = [&](int c) { return begin[static_cast<std::size_t>(c)]; };
+    std::iota(stairs.column.begin(), stairs.column.end(), 0);
+    std::stable_sort(stairs.column.begin(), stairs.column.end(), [&](int c, int d) { return begin_of(c) < begin_of(d); });
+    std::transform(stairs.column.begin(), stairs.column.end(), std::back_inserter(stairs.begin), begin_of);
+    return stairs;
 }
 
 }  // namespace
@@ -82,8 +106,28 @@ VectorXd BandedFactor::solve(const VectorXd& b) const {
 MatrixXd BandedFactor::solve_lower(const MatrixXd& b) const {
     MatrixXd y = b(order_, Eigen::all);
     const int w = std::clamp(width_, 1, panel);
-    for (int j = static_cast<int>(first_row_of(y)); j < n_; j += w) solve_panel(l_, j, std::min(w, n_ - j), y);
+    for (int j = static_cast<int>(first_row_of(y)); j < n_; j += w)
+        solve_panel(l_, j, std::min(w, n_ - j), y, static_cast<int>(y.cols()));
     return y;
+}
+
+MatrixXd BandedFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    const int m = static_cast<int>(b.cols()), w = std::clamp(width_, 1, panel);
+    const double one = 1;
+    const Staircase stairs = staircase_of(b, inverse_order(order_));
+    MatrixXd y = MatrixXd::Zero(n_, m), form = MatrixXd::Zero(m, m);
+    for (int k = 0; k < m; ++k)
+        for (Eigen::SparseMatrix<double>::InnerIterator e(b, stairs.column[static_cast<std::size_t>(k)]); e; ++e)
+            y(stairs.position[static_cast<std::size_t>(e.row())], k) += e.value();
+    int begun = 0;
+    for (int j = m > 0 ? stairs.begin.front() : n_; j < n_; j += w) {
+        const int rows = std::min(w, n_ - j);
+        while (begun < m && stairs.begin[static_cast<std::size_t>(begun)] < j + rows) ++begun;
+        solve_panel(l_, j, rows, y, begun);
+        dsyrk_("L", "T", &begun, &rows, &one, &y(j, 0), &n_, &one, form.data(), &m);
+    }
+    form.triangularView<Eigen::StrictlyUpper>() = form.transpose();
+    return form(inverse_order(stairs.column), inverse_order(stairs.column));
 }
 
 VectorXd BandedFactor::product(const VectorXd& x) const {

@@ -2,6 +2,7 @@
 // Cholesky factor of a symmetric matrix whose entries lie close to the diagonal (LAPACK).
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "solver/block_matrix.hpp"
@@ -27,6 +28,8 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 P B
     Eigen::VectorXd product(const Eigen::VectorXd& x) const;      ///< A x
+    /// B' A^-1 B: solve_lower's way with each column from its first row on, 2 b multiplications a row.
+    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:
     std::vector<int> order_;

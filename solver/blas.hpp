@@ -15,8 +15,11 @@ void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, 
             const double* x, const int* incx, const double* beta, double* y, const int* incy);
 void dtrmv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a, const int* lda, double* x,
             const int* incx);
+void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n, const double* a, const int* lda, double* x,
+            const int* incx);
 void dtbmv_(const char* uplo, const char* trans, const char* diag, const int* n, const int* k, const double* a, const int* lda,
             double* x, const int* incx);
+void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dpbtrf_(const char* uplo, const int* n, const int* k, double* a, const int* lda, int* info);
 void dpbtrs_(const char* uplo, const int* n, const int* k, const int* n_rhs, const double* a, const int* lda, double* b,
              const int* ldb, int* info);

@@ -42,30 +42,34 @@ FunctionSets sets_of_functions(int n, const FunctionSets& sets) {
     return of;
 }
 
-/// Calls f(row, column) once for every pair, row by row, columns unordered.
-template <class F>
-void for_coupled_pairs(int n, const FunctionSets& coupled, const FunctionSets& sets_of, F f) {
-    std::vector<int> last_row(index(n), -1);
-    for (int row = 0; row < n; ++row)
-        for (int set : sets_of[index(row)])
-            for (int column : coupled[index(set)]) {
-                if (column > row || last_row[index(column)] == row) continue;
-                last_row[index(column)] = row;
-                f(row, column);
-            }
+/// Ascending: rows are short, and nearly in order.
+void sort_few(int* begin, int* end) {
+    for (int* p = begin; p < end; ++p) {
+        const int v = *p;
+        int* to = p;
+        for (; to > begin && to[-1] > v; --to) *to = to[-1];
+        *to = v;
+    }
 }
 
 }  // namespace
 
 BlockMatrix make_block_matrix(int n, const FunctionSets& coupled) {
     const FunctionSets sets_of = sets_of_functions(n, coupled);
-    BlockMatrix m{n, std::vector<int>(index(n) + 1, 0), {}, {}};
-    for_coupled_pairs(n, coupled, sets_of, [&](int row, int) { ++m.first[index(row) + 1]; });
-    std::partial_sum(m.first.begin(), m.first.end(), m.first.begin());
-    m.column.reserve(index(m.first.back()));
-    for_coupled_pairs(n, coupled, sets_of, [&](int, int column) { m.column.push_back(column); });
-    for (int row = 0; row < n; ++row)
-        std::sort(m.column.begin() + m.first[index(row)], m.column.begin() + m.first[index(row) + 1]);
+    BlockMatrix m{n, {0}, {}, {}};
+    m.first.reserve(index(n) + 1);
+    m.column.reserve(2 * coupled.function.size());
+    std::vector<int> last_row(index(n), -1);
+    for (int row = 0; row < n; ++row) {
+        for (int set : sets_of[index(row)])
+            for (int column : coupled[index(set)]) {
+                if (column > row || last_row[index(column)] == row) continue;
+                last_row[index(column)] = row;
+                m.column.push_back(column);
+            }
+        sort_few(m.column.data() + m.first.back(), m.column.data() + m.column.size());
+        m.first.push_back(static_cast<int>(m.column.size()));
+    }
     m.block.assign(m.column.size(), Eigen::Matrix2d::Zero());
     return m;
 }
@@ -99,17 +103,15 @@ Eigen::VectorXd multiply(const BlockMatrix& a, const Eigen::VectorXd& x) {
 
 namespace {
 
-/// Calls f(row, column, value) for every entry of the lower triangle that is kept.
+/// Calls f(block, numbers of its rows, of its columns) row by row.
 template <class F>
-void for_kept(const BlockMatrix& a, const std::vector<int>& number, F f) {
-    for (int r = 0; r < a.n; ++r)
+void for_numbered(const BlockMatrix& a, const std::vector<int>& number, F f) {
+    for (int r = 0; r < a.n; ++r) {
+        const int* rows = number.data() + 2 * r;
+        if (rows[0] < 0 && rows[1] < 0) continue;
         for (int k = a.first[index(r)]; k < a.first[index(r) + 1]; ++k)
-            for (int i = 0; i < 2; ++i)
-                for (int j = 0; j < 2; ++j) {
-                    const int row = number[index(2 * r + i)];
-                    const int col = number[index(2 * a.column[index(k)] + j)];
-                    if (col >= 0 && row >= col) f(row, col, a.block[index(k)](i, j));
-                }
+            f(a.block[index(k)], rows, number.data() + 2 * a.column[index(k)]);
+    }
 }
 
 }  // namespace
@@ -118,16 +120,27 @@ SparseSymmetric restricted(const BlockMatrix& a, const std::vector<int>& number,
     SparseSymmetric s;
     s.n = n_kept;
     s.first.assign(index(n_kept) + 1, 0);
-    for_kept(a, number, [&](int, int col, double) { ++s.first[index(col) + 1]; });
+    for_numbered(a, number, [&](const Eigen::Matrix2d&, const int* rows, const int* columns) {
+        for (int j : {0, 1}) {
+            if (columns[j] < 0) continue;
+            s.first[index(columns[j]) + 1] += (rows[0] >= columns[j]) + (rows[1] >= columns[j]);
+        }
+    });
     std::partial_sum(s.first.begin(), s.first.end(), s.first.begin());
     s.row.resize(index(s.first.back()));
     s.value.resize(s.row.size());
     std::vector<int> next(s.first.begin(), s.first.end() - 1);
     // rows are visited in ascending order, so each column fills in ascending order
-    for_kept(a, number, [&](int row, int col, double value) {
-        const auto k = index(next[index(col)]++);
-        s.row[k] = row;
-        s.value[k] = value;
+    for_numbered(a, number, [&](const Eigen::Matrix2d& block, const int* rows, const int* columns) {
+        for (int j : {0, 1}) {
+            if (columns[j] < 0) continue;
+            int& k = next[index(columns[j])];
+            for (int i : {0, 1}) {
+                if (rows[i] < columns[j]) continue;
+                s.row[index(k)] = rows[i];
+                s.value[index(k++)] = block(i, j);
+            }
+        }
     });
     return s;
 }

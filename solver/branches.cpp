@@ -18,6 +18,14 @@ void for_support(const KnotVector& x, const KnotVector& y, const ElementGraph& g
         for (int c = columns.begin; c < columns.end; ++c) graph.for_elements_of(r * x.n_intervals() + c, on_element);
 }
 
+/// Most supports: full rectangles of plain cells, in one piece.
+bool is_in_one_piece(const IntervalRange& columns, const IntervalRange& rows, int n_columns, const ElementGraph& graph) {
+    for (int r = rows.begin; r < rows.end; ++r)
+        for (int c = columns.begin; c < columns.end; ++c)
+            if (!graph.is_plain(r * n_columns + c)) return false;
+    return true;
+}
+
 /// Connected pieces of a few elements, kept over functions.
 class SupportPieces {
 public:
@@ -77,7 +85,11 @@ Branches find_branches(const KnotVector& x, const KnotVector& y, const ElementGr
     Branches result;
     const int n_tensor = x.n_functions() * y.n_functions();
     SupportPieces pieces(graph);
+    std::vector<IntervalRange> columns, rows;  // of the functions in either direction
+    for (int i = 0; i < x.n_functions(); ++i) columns.push_back(support(x, i));
+    for (int i = 0; i < y.n_functions(); ++i) rows.push_back(support(y, i));
     for (int k = 0; k < n_tensor; ++k) {
+        if (is_in_one_piece(columns[at(k % x.n_functions())], rows[at(k / x.n_functions())], x.n_intervals(), graph)) continue;
         pieces.elements.clear();
         for_support(x, y, graph, k, [&](int e) { pieces.elements.push_back(e); });
         if (pieces.elements.size() < 2) continue;

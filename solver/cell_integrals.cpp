@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/cell_integrals.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -106,22 +107,74 @@ void integrate_full_cell(const LineIntegrals& x, const LineIntegrals& y, CellInt
     const Index p = x.mass.rows(), q = y.mass.rows(), n = p * q;
     for (MatrixXd* m : {&out.axx, &out.ayy, &out.axy}) m->resize(n, n);
     for (Index b = 0; b < q; ++b)
-        for (Index a = 0; a < q; ++a) {
-            out.axx.block(a * p, b * p, p, p) = y.mass(a, b) * x.stiffness;
-            out.ayy.block(a * p, b * p, p, p) = y.stiffness(a, b) * x.mass;
-            out.axy.block(a * p, b * p, p, p) = y.mixed(b, a) * x.mixed;
+        for (Index i = 0; i < p; ++i)
+            for (Index a = 0; a < q; ++a) {
+                const Index start = (b * p + i) * n + a * p;
+                double *xx = out.axx.data() + start, *yy = out.ayy.data() + start, *xy = out.axy.data() + start;
+                const double mass = y.mass(a, b), stiffness = y.stiffness(a, b), mixed = y.mixed(b, a);
+                for (Index j = 0; j < p; ++j) {
+                    xx[j] = mass * x.stiffness(j, i);
+                    yy[j] = stiffness * x.mass(j, i);
+                    xy[j] = mixed * x.mixed(j, i);
+                }
+            }
+}
+
+namespace {
+
+/// Derivatives of an element's B-splines at a point: x fastest.
+struct Gradients {
+    std::array<double, (max_degree + 1) * (max_degree + 1)> dx, dy;
+};
+void gradients(const SplineSpace& s, int column, int row, const Vec2& point, Gradients& out) {
+    LocalValues vx, gx, vy, gy;
+    evaluate(s.x, column, point.x(), vx, gx);
+    evaluate(s.y, row, point.y(), vy, gy);
+    const auto p = static_cast<std::size_t>(s.x.degree) + 1, q = static_cast<std::size_t>(s.y.degree) + 1;
+    for (std::size_t b = 0; b < q; ++b)
+        for (std::size_t a = 0; a < p; ++a) {
+            out.dx[b * p + a] = gx[a] * vy[b];
+            out.dy[b * p + a] = vx[a] * gy[b];
         }
 }
 
+/// N: of the B-splines, known to the compiler where they are few; a loop over any number of them takes three times as long.
+template <int N>
+void add_points(const SplineSpace& space, int element, const std::vector<Vec2>& points, const std::vector<double>& weights,
+                CellIntegrals& out) {
+    const int column = space.column_of(element), row = space.row_of(element);
+    const Index n = out.axx.rows();
+    Eigen::Matrix<double, N, N> xx = Eigen::Matrix<double, N, N>::Zero(n, n), yy = xx, xy = xx;
+    Gradients at;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        gradients(space, column, row, points[k], at);
+        const Eigen::Map<const Eigen::Vector<double, N>> dx(at.dx.data(), n), dy(at.dy.data(), n);
+        const Eigen::Vector<double, N> wx = weights[k] * dx, wy = weights[k] * dy;
+        xx += dx.lazyProduct(wx.transpose());
+        yy += dy.lazyProduct(wy.transpose());
+        xy += dx.lazyProduct(wy.transpose());
+    }
+    out.axx = xx;
+    out.ayy = yy;
+    out.axy = xy;
+}
+
+}  // namespace
+
 void integrate_cut_cell(const SplineSpace& space, int element, const std::vector<Vec2>& points,
-                        const std::vector<double>& weights, CutWorkspace& work, CellIntegrals& out) {
-    sample(space, element, points, work.at);
-    const Eigen::Map<const VectorXd> w(weights.data(), static_cast<Index>(weights.size()));
-    work.wx.noalias() = w.asDiagonal() * work.at.dx;
-    work.wy.noalias() = w.asDiagonal() * work.at.dy;
-    out.axx.noalias() = work.at.dx.transpose() * work.wx;
-    out.ayy.noalias() = work.at.dy.transpose() * work.wy;
-    out.axy.noalias() = work.at.dx.transpose() * work.wy;
+                        const std::vector<double>& weights, CellIntegrals& out) {
+    const Index n = (space.x.degree + 1) * (space.y.degree + 1);
+    for (MatrixXd* m : {&out.axx, &out.ayy, &out.axy}) m->resize(n, n);
+    switch (n) {
+        case 4:
+            return add_points<4>(space, element, points, weights, out);
+        case 9:
+            return add_points<9>(space, element, points, weights, out);
+        case 16:
+            return add_points<16>(space, element, points, weights, out);
+        default:
+            return add_points<Eigen::Dynamic>(space, element, points, weights, out);
+    }
 }
 
 void extract(const Extraction& e, CellIntegrals& integrals) {
@@ -137,10 +190,11 @@ void stiffness_blocks(const CellIntegrals& c, const Elasticity& d, double thickn
     const Index n = c.axx.rows();
     blocks.resize(static_cast<std::size_t>(n * n));
     for (Index j = 0; j < n; ++j)
-        for (Index i = 0; i < n; ++i)
-            blocks[static_cast<std::size_t>(j * n + i)] << d11 * c.axx(i, j) + d33 * c.ayy(i, j),
-                d12 * c.axy(i, j) + d33 * c.axy(j, i), d12 * c.axy(j, i) + d33 * c.axy(i, j),
-                d11 * c.ayy(i, j) + d33 * c.axx(i, j);
+        for (Index i = 0; i < n; ++i) {
+            const double axx = c.axx(i, j), ayy = c.ayy(i, j), axy = c.axy(i, j), ayx = c.axy(j, i);
+            blocks[static_cast<std::size_t>(j * n + i)] << d11 * axx + d33 * ayy, d12 * axy + d33 * ayx, d12 * ayx + d33 * axy,
+                d11 * ayy + d33 * axx;
+        }
 }
 
 }  // namespace abut::solver

@@ -39,13 +39,8 @@ struct CellIntegrals {
 };
 void integrate_full_cell(const LineIntegrals& x, const LineIntegrals& y, CellIntegrals& out);
 
-/// Room to work in, kept from one cut cell to the next.
-struct CutWorkspace {
-    Sampled at;
-    Eigen::MatrixXd wx, wy;
-};
 void integrate_cut_cell(const SplineSpace& space, int element, const std::vector<Vec2>& points,
-                        const std::vector<double>& weights, CutWorkspace& work, CellIntegrals& out);
+                        const std::vector<double>& weights, CellIntegrals& out);
 
 /// The same integrals of the functions that the extraction makes of the B-splines: E' A E, by E's non-zero entries.
 void extract(const Extraction& e, CellIntegrals& integrals);

@@ -41,11 +41,12 @@ MatrixXd first_proximal(const MatrixXd& stiffness) {
 }
 
 /// The primal-dual active set on the problem itself. Where it does not find the answer nothing is changed.
-SetSearch solve_exactly(const ContactQp& qp, ContactState& state, ContactQpResult& result) {
+SetSearch solve_exactly(const ContactQp& qp, ClosedFactor& factor, ContactState& state, ContactQpResult& result) {
     const Index n = qp.modes.cols();
     ContactState exact;
     ActiveSet active = result.active;
-    const SetSearch search = primal_dual(qp, {MatrixXd::Zero(n, n), VectorXd::Zero(n)}, active, exact, result.iterations);
+    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+    const SetSearch search = primal_dual(qp, none, active, factor, exact, result.iterations);
     if (search != SetSearch::found) return search;
     if (!is_balanced(qp, exact.multipliers)) return SetSearch::singular;
     state = std::move(exact);
@@ -54,10 +55,12 @@ SetSearch solve_exactly(const ContactQp& qp, ContactState& state, ContactQpResul
 }
 
 /// The same on one set, which may leave motions free as long as they balance: a single point that carries all.
-bool holds_exactly(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ContactState& state) {
+bool holds_exactly(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+                   ContactState& state) {
     const Index n = qp.modes.cols();
     ContactState exact;
-    if (!solve_on(qp, {MatrixXd::Zero(n, n), anchor}, active, exact) && !solve_least_motion(qp, anchor, active, exact))
+    if (!solve_on(qp, {MatrixXd::Zero(n, n), anchor}, active, factor, exact) &&
+        !solve_least_motion(qp, anchor, active, factor, exact))
         return false;
     if (next_set(qp, active, exact) != active || !is_balanced(qp, exact.multipliers)) return false;
     state = std::move(exact);
@@ -66,18 +69,19 @@ bool holds_exactly(const ContactQp& qp, const VectorXd& anchor, const ActiveSet&
 
 /// Passes with less and less of the proximal term. state: the start's multipliers, and the answer. repeats: the primal-dual
 /// active set is known to come back to the same sets, and is left out.
-bool run_passes(const ContactQp& qp, const MatrixXd& stiffness, bool repeats, ContactState& state, ContactQpResult& result) {
+bool run_passes(const ContactQp& qp, const MatrixXd& stiffness, bool repeats, ClosedFactor& factor, ContactState& state,
+                ContactQpResult& result) {
     Proximal proximal{first_proximal(stiffness), VectorXd::Zero(qp.modes.cols())};
     for (int pass = 0; pass < max_passes; ++pass) {
         const VectorXd before = state.multipliers;
         const ActiveSet start = result.active;
-        if (repeats || primal_dual(qp, proximal, result.active, state, result.iterations) != SetSearch::found) {
+        if (repeats || primal_dual(qp, proximal, result.active, factor, state, result.iterations) != SetSearch::found) {
             repeats = result.used_fallback = true;
             result.active = start;
             state.multipliers = before;
-            if (!descend(qp, proximal, result.active, state, result.iterations)) return false;
+            if (!descend(qp, proximal, result.active, factor, state, result.iterations)) return false;
         }
-        if (holds_exactly(qp, proximal.anchor, result.active, state)) return true;
+        if (holds_exactly(qp, proximal.anchor, result.active, factor, state)) return true;
         if (is_balanced(qp, state.multipliers)) return true;
         proximal.anchor = state.amplitudes;
         if (pass + 1 < reduced_passes) proximal.stiffness *= 0.1;
@@ -113,9 +117,10 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ContactQp near = qp;
     near.gap += qp.modes * start.amplitudes;
     ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols())};
-    const SetSearch search = solve_exactly(near, state, result);
+    ClosedFactor factor(near.compliance, start.multipliers);
+    const SetSearch search = solve_exactly(near, factor, state, result);
     result.converged =
-        search == SetSearch::found || run_passes(near, start.stiffness, search == SetSearch::repeated, state, result);
+        search == SetSearch::found || run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
     result.gap = gap_of(near, state);
     result.residual =
         contact_residual(qp, {state.multipliers, result.gap, qp.modes.transpose() * state.multipliers + qp.mode_load});
@@ -145,7 +150,8 @@ bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd
     ContactState state;
     const Index n = qp.modes.cols();
     const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-    if (!solve_on(qp, none, active, state) && !solve_least_motion(qp, none.anchor, active, state)) return false;
+    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
+    if (!solve_on(qp, none, active, factor, state) && !solve_least_motion(qp, none.anchor, active, factor, state)) return false;
     multipliers = std::move(state.multipliers);
     amplitudes = std::move(state.amplitudes);
     return true;

@@ -5,8 +5,11 @@ namespace abut::solver {
 
 ElementGraph::ElementGraph(int columns, int rows, const std::vector<double>& fraction, const Splits& splits)
     : columns_(columns), rows_(rows), fraction_(fraction), splits_(splits) {
-    if (splits.cell_of_extra.empty()) return;
     const int n_cells = columns * rows;
+    if (!splits.neighbours.empty() || !splits.cell_of_extra.empty()) special_.assign(static_cast<std::size_t>(n_cells), 0);
+    for (const auto& own : splits.neighbours) special_[static_cast<std::size_t>(cell_of(own.first))] = 1;
+    for (int cell : splits.cell_of_extra) special_[static_cast<std::size_t>(cell)] = 1;
+    if (splits.cell_of_extra.empty()) return;
     first_extra_.assign(static_cast<std::size_t>(n_cells) + 1, 0);
     for (int cell : splits.cell_of_extra) ++first_extra_[static_cast<std::size_t>(cell) + 1];
     for (std::size_t c = 0; c < static_cast<std::size_t>(n_cells); ++c) first_extra_[c + 1] += first_extra_[c];

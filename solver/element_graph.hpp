@@ -16,6 +16,10 @@ public:
         return element < n_cells ? element : splits_.cell_of_extra[static_cast<std::size_t>(element - n_cells)];
     }
     bool has_material(int element) const { return fraction_[static_cast<std::size_t>(element)] > 0; }
+    /// Whether a cell holds material in one piece that hangs together with all cells around it that do, too.
+    bool is_plain(int cell) const {
+        return has_material(cell) && (special_.empty() || !special_[static_cast<std::size_t>(cell)]);
+    }
     /// Calls f(element) for the components of a cell that hold material.
     template <class F>
     void for_elements_of(int cell, F f) const {
@@ -44,6 +48,7 @@ private:
     const std::vector<double>& fraction_;
     const Splits& splits_;
     std::vector<int> first_extra_, extra_;  // by cell; empty without splits
+    std::vector<char> special_;             // by cell: split, or with neighbours of its own; empty without any
 };
 
 /// Pieces of the part as the grid sees them: 1 for a part that hangs together.

@@ -2,6 +2,7 @@
 #include "solver/factorization.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,8 @@
 #include <variant>
 
 #include "solver/condition.hpp"
+#include "solver/frontal_factor.hpp"
+#include "solver/grid_dissection.hpp"
 #include "solver/ordering.hpp"
 #include "solver/schur_complement.hpp"
 #include "solver/signed_factor.hpp"
@@ -54,10 +57,27 @@ Band given_band(const SparseSymmetric& m) {
     return make_band(m, std::move(order));
 }
 
+/// Rows are ascending in each column.
+int given_bandwidth(const SparseSymmetric& m) {
+    int widest = 0;
+    for (int c = 0; c < m.n; ++c) widest = std::max(widest, m.row[at(m.first[at(c) + 1] - 1)] - c);
+    return widest;
+}
+
 /// The narrower of the given order and reverse Cuthill-McKee's.
 Band narrow_band(const SparseSymmetric& m, const MergedPattern& pattern, const Neighbours& graph) {
     Band given = given_band(m), other = make_band(m, expanded(pattern, reverse_cuthill_mckee(graph)));
     return other.width < given.width ? std::move(other) : std::move(given);
+}
+
+/// The same band from its other end, where that brings the given rows later.
+Band turned_late(Band band, const std::vector<int>& rows) {
+    double sum = 0;
+    for (int row : rows) sum += band.position[at(row)];
+    if (2 * sum >= static_cast<double>(rows.size()) * (static_cast<double>(band.order.size()) - 1)) return band;
+    std::reverse(band.order.begin(), band.order.end());
+    band.position = inverse_order(band.order);
+    return band;
 }
 
 /// norm_one: of the matrix before. Diagonal entries come first in their columns; from row n_positive on they are to be
@@ -87,17 +107,60 @@ int scale_to_unit_diagonal(SparseSymmetric& m, int n_positive, VectorXd& scale, 
 
 namespace {
 
-using Structure = std::variant<Band, SupernodalStructure>;
+/// Fronts of few nodes are joined to one that dense routines take at once: 8 to 32 hardly differ.
+constexpr int nodes_of_front = 16;
 
-Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> method) {
+struct FrontalStructure {
+    std::shared_ptr<const Fronts> fronts;
+    double entries() const { return fronts->first_value.back(); }
+};
+
+FrontalStructure frontal_structure(const SparseSymmetric& m, const MergedPattern& pattern, const RowHints& hints) {
+    GridPlaces nodes{{}, hints.reach};
+    nodes.at.reserve(at(pattern.n_nodes()));
+    for (int k = 0; k < pattern.n_nodes(); ++k) nodes.at.push_back(hints.place[at(pattern.first_column[at(k)])]);
+    return {std::make_shared<const Fronts>(make_fronts(m, pattern, dissected(nodes, nodes_of_front)))};
+}
+
+using Structure = std::variant<Band, SupernodalStructure, FrontalStructure>;
+
+/// A piece of this many nodes is not cut any more: 500 to 3000 hardly differ, in time of the factor and of inverse_form().
+constexpr int least_dissected = 1000;
+
+/// Of the separators (see dissect), where the nodes' places are known; else none.
+std::vector<int> separators_of(const MergedPattern& pattern, const Neighbours& graph, const std::vector<GridPlace>& place) {
+    if (place.empty()) return {};
+    std::vector<GridPlace> of_node;
+    for (int n = 0; n < pattern.n_nodes(); ++n) of_node.push_back(place[at(pattern.first_column[at(n)])]);
+    return dissect(graph, of_node, least_dissected);
+}
+
+/// Strips of so few functions across, in reaches, have no separators worth the name. Banded, they are eliminated from one end
+/// to the other, which also costs them fewer digits (a wedge of one degree, degree 4: 1e-5 of the displacement, dissected
+/// 1e-3).
+constexpr int strip_reaches = 3;
+
+bool is_strip(const RowHints& hints) {
+    if (hints.place.empty()) return false;
+    std::array<int, 2> low = hints.place.front(), high = low;
+    for (const GridPlace& p : hints.place)
+        for (std::size_t axis : {0u, 1u}) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    return std::min(high[0] - low[0], high[1] - low[1]) < strip_reaches * hints.reach;
+}
+
+Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> method, const RowHints& hints) {
     const MergedPattern pattern = merged_pattern(m);
-    if (method == FactorMethod::supernodal) return SupernodalStructure(m, pattern);
+    if (method == FactorMethod::frontal || (!method && !hints.place.empty() && !is_strip(hints)))
+        return frontal_structure(m, pattern, hints);
     const Neighbours graph = neighbours(pattern);
-    if (method == FactorMethod::banded || is_worthwhile(m, least_bandwidth(graph))) {
-        Band band = narrow_band(m, pattern, graph);
+    if (method == FactorMethod::banded || (!method && is_worthwhile(m, least_bandwidth(graph)))) {
+        Band band = turned_late(narrow_band(m, pattern, graph), hints.late);
         if (method == FactorMethod::banded || is_worthwhile(m, band.width)) return band;
     }
-    return SupernodalStructure(m, pattern);
+    return SupernodalStructure(m, pattern, separators_of(pattern, graph, hints.place));
 }
 
 }  // namespace
@@ -108,11 +171,13 @@ struct SymbolicFactorization::Data {
     int given_bandwidth;
 };
 
-SymbolicFactorization::SymbolicFactorization(const SparseSymmetric& m, std::optional<FactorMethod> method)
-    : data_(std::make_shared<const Data>(Data{checksum(m), structure_for(m, method), given_band(m).width})) {}
+SymbolicFactorization::SymbolicFactorization(const SparseSymmetric& m, std::optional<FactorMethod> method,
+                                             const RowHints& hints)
+    : data_(std::make_shared<const Data>(Data{checksum(m), structure_for(m, method, hints), given_bandwidth(m)})) {}
 
 FactorMethod SymbolicFactorization::method() const {
-    return data_->structure.index() == 0 ? FactorMethod::banded : FactorMethod::supernodal;
+    constexpr std::array methods = {FactorMethod::banded, FactorMethod::supernodal, FactorMethod::frontal};
+    return methods[data_->structure.index()];
 }
 int SymbolicFactorization::bandwidth() const {
     const Band* band = std::get_if<Band>(&data_->structure);
@@ -130,13 +195,14 @@ struct Factorization::Data {
     VectorXd scale;
     double norm_one = 0;  // of the matrix as it was given
     int failed_at = -1;
-    std::variant<std::monostate, BandedFactor, SupernodalFactor, SignedFactor> factor;
+    std::variant<std::monostate, BandedFactor, SupernodalFactor, FrontalFactor, SignedFactor> factor;
     std::optional<SchurComplement> schur;  // with the signed factor only
 
     int n() const { return static_cast<int>(scale.size()); }
 
     template <class F>
     auto with_cholesky(F f) const {
+        if (const auto* frontal = std::get_if<FrontalFactor>(&factor)) return f(*frontal);
         const auto* banded = std::get_if<BandedFactor>(&factor);
         return banded != nullptr ? f(*banded) : f(std::get<SupernodalFactor>(factor));
     }
@@ -174,23 +240,29 @@ Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 Factorization::~Factorization() = default;
 
-Factorization::Factorization(SparseSymmetric matrix) {
-    SymbolicFactorization symbolic(matrix);
-    *this = Factorization(std::move(matrix), std::move(symbolic));
-}
-
-Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic)
-    : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
+void Factorization::factorize(SparseSymmetric matrix) {
     Data& d = *data_;
-    if (!d.symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
     d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
     if (d.failed_at >= 0 || matrix.n == 0) return;
     const Structure& structure = d.symbolic.data_->structure;
     if (const Band* band = std::get_if<Band>(&structure))
         d.factor.emplace<BandedFactor>(matrix, *band);
+    else if (const auto* frontal = std::get_if<FrontalStructure>(&structure))
+        d.factor.emplace<FrontalFactor>(matrix, frontal->fronts);
     else
         d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
     d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
+}
+
+Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints)
+    : data_(new Data{SymbolicFactorization(matrix, {}, hints), {}, 0, -1, {}, {}}) {
+    factorize(std::move(matrix));
+}
+
+Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic)
+    : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
+    if (!data_->symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
+    factorize(std::move(matrix));
 }
 
 Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
@@ -272,16 +344,8 @@ Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
 
 Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {
     if (b.size() == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
-    const auto own = data_->scale.head(b.rows()).asDiagonal();
-    if (const auto* signs = std::get_if<SignedFactor>(&data_->factor)) {
-        Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(data_->n(), b.cols());
-        padded.topRows(b.rows()) = own * Eigen::MatrixXd(b);
-        return signs->inverse_form(padded);
-    }
-    if (const auto* supernodal = std::get_if<SupernodalFactor>(&data_->factor))
-        return supernodal->inverse_form(Eigen::SparseMatrix<double>(own * b));
-    const Eigen::MatrixXd y = solve_lower(Eigen::MatrixXd(b));
-    return y.transpose() * y;
+    const Eigen::SparseMatrix<double> scaled = data_->scale.head(b.rows()).asDiagonal() * b;
+    return data_->with_factor([&](const auto& l) { return l.inverse_form(scaled); });
 }
 
 }  // namespace abut::solver

@@ -2,6 +2,7 @@
 #include "solver/interface.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace abut::solver {
 
@@ -9,19 +10,37 @@ namespace {
 
 using Eigen::Index;
 
-/// Entries of one row and coefficient that came from several points are summed.
-void compress(std::vector<RowEntry>& entries) {
-    std::sort(entries.begin(), entries.end(), [](const RowEntry& a, const RowEntry& b) {
-        return a.row != b.row ? a.row < b.row : a.coefficient < b.coefficient;
-    });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (kept > 0 && entries[kept - 1].row == entries[i].row && entries[kept - 1].coefficient == entries[i].coefficient)
-            entries[kept - 1].value += entries[i].value;
-        else
-            entries[kept++] = entries[i];
+/// The entries in the order of their rows, those of one row in the order in which they are given.
+std::vector<RowEntry> sorted_by_row(const std::vector<RowEntry>& entries, int n_rows) {
+    std::vector<std::size_t> next(static_cast<std::size_t>(n_rows) + 1, 0);
+    for (const RowEntry& e : entries) ++next[static_cast<std::size_t>(e.row) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<RowEntry> sorted(entries.size());
+    for (const RowEntry& e : entries) sorted[next[static_cast<std::size_t>(e.row)]++] = e;
+    return sorted;
+}
+
+/// Entries by row, then coefficient; those of one row and coefficient that came from several points are summed.
+void compress(std::vector<RowEntry>& entries, int n_rows, int n_coefficients) {
+    const std::vector<RowEntry> by_row = sorted_by_row(entries, n_rows);
+    std::vector<double> sum(static_cast<std::size_t>(n_coefficients));
+    std::vector<int> last_row(sum.size(), -1), touched;
+    entries.clear();
+    for (std::size_t begin = 0, end = 0; begin < by_row.size(); begin = end) {
+        const int row = by_row[begin].row;
+        touched.clear();
+        for (end = begin; end < by_row.size() && by_row[end].row == row; ++end) {
+            const auto c = static_cast<std::size_t>(by_row[end].coefficient);
+            if (last_row[c] != row) {
+                last_row[c] = row;
+                sum[c] = 0;
+                touched.push_back(by_row[end].coefficient);
+            }
+            sum[c] += by_row[end].value;
+        }
+        std::sort(touched.begin(), touched.end());
+        for (int c : touched) entries.push_back({row, c, sum[static_cast<std::size_t>(c)]});
     }
-    entries.resize(kept);
 }
 
 /// Rows that a point belongs to, and its part in their integrals.
@@ -130,7 +149,8 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
         if (interfaces[k].bilateral) std::fill_n(rows.unilateral.begin() + first_row[k], n_rows(interfaces[k]), 0);
     }
     add_softness(rows, interfaces, first_row);
-    for (auto& entries : rows.by_part) compress(entries);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (!rows.by_part[i].empty()) compress(rows.by_part[i], rows.n, 2 * parts[i].n());
     return rows;
 }
 
@@ -164,6 +184,18 @@ int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const
     rows.weight[row] = 1;
     rows.unilateral.push_back(0);
     return row;
+}
+
+Eigen::VectorXd rows_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& u, int n_rows) {
+    Eigen::VectorXd v = Eigen::VectorXd::Zero(n_rows);
+    for (const RowEntry& e : entries) v[e.row] += e.value * u[e.coefficient];
+    return v;
+}
+
+Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& multipliers, int n_coefficients) {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(n_coefficients);
+    for (const RowEntry& e : entries) f[e.coefficient] += e.value * multipliers[e.row];
+    return f;
 }
 
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s) {

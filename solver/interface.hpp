@@ -60,9 +60,9 @@ struct RowEntry {
 
 struct Rows {
     int n = 0;
-    std::vector<std::vector<RowEntry>> by_part;
-    Eigen::VectorXd gap0;      ///< weighted: integrals of gap times pressure function
-    Eigen::VectorXd weight;    ///< integral of the row's pressure function (1 for constraints)
+    std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once
+    Eigen::VectorXd gap0;                        ///< weighted: integrals of gap times pressure function
+    Eigen::VectorXd weight;                      ///< integral of the row's pressure function (1 for constraints)
     Eigen::VectorXd softness;  ///< of the interfaces' rows, weighted: what a unit multiplier opens; empty: no penalty anywhere
     std::vector<char> unilateral;
 };
@@ -75,6 +75,10 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
 /// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Appended to rows; returns the row.
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,
                            const Eigen::Vector3d& coefficient, double size, double value);
+
+/// D u of one part's entries (n_rows), and D'l (n_coefficients).
+Eigen::VectorXd rows_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& u, int n_rows);
+Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& multipliers, int n_coefficients);
 
 /// Value of a pressure spline with the given coefficients.
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s);

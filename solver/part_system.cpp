@@ -3,10 +3,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "solver/dilatation.hpp"
+#include "solver/pins.hpp"
+#include "solver/row_hints.hpp"
 #include "solver/stress.hpp"
 #include "solver/structure_reactions.hpp"
 
@@ -94,37 +97,6 @@ std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, d
     return motions;
 }
 
-/// A coefficient can be pinned if its stiffness is at least this fraction of the median: one whose function barely touches the
-/// part would hold it by a weak spring, and rounding of the loads would move the part (1e-8 of its displacement at degree 3).
-constexpr double pin_stiffness_fraction = 0.5;
-
-/// As many coefficients as there are modes, chosen so that holding them holds the modes: pivoted elimination on the modes'
-/// rows.
-std::vector<Index> pins(const PartSystem& s) {
-    Eigen::MatrixXd rest = s.modes;
-    Eigen::VectorXd diagonal(2 * s.n());
-    for (int f = 0; f < s.n(); ++f)
-        diagonal.segment<2>(2 * f) =
-            s.stiffness.block[static_cast<std::size_t>(s.stiffness.first[static_cast<std::size_t>(f) + 1] - 1)].diagonal();
-    std::vector<double> sorted(diagonal.begin(), diagonal.end());
-    std::nth_element(sorted.begin(), sorted.begin() + diagonal.size() / 2, sorted.end());
-    const double least = pin_stiffness_fraction * sorted[sorted.size() / 2];
-    std::vector<Index> chosen;
-    for (Index k = 0; k < rest.cols(); ++k) {
-        Index best = 0;
-        double largest = -1;
-        for (Index i = 0; i < rest.rows(); ++i)
-            if (!s.dropped[static_cast<std::size_t>(i)] && diagonal[i] >= least && rest.row(i).squaredNorm() > largest) {
-                largest = rest.row(i).squaredNorm();
-                best = i;
-            }
-        chosen.push_back(best);
-        const Eigen::RowVectorXd pivot = rest.row(best) / rest.row(best).norm();
-        rest -= (rest * pivot.transpose()) * pivot;
-    }
-    return chosen;
-}
-
 void number_unknowns(PartSystem& s) {
     const std::vector<Index> pinned = pins(s);
     s.number.assign(s.dropped.size(), -1);
@@ -180,8 +152,12 @@ void project_dilatation(PartSystem& s) {
 
 Factorization factorized(const PartSystem& s) {
     SparseSymmetric a = restricted(s.stiffness, s.number, s.n_kept);
-    if (!s.input.is_projected) return Factorization(std::move(a));
+    if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number));
     return Factorization(with_pressures(a, *s.input.dilatation, s.number), s.input.dilatation->space.n_functions);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// What a pivot that is not positive means here, and what to do about it.
@@ -217,6 +193,7 @@ Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& mot
 
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs, const Eigen::VectorXd& weighted) {
+    const auto begin = std::chrono::steady_clock::now();
     PartSystem s;
     s.input = std::move(input);
     s.applied = std::move(applied);
@@ -240,7 +217,10 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     }
     set_modes(s);
     number_unknowns(s);
+    const double before = seconds_since(begin);
     s.factor = factorized(s);
+    s.seconds.all = seconds_since(begin);
+    s.seconds.factorisation = s.seconds.all - before;
     if (!s.factor.ok())
         note_failure(s);
     else if (!s.springs.empty() && s.factor.condition_estimate() > largest_spring_condition)
@@ -254,12 +234,17 @@ Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd&
     return forces;
 }
 
-Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
-    const Eigen::VectorXd rest = load - stiffness_times(system, system.prescribed);
+Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load) {
+    Eigen::VectorXd rest = load;
+    if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
     Eigen::VectorXd b(system.n_kept);
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
-    const Eigen::VectorXd x = system.factor.solve(b);
+    return b;
+}
+
+Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
+    const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
     Eigen::VectorXd u = system.prescribed;
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];

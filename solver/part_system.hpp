@@ -60,6 +60,9 @@ struct PartSystem {
     Factorization factor;
     std::string failure;                   ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
+    struct {
+        double all = 0, factorisation = 0;
+    } seconds;  ///< of make_part_system, and of the factorisation in it
 
     int n() const { return input.space.n_functions; }
 };
@@ -76,6 +79,9 @@ Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& mot
 
 /// K u of the whole space (2n), nothing dropped.
 Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
+
+/// Right-hand side of the factorised matrix (n_kept) for a total load vector (2n): what prescribed coefficients take of it.
+Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load);
 
 /// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones
 /// prescribed.

@@ -17,6 +17,7 @@ constexpr int max_newton_steps = 100;
 constexpr double balance_tolerance = 1e-12;  // relative to the loads
 constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
 constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
+constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
 /// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
 /// slide far under a small part of its load; more where the step was too long.
 constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
@@ -29,9 +30,32 @@ VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
     return l;
 }
 
-double energy(const ContactQp& qp, const VectorXd& amplitudes) {
-    const VectorXd l = pressures(qp, amplitudes);
-    return 0.5 * l.cwiseProduct(l).cwiseQuotient(qp.foundation).sum() - qp.mode_load.dot(amplitudes);
+/// With what its terms' rounding may hide.
+struct Energy {
+    double value, rounding;
+};
+Energy energy_of(const ContactQp& qp, const VectorXd& amplitudes, const VectorXd& l) {
+    const double stored = 0.5 * l.cwiseProduct(l).cwiseQuotient(qp.foundation).sum();
+    const VectorXd work = qp.mode_load.cwiseProduct(amplitudes);
+    return {stored - work.sum(), energy_rounding * (stored + work.cwiseAbs().sum())};
+}
+
+VectorXd imbalance(const ContactQp& qp, const VectorXd& l) {
+    return qp.modes.transpose() * l + qp.mode_load;
+}
+
+/// The largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by, that
+/// halves the imbalance. 0: none.
+double reach_of(const ContactQp& qp, const Settled& s, const VectorXd& residual, const VectorXd& direction) {
+    const Energy before = energy_of(qp, s.amplitudes, s.multipliers);
+    const double slope = residual.dot(direction);
+    for (double reach = 1; reach > least_reach; reach *= 0.5) {
+        const VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, trial);
+        const double wanted = sufficient_descent * reach * slope;
+        if (energy_of(qp, trial, l).value <= before.value - wanted) return reach;
+        if (wanted <= before.rounding && imbalance(qp, l).norm() <= 0.5 * residual.norm()) return reach;
+    }
+    return 0;
 }
 
 /// G'KG over the rows under pressure.
@@ -60,17 +84,13 @@ Settled settle_rigidly(const ContactQp& qp) {
     const double mean = s.stiffness.trace() / static_cast<double>(n);
     double held = first_held;
     for (int step = 0; step < max_newton_steps; ++step) {
-        const VectorXd residual = qp.modes.transpose() * s.multipliers + qp.mode_load;
+        const VectorXd residual = imbalance(qp, s.multipliers);
         s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
         if (s.balanced || mean == 0) break;
         const VectorXd direction =
             (pressed_stiffness(qp, s.multipliers) + held * mean * MatrixXd::Identity(n, n)).ldlt().solve(residual);
-        const double before = energy(qp, s.amplitudes), slope = residual.dot(direction);
-        double reach = 1;
-        while (reach > least_reach &&
-               energy(qp, s.amplitudes + reach * direction) > before - sufficient_descent * reach * slope)
-            reach *= 0.5;
-        if (reach <= least_reach) break;
+        const double reach = reach_of(qp, s, residual, direction);
+        if (reach == 0) break;
         held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
         s.amplitudes += reach * direction;
         s.multipliers = pressures(qp, s.amplitudes);

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "solver/blas.hpp"
+#include "solver/supernodal_form.hpp"
 
 namespace abut::solver {
 
@@ -241,10 +242,8 @@ VectorXd SignedFactor::solve(const VectorXd& b) const {
     return result;
 }
 
-MatrixXd SignedFactor::inverse_form(const MatrixXd& b) const {
-    MatrixXd y = permuted(b);
-    solve_lower(y);
-    return y.transpose() * sign_.asDiagonal() * y;
+MatrixXd SignedFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    return solver::inverse_form(structure_.supernodes(), values_.data(), sign_.data(), b);
 }
 
 }  // namespace abut::solver

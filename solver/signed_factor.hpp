@@ -4,6 +4,7 @@
 // Cholesky factor costs.
 #pragma once
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 #include <vector>
 
 #include "solver/supernodal_factor.hpp"
@@ -20,8 +21,7 @@ public:
     double smallest_pivot(int& row) const;        ///< square of the smallest diagonal entry of L
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    /// B' A^-1 B; the price of half a solution for each column, and of the product.
-    Eigen::MatrixXd inverse_form(const Eigen::MatrixXd& b) const;
+    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;  ///< B' A^-1 B, see supernodal_form.hpp
 
 private:
     Eigen::MatrixXd permuted(const Eigen::MatrixXd& b) const;

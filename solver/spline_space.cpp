@@ -2,8 +2,10 @@
 #include "solver/spline_space.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "solver/branches.hpp"
@@ -14,6 +16,24 @@ namespace {
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
+}
+
+using LocalFunctions = std::array<int, (max_degree + 1) * (max_degree + 1)>;
+
+/// tensor_functions() without memory of its own: how many.
+std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result) {
+    if (!space.branches.empty()) {
+        const auto own = space.branches.find(element);
+        if (own != space.branches.end()) {
+            std::copy(own->second.begin(), own->second.end(), result.begin());
+            return own->second.size();
+        }
+    }
+    const int c = space.x.first[at(space.column_of(element))], r = space.y.first[at(space.row_of(element))];
+    std::size_t n = 0;
+    for (int b = 0; b <= space.y.degree; ++b)
+        for (int a = 0; a <= space.x.degree; ++a) result[n++] = (r + b) * space.x.n_functions() + c + a;
+    return n;
 }
 
 double distance_squared(const SplineSpace& s, int element, const Vec2& p) {
@@ -77,10 +97,12 @@ enum class Role : std::uint8_t { absent, own, extended };
 
 std::vector<Role> roles(const SplineSpace& s) {
     std::vector<Role> role(at(s.n_tensor()) + s.tensor_of_extra.size(), Role::absent);
+    LocalFunctions local;
     for (std::size_t e = 0; e < s.fraction.size(); ++e) {
         if (s.fraction[e] <= 0) continue;
         const bool inner = s.fraction[e] >= inner_cell_fraction || s.basis != Basis::web;
-        for (int branch : tensor_functions(s, static_cast<int>(e)))
+        const std::size_t n = local_functions(s, static_cast<int>(e), local);
+        for (int branch : std::span<const int>(local.data(), n))
             if (role[at(branch)] != Role::own) role[at(branch)] = inner ? Role::own : Role::extended;
     }
     return role;
@@ -190,41 +212,44 @@ SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines,
 }
 
 std::vector<int> tensor_functions(const SplineSpace& space, int element) {
-    if (!space.branches.empty()) {
-        const auto own = space.branches.find(element);
-        if (own != space.branches.end()) return own->second;
-    }
-    const int c = space.x.first[at(space.column_of(element))], r = space.y.first[at(space.row_of(element))];
-    std::vector<int> result;
-    result.reserve(at((space.x.degree + 1) * (space.y.degree + 1)));
-    for (int b = 0; b <= space.y.degree; ++b)
-        for (int a = 0; a <= space.x.degree; ++a) result.push_back((r + b) * space.x.n_functions() + c + a);
-    return result;
+    LocalFunctions local;
+    const std::size_t n = local_functions(space, element, local);
+    return {local.begin(), local.begin() + static_cast<std::ptrdiff_t>(n)};
 }
 
-Extraction extraction(const SplineSpace& space, int element) {
-    const std::vector<int> tensors = tensor_functions(space, element);
-    Extraction e;
-    e.identity = true;
-    for (int t : tensors) {
-        const auto begin = static_cast<std::size_t>(space.first[static_cast<std::size_t>(t)]);
-        const auto end = static_cast<std::size_t>(space.first[static_cast<std::size_t>(t) + 1]);
-        e.identity = e.identity && end == begin + 1 && space.coefficient[begin] == 1;
-        e.functions.insert(e.functions.end(), space.function.begin() + static_cast<std::ptrdiff_t>(begin),
-                           space.function.begin() + static_cast<std::ptrdiff_t>(end));
+namespace {
+
+/// Whether branches are functions of the space themselves: then which.
+bool are_functions(const SplineSpace& space, std::span<const int> branches, std::vector<int>& functions) {
+    functions.resize(branches.size());
+    for (std::size_t k = 0; k < branches.size(); ++k) {
+        const auto row = at(space.first[at(branches[k])]);
+        if (at(space.first[at(branches[k]) + 1]) != row + 1 || space.coefficient[row] != 1) return false;
+        functions[k] = space.function[row];
     }
+    return true;
+}
+
+}  // namespace
+
+Extraction extraction(const SplineSpace& space, int element) {
+    LocalFunctions local;
+    const std::span<const int> branches(local.data(), local_functions(space, element, local));
+    Extraction e;
+    e.identity = are_functions(space, branches, e.functions);
     if (e.identity) return e;
+    e.functions.clear();
+    for (int branch : branches)
+        e.functions.insert(e.functions.end(), space.function.begin() + space.first[at(branch)],
+                           space.function.begin() + space.first[at(branch) + 1]);
     std::sort(e.functions.begin(), e.functions.end());
     e.functions.erase(std::unique(e.functions.begin(), e.functions.end()), e.functions.end());
-    e.matrix.setZero(static_cast<Eigen::Index>(tensors.size()), static_cast<Eigen::Index>(e.functions.size()));
-    for (std::size_t row = 0; row < tensors.size(); ++row) {
-        const auto t = static_cast<std::size_t>(tensors[row]);
-        for (int k = space.first[t]; k < space.first[t + 1]; ++k) {
-            const auto at =
-                std::lower_bound(e.functions.begin(), e.functions.end(), space.function[static_cast<std::size_t>(k)]);
-            e.matrix(static_cast<Eigen::Index>(row), at - e.functions.begin()) = space.coefficient[static_cast<std::size_t>(k)];
+    e.matrix.setZero(static_cast<Eigen::Index>(branches.size()), static_cast<Eigen::Index>(e.functions.size()));
+    for (std::size_t row = 0; row < branches.size(); ++row)
+        for (int k = space.first[at(branches[row])]; k < space.first[at(branches[row]) + 1]; ++k) {
+            const auto column = std::lower_bound(e.functions.begin(), e.functions.end(), space.function[at(k)]);
+            e.matrix(static_cast<Eigen::Index>(row), column - e.functions.begin()) = space.coefficient[at(k)];
         }
-    }
     return e;
 }
 

@@ -3,12 +3,11 @@
 
 #include <cholmod.h>
 
-#include <algorithm>
-#include <iterator>
 #include <limits>
 #include <new>
 
 #include "solver/blas.hpp"
+#include "solver/supernodal_form.hpp"
 
 /// Of the OpenMP library that CHOLMOD was linked with; null where it was built without.
 extern "C" void omp_set_max_active_levels(int levels) __attribute__((weak));
@@ -96,91 +95,12 @@ void for_supernodes(const cholmod_factor& l, F f) {
         f(Supernode{super[s], super[s + 1] - super[s], pi[s + 1] - pi[s], array<int>(l.s) + pi[s], array<double>(l.x) + px[s]});
 }
 
-/// The supernode of every position.
-std::vector<int> owners(const cholmod_factor& l) {
-    std::vector<int> owner(l.n);
-    const int* super = array<int>(l.super);
-    for (std::size_t s = 0; s < l.nsuper; ++s)
-        std::fill(owner.begin() + super[s], owner.begin() + super[s + 1], static_cast<int>(s));
-    return owner;
-}
-
-using Columns = std::vector<int>;  // of right-hand sides, ascending
-
-void add_columns(Columns& to, const Columns& more) {
-    Columns all;
-    std::set_union(to.begin(), to.end(), more.begin(), more.end(), std::back_inserter(all));
-    to = std::move(all);
-}
-
-/// What one supernode holds of the right-hand sides: those that reach it, and their rows there, (width x columns).
-struct Share {
-    Columns columns;
-    MatrixXd values;
-};
-
-/// The right-hand sides split among the supernodes, with room for all that will reach each of them.
-std::vector<Share> shares_of(const cholmod_factor& l, const std::vector<int>& owner, const Eigen::SparseMatrix<double>& b) {
-    std::vector<int> position(l.n);
-    for (std::size_t k = 0; k < l.n; ++k) position[static_cast<std::size_t>(array<int>(l.Perm)[k])] = static_cast<int>(k);
-    const auto position_of = [&](Index row) { return position[static_cast<std::size_t>(row)]; };
-    std::vector<Share> shares(l.nsuper);
-    const auto share_at = [&](int k) -> Share& { return shares[static_cast<std::size_t>(owner[static_cast<std::size_t>(k)])]; };
-    using Entry = Eigen::SparseMatrix<double>::InnerIterator;
-    for (int c = 0; c < b.cols(); ++c)
-        for (Entry e(b, c); e; ++e) {
-            Columns& list = share_at(position_of(e.row())).columns;
-            if (list.empty() || list.back() != c) list.push_back(c);
-        }
-    std::size_t at = 0;
-    for_supernodes(l, [&](const Supernode& s) {
-        Share& share = shares[at++];
-        share.values = MatrixXd::Zero(s.width, static_cast<Index>(share.columns.size()));
-        if (s.rows > s.width && !share.columns.empty()) add_columns(share_at(s.row[s.width]).columns, share.columns);
-    });
-    for (int c = 0; c < b.cols(); ++c)
-        for (Entry e(b, c); e; ++e) {
-            const int k = position_of(e.row());
-            Share& share = share_at(k);
-            const auto column = std::lower_bound(share.columns.begin(), share.columns.end(), c) - share.columns.begin();
-            const int begin = array<int>(l.super)[static_cast<std::size_t>(owner[static_cast<std::size_t>(k)])];
-            share.values(k - begin, column) += e.value();
-        }
-    return shares;
-}
-
-/// Where each of some columns stands among others that hold them all.
-std::vector<Index> places(const Columns& some, const Columns& all) {
-    std::vector<Index> result;
-    std::size_t k = 0;
-    for (int c : some) {
-        while (all[k] != c) ++k;
-        result.push_back(static_cast<Index>(k));
-    }
-    return result;
-}
-
-/// Forward solution of one supernode for the columns that reach it, passed on to the rows below.
-void eliminate(const cholmod_factor& l, const Supernode& s, const std::vector<int>& owner, Share& own,
-               std::vector<Share>& shares) {
-    const int n = static_cast<int>(own.columns.size()), under = s.rows - s.width;
-    const double one = 1, zero = 0;
-    dtrsm_("L", "L", "N", "N", &s.width, &n, &one, s.values, &s.rows, own.values.data(), &s.width);
-    if (under == 0) return;
-    MatrixXd below(under, n);
-    dgemm_("N", "N", &under, &n, &s.width, &one, s.values + s.width, &s.rows, own.values.data(), &s.width, &zero, below.data(),
-           &under);
-    for (int r = 0; r < under;) {
-        const auto target = static_cast<std::size_t>(owner[static_cast<std::size_t>(s.row[s.width + r])]);
-        const int begin = array<int>(l.super)[target], end = array<int>(l.super)[target + 1];
-        int last = r;
-        while (last < under && s.row[s.width + last] < end) ++last;
-        const std::vector<Index> at = places(own.columns, shares[target].columns);
-        for (int c = 0; c < n; ++c)
-            for (int k = r; k < last; ++k)
-                shares[target].values(s.row[s.width + k] - begin, at[static_cast<std::size_t>(c)]) -= below(k, c);
-        r = last;
-    }
+SupernodePattern pattern_of(const cholmod_factor& l) {
+    return {{array<int>(l.super), l.nsuper + 1},
+            {array<int>(l.pi), l.nsuper + 1},
+            {array<int>(l.px), l.nsuper + 1},
+            {array<int>(l.s), l.ssize},
+            {array<int>(l.Perm), l.n}};
 }
 
 MatrixXd solved(int system, cholmod_factor* l, cholmod_common& common, const MatrixXd& b) {
@@ -200,14 +120,17 @@ struct SupernodalStructure::Data {
     ~Data() { cholmod_free_factor(&factor, &common.settings); }
 };
 
-SupernodalStructure::SupernodalStructure(const SparseSymmetric& matrix, const MergedPattern& pattern) {
+SupernodalStructure::SupernodalStructure(const SparseSymmetric& matrix, const MergedPattern& pattern,
+                                         std::vector<int> separators) {
     auto data = std::make_shared<Data>();
     data_ = data;
     if (matrix.n == 0) return;
     cholmod_common* common = &data->common.settings;
     std::vector<int> node_order(static_cast<std::size_t>(pattern.n_nodes()));
     cholmod_sparse nodes = sparse_view(pattern.n_nodes(), pattern.first, pattern.row, nullptr);
-    if (cholmod_amd(&nodes, nullptr, 0, node_order.data(), common) == 0) throw std::bad_alloc();
+    const int ordered = separators.empty() ? cholmod_amd(&nodes, nullptr, 0, node_order.data(), common)
+                                           : cholmod_camd(&nodes, nullptr, 0, separators.data(), node_order.data(), common);
+    if (ordered == 0) throw std::bad_alloc();
     std::vector<int> order = expanded(pattern, node_order);
     cholmod_sparse a = sparse_view(matrix.n, matrix.first, matrix.row, nullptr);
     data->factor = allocated(cholmod_analyze_p(&a, order.data(), nullptr, 0, common));
@@ -219,12 +142,7 @@ double SupernodalStructure::entries() const {
 
 SupernodePattern SupernodalStructure::supernodes() const {
     if (data_->factor == nullptr) return {};
-    const cholmod_factor& l = *data_->factor;
-    return {{array<int>(l.super), l.nsuper + 1},
-            {array<int>(l.pi), l.nsuper + 1},
-            {array<int>(l.px), l.nsuper + 1},
-            {array<int>(l.s), l.ssize},
-            {array<int>(l.Perm), l.n}};
+    return pattern_of(*data_->factor);
 }
 
 struct SupernodalFactor::Data {
@@ -278,24 +196,7 @@ MatrixXd SupernodalFactor::solve_lower(const MatrixXd& b) const {
 }
 
 MatrixXd SupernodalFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
-    const cholmod_factor& l = *data_->factor;
-    const std::vector<int> owner = owners(l);
-    std::vector<Share> shares = shares_of(l, owner, b);
-    MatrixXd form = MatrixXd::Zero(b.cols(), b.cols());
-    std::size_t at = 0;
-    for_supernodes(l, [&](const Supernode& s) {
-        Share own = std::move(shares[at++]);
-        if (own.columns.empty()) return;
-        eliminate(l, s, owner, own, shares);
-        const int n = static_cast<int>(own.columns.size());
-        const double one = 1, zero = 0;
-        MatrixXd product(n, n);  // its lower half
-        dsyrk_("L", "T", &n, &s.width, &one, own.values.data(), &s.width, &zero, product.data(), &n);
-        for (std::size_t i = 0; i < own.columns.size(); ++i)
-            for (std::size_t j = i; j < own.columns.size(); ++j)
-                form(own.columns[j], own.columns[i]) += product(static_cast<Index>(j), static_cast<Index>(i));
-    });
-    return form.selfadjointView<Eigen::Lower>();
+    return solver::inverse_form(pattern_of(*data_->factor), array<double>(data_->factor->x), nullptr, b);
 }
 
 VectorXd SupernodalFactor::product(const VectorXd& x) const {

@@ -23,7 +23,9 @@ struct SupernodePattern {
 /// Order (minimum degree, of the merged pattern) and structure of the factor; immutable, copies share it.
 class SupernodalStructure {
 public:
-    SupernodalStructure(const SparseSymmetric& matrix, const MergedPattern& pattern);
+    /// separators: by node, as dissect() gives them: nodes come in the order of these numbers, those of one by minimum degree;
+    /// empty: none.
+    SupernodalStructure(const SparseSymmetric& matrix, const MergedPattern& pattern, std::vector<int> separators = {});
     double entries() const;  ///< stored ones of the factor
     SupernodePattern supernodes() const;
 
@@ -45,8 +47,7 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 P B
     Eigen::VectorXd product(const Eigen::VectorXd& x) const;      ///< A x
-    /// B' A^-1 B. Every supernode carries only the columns of B that reach it from below, and its share is added at once: for
-    /// the rows of a contact four to six times faster than by solve_lower.
+    /// B' A^-1 B, see supernodal_form.hpp: for the rows of a contact four to six times faster than by solve_lower.
     Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:

@@ -7,8 +7,8 @@ namespace abut {
 
 namespace {
 
-/// Away from the ends of contact errors fall faster than with the cell size: quadratic splines' pressures and stresses.
-constexpr double coarseness_exponent = 0.15;
+/// Of the target. Away from the ends of contact errors fall faster than with the cell size.
+constexpr double exponent_with_contact = 0.15, exponent_without = 0.37;
 
 }  // namespace
 
@@ -18,8 +18,8 @@ double target_of(const Accuracy& accuracy) {
     return accuracy.level == "fine" ? fine_target : standard_target;
 }
 
-double coarseness_of(const Accuracy& accuracy) {
-    return std::pow(target_of(accuracy) / standard_target, coarseness_exponent);
+double coarseness_of(const Accuracy& accuracy, bool has_contact) {
+    return std::pow(target_of(accuracy) / standard_target, has_contact ? exponent_with_contact : exponent_without);
 }
 
 }  // namespace abut

@@ -16,7 +16,8 @@ inline bool is_target(double error) {
 /// draft 5 %, standard 1 %, fine 0.2 %.
 double target_of(const Accuracy& accuracy);
 
-/// Factor on the sizes that the shape of the parts asks for: 1 at standard, 1.3 at draft, 0.8 at fine.
-double coarseness_of(const Accuracy& accuracy);
+/// Factor on the sizes that the shape of the parts asks for. 1 at standard; without contact 1.8 at draft, 0.55 at fine; with
+/// contact, whose grids are refined by what they show, 1.3 and 0.8 to begin with.
+double coarseness_of(const Accuracy& accuracy, bool has_contact);
 
 }  // namespace abut

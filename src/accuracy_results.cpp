@@ -63,13 +63,14 @@ void fill_errors(const Outcome& out, Result& result) {
     fill_target(out, result);
     const ErrorEstimate& error = out.errors.back();
     if (!error.energy) {
-        result.error_estimate.method = "none: one grid only";
+        result.error_estimate.method = "none: nothing is strained";
         return;
     }
     result.error_estimate.method =
         error.contact_pressure
-            ? "fit of the root at free ends of contact; elsewhere the change between the last two grids, continued"
-            : "changes between the last three grids, continued; stress: in the energy norm";
+            ? "fit of the root at free ends of contact; elsewhere a share of the change between the last two grids; energy, "
+              "stress: smoothed stresses"
+            : "smoothed stresses beside those of the displacement, in the energy norm";
     result.error_estimate.energy = error.energy;
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;
@@ -86,6 +87,8 @@ constexpr double passes_added = 2.5;
 constexpr double finer = 5;
 /// Bounds on the growth of unknowns per fall of the error, as an exponent.
 constexpr double least_growth = 0.1, most_growth = 1;
+/// With contact, where the passes do not show it; without, errors of stress fall like the cells' area: most_growth.
+constexpr double usual_growth = 0.5;
 
 NextLevel next_target(double target) {
     for (const char* level : {"draft", "standard", "fine"}) {
@@ -106,19 +109,21 @@ double stage_seconds_of(const Result& result, const std::string& stage) {
 
 void predict_next_level(Result& result) {
     const auto& passes = result.passes;
-    if (passes.size() < 2 || !result.accuracy.estimate) return;
+    if (passes.empty() || !(result.accuracy.estimate && *result.accuracy.estimate > 0)) return;
+    if (!result.accuracy.why.empty()) return;  // not even this level was reached
     // from the first pass with an estimate to the last
     const auto first =
         std::find_if(passes.begin(), passes.end(), [](const PassSummary& p) { return p.estimated_error.has_value(); });
-    const PassSummary &last = passes.back(), &before = passes[passes.size() - 2];
-    double growth = most_growth / 2;
+    const PassSummary& last = passes.back();
+    const double seconds_before = passes.size() > 1 ? passes[passes.size() - 2].seconds : 0.0;
+    double growth = result.error_estimate.contact_pressure ? usual_growth : most_growth;
     if (first != passes.end() && *first->estimated_error > *last.estimated_error && last.unknowns > first->unknowns)
         growth = std::log(static_cast<double>(last.unknowns) / first->unknowns) /
                  std::log(*first->estimated_error / *last.estimated_error);
     growth = std::clamp(growth, least_growth, most_growth);
     NextLevel next = next_target(result.accuracy.target);
     const double more = std::pow(std::max(1.0, *last.estimated_error / next.target), growth);
-    const double last_seconds = last.seconds - before.seconds;
+    const double last_seconds = last.seconds - seconds_before;
     next.seconds = last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) +
                    more * stage_seconds_of(result, "recovery") + stage_seconds_of(result, "import");
     result.next_level = next;

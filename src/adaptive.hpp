@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "solver/recovery.hpp"
 #include "src/analysis.hpp"
 #include "src/assembly_model.hpp"
 #include "src/error_estimate.hpp"
@@ -19,7 +20,8 @@ enum class PathEnd {
 
 struct Outcome {
     std::vector<Candidate> candidates;
-    SolvedAssembly solved;  ///< on the last grids
+    SolvedAssembly solved;                    ///< on the last grids
+    std::vector<solver::StressField> stress;  ///< smoothed, of its parts; none where it is not solved
     int factorizations = 0, iterations = 0;
     PathEnd end = PathEnd::no_need;
     double target = 0;                  ///< estimated relative error aimed at

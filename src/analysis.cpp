@@ -55,23 +55,22 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_equilibrium(scene, solved, result);
     fill_errors(out, result);
     const auto begin = std::chrono::steady_clock::now();
-    std::vector<solver::StressField> stress;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
-        stress.push_back(stress_field(solved.grids[k], solved.solution.displacement[k]));
+        const solver::StressField& stress = out.stress[k];
         const auto i = at(solved.grids[k].part);
-        if (!stress.back().failure.empty()) {
+        if (!stress.failure.empty()) {
             result.status = "failed";
             result.message =
-                "part " + scene.parts[i].name + ": " + stress.back().failure +
+                "part " + scene.parts[i].name + ": " + stress.failure +
                 "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
             return;
         }
-        PartFieldResult field = part_field(solved.grids[k], solved.solution.displacement[k], stress.back());
+        PartFieldResult field = part_field(solved.grids[k], solved.solution.displacement[k], stress);
         result.parts[i].max_displacement = field.max_displacement;
         result.parts[i].max_von_mises = field.max_von_mises;
         result.fields[i] = std::move(field.field);
     }
-    fill_probes(scene, solved, stress, result);
+    fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::set<std::string> neutral;
     for (const solver::PartMotion& m : solved.solution.neutral) neutral.insert(motion_text(scene, solved, m));
@@ -79,6 +78,15 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
         result.warnings.push_back("nothing holds a motion that no load drives (the answer of least motion is given): " + text);
     check_assumptions(scene, out, result);
     warn_of_self_contact(result);
+}
+
+/// "assembly" holds the factorisations, too.
+std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
+    return {{"geometry", seconds["geometry"]},
+            {"assembly", seconds["assembly"] - seconds["factorisation"]},
+            {"factorisation", seconds["factorisation"]},
+            {"contact", seconds["solve"]},
+            {"recovery", seconds["recovery"]}};
 }
 
 Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
@@ -128,6 +136,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
         result.timing.emplace_back(stage, seconds[stage]);
+    result.stages = fine_stages(seconds);
     predict_next_level(result);
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);

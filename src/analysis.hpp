@@ -9,7 +9,9 @@
 namespace abut {
 
 struct AnalyzeOptions {
-    std::function<void(const std::string&)> progress;  ///< told what is being done; may be empty
+    std::function<void(const std::string&)> progress{};  ///< told what is being done; may be empty
+    /// At most so many, for parts side by side; 0: one for each processor. The answer is the same for any number.
+    int threads = 0;
 };
 
 /// Scene to answer. Throws InputError for what only shows here (a selection that matches nothing, drawn overlaps, a grid that

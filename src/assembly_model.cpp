@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "solver/parallel_for.hpp"
 #include "src/load_vector.hpp"
 #include "src/part_grid.hpp"
 #include "src/solution_structure.hpp"
@@ -25,7 +26,8 @@ public:
     Timed(Stopwatches& seconds, std::string stage) : seconds_(seconds), stage_(std::move(stage)) {}
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;
-    ~Timed() { seconds_[stage_] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+    ~Timed() { seconds_[stage_] += seconds(); }
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
 
 private:
     Stopwatches& seconds_;
@@ -49,12 +51,17 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
     }
 }
 
-solver::PartSystem make_system(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g,
-                               double& load_scale) {
+struct LoadedSystem {
+    solver::PartSystem system;
+    double load_scale = 0;
+};
+LoadedSystem make_system(const Scene& scene, const ResolvedConditions& conditions, PartOnGrid& g) {
+    g.input.structure = make_structure(scene, conditions, g);
+    if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
     PartLoad load = load_vector(scene, conditions, g);
-    load_scale = std::max(load_scale, load.scale);
-    return solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
-                                    spring_sets(scene, conditions, g), load.weighted);
+    return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
+                                     spring_sets(scene, conditions, g), load.weighted),
+            load.scale};
 }
 
 /// With dirichlet "aligned" every support of edges has to be imposed that way.
@@ -78,18 +85,38 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
 }
 
 /// Solver's input, supports and loads of every part on its grid.
-void make_systems(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved) {
-    for (PartOnGrid& g : solved.grids) {
-        g.input.structure = make_structure(scene, conditions, g);
-        if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
-        solved.problem.parts.push_back(make_system(scene, conditions, g, solved.problem.load_scale));
+void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
+    std::vector<LoadedSystem> made(solved.grids.size());
+    solver::parallel_for(static_cast<int>(made.size()), threads,
+                         [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        PartOnGrid& g = solved.grids[i];
+        solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
+        solved.problem.parts.push_back(std::move(made[i].system));
         const solver::PartSystem& system = solved.problem.parts.back();
         g.input.dilatation = system.input.dilatation;
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
-        for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(solved.problem.parts.size()) - 1))
+        for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(i)))
             solved.problem.constraints.push_back(std::move(c));
     }
+}
+
+/// Wall time of the factorisations: where parts were made side by side, their share of what all of it took.
+double factorisation_seconds(const SolvedAssembly& solved, double wall) {
+    double all = 0, factorisation = 0;
+    for (const solver::PartSystem& system : solved.problem.parts) {
+        all += system.seconds.all;
+        factorisation += system.seconds.factorisation;
+    }
+    return all > wall ? factorisation * wall / all : factorisation;
+}
+
+void add_steps(const solver::SolveSeconds& steps, Stopwatches& seconds) {
+    seconds["rows"] += steps.rows;
+    seconds["condensation"] += steps.condensation;
+    seconds["contact iterations"] += steps.contact;
+    seconds["displacements"] += steps.displacements;
 }
 
 /// Index of the solver's new interface.
@@ -132,6 +159,16 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
     }
 }
 
+/// Tells the parts where their interfaces are.
+void note_contact_elements(SolvedAssembly& solved) {
+    for (const solver::Interface& face : solved.problem.interfaces)
+        for (std::size_t side = 0; side < 2; ++side) {
+            std::vector<int>& elements = solved.grids[at(face.part[side])].input.contact_elements;
+            for (const solver::InterfacePoint& p : face.points)
+                if (elements.empty() || elements.back() != p.element[side]) elements.push_back(p.element[side]);
+        }
+}
+
 /// Bonded edges hold wherever they face each other.
 std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
     const solver::Interface& face = solved.contacts[contact].face;
@@ -139,11 +176,22 @@ std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contac
     return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 
+/// Displacements, pressures and stretches of contact, on systems that are factorised.
+void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+    const Timed timed(seconds, "solve");
+    solved.solution = solve_assembly(solved.problem, threads);
+    add_steps(solved.solution.seconds, seconds);
+    solved.runs.assign(solved.contacts.size(), {});
+    if (!solved.solution.mechanism.empty()) return;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
+}
+
 }  // namespace
 
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
-                          Stopwatches& seconds) {
+                          Stopwatches& seconds, int threads) {
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
     {
@@ -159,17 +207,30 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
     if (!solved.failure.empty()) return solved;
     {
         const Timed timed(seconds, "assembly");
-        make_systems(scene, conditions, solved);
+        make_interfaces(scene, candidates, solved);
+        note_contact_elements(solved);
+        const double before = timed.seconds();
+        make_systems(scene, conditions, threads, solved);
+        seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
         if (!solved.failure.empty()) return solved;
+    }
+    solve_contacts(solved, seconds, threads);
+    return solved;
+}
+
+void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
+                          Stopwatches& seconds, int threads) {
+    {
+        const Timed timed(seconds, "assembly");
+        solved.contacts.clear();
+        solved.interface_of.clear();
+        solved.shear_of.clear();
+        solved.problem.interfaces.clear();
+        solved.problem.foundation.clear();
+        solved.problem.own_normals.clear();
         make_interfaces(scene, candidates, solved);
     }
-    const Timed timed(seconds, "solve");
-    solved.solution = solve_assembly(solved.problem);
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        solved.runs.emplace_back();
-        if (solved.interface_of[k] >= 0 && solved.solution.mechanism.empty()) solved.runs.back() = runs_of(solved, k);
-    }
-    return solved;
+    solve_contacts(solved, seconds, threads);
 }
 
 double largest_condition(const SolvedAssembly& solved) {

@@ -16,7 +16,8 @@
 
 namespace abut {
 
-/// Seconds by stage; stages of several passes add up.
+/// Seconds by stage; stages of several passes add up. "factorisation" is a part of "assembly";
+/// "rows", "condensation", "contact iterations" and "displacements" are parts of "solve".
 using Stopwatches = std::map<std::string, double>;
 
 /// A solved pass.
@@ -42,9 +43,15 @@ struct WantedSize {
 };
 using WantedSizes = std::vector<std::vector<WantedSize>>;
 
+/// threads: for parts side by side, see solver::usable_threads.
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
-                          Stopwatches& seconds);
+                          Stopwatches& seconds, int threads = 1);
+
+/// The same grids and factorisations with interfaces made anew, where the candidates expect other ends of contact. Costs the
+/// contact solution alone.
+void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
+                          Stopwatches& seconds, int threads);
 
 /// Largest condition number of the parts' scaled matrices; costs about ten solves each.
 double largest_condition(const SolvedAssembly& solved);

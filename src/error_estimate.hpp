@@ -2,9 +2,9 @@
 // Estimated errors of a solution.
 //
 // Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
-// the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks, forces and energies, the
-// error is the change from the solution before, continued as a geometric series by the ratio of the cell sizes. Corners at
-// which the pressure may have no limit are left out.
+// the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
+// fixed share of the change from the solution before. Corners at which the pressure may have no limit are left out. Energy and
+// stress: from the smoothed stresses of one solution (stress_error).
 #pragma once
 #include <optional>
 #include <span>
@@ -19,7 +19,7 @@ struct ContactError {
     double pressure = 0;          ///< L2 over the contact:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double peak = 0, force = 0;
-    double share = 1;  ///< of the strongest contact's pressure (L2)
+    double share = 1;        ///< of the strongest contact's pressure (L2)
     bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
 };
 
@@ -28,12 +28,12 @@ struct ErrorEstimate {
     std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
     std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
     std::optional<double> peak;                         ///< the same of largest pressures, but for those at corners
-    std::optional<double> energy;                       ///< strain energy
+    std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
 };
 
-/// Of the last pass. passes: those on the same candidates; before: the estimate of the last but one, which stands where a
-/// contact's cells stayed as they were.
+/// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands
+/// where a contact's cells stayed as they were.
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before);
 
 }  // namespace abut

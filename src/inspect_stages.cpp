@@ -54,7 +54,7 @@ Stages first_stages(const Scene& scene) {
     tolerant.contacts.overlap = "ignore";
     Stages stages;
     stages.candidates = find_candidates(tolerant, 1);
-    const double coarseness = coarseness_of(scene.accuracy);
+    const double coarseness = coarseness_of(scene.accuracy, !stages.candidates.empty());
     const WantedSizes wanted = first_sizes(scene, stages.candidates, coarseness);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         PartGrid chosen = grid_of_part(scene, static_cast<int>(i), wanted[i], coarseness, 1);

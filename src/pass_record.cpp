@@ -40,6 +40,17 @@ double place_in(const ContactRecord& before, double s1) {
     return interpolate(before.s1, before.s, s1);
 }
 
+double force_of(const ContactRecord& c) {
+    const auto& rule = geometry::gauss_rule(c.pressure.degree);
+    double force = 0;
+    for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
+        const double a = c.pressure.breakpoints[i], h = c.pressure.breakpoints[i + 1] - a;
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+            force += h * rule.weights[q] * solver::pressure_at(c.pressure, c.coefficients, a + h * rule.points[q]);
+    }
+    return force * c.thickness;
+}
+
 }  // namespace
 
 PassRecord record_of(const SolvedAssembly& solved, double seconds) {
@@ -61,6 +72,8 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
     PressureChange change;
     double ratios = 0, length = 0;
     if (now.s.empty() || before.s.empty()) return change;
+    change.force = force_of(now);
+    change.force_before = force_of(before);
     const auto& rule = geometry::gauss_rule(points_per_interval);
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
         const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
@@ -70,8 +83,6 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
             const double p = solver::pressure_at(now.pressure, now.coefficients, s);
             const double s0 = place_in(before, interpolate(now.s, now.s1, s));
             const double p0 = solver::pressure_at(before.pressure, before.coefficients, s0);
-            change.force += w * p * now.thickness;
-            change.force_before += w * p0 * now.thickness;
             change.peak = std::max(change.peak, p);
             change.peak_before = std::max(change.peak_before, p0);
             if (beside(RunEnd::Kind::corner, now.runs, s) || beside(RunEnd::Kind::corner, before.runs, s0)) continue;

@@ -175,6 +175,8 @@ struct Result {
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)
+    /// The same split finer, without reading and writing: geometry, assembly, factorisation, contact, recovery (seconds).
+    std::vector<std::pair<std::string, double>> stages;
     std::vector<Effect> effects;
     double strain_energy = 0;
     struct {

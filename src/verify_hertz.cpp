@@ -17,15 +17,28 @@ double half_width_of(const Answers& answers) {
     return half_width(contact_of(answers));
 }
 
+/// Of the pressure, in the mean square over the profile; of models cut at x = 0.
+double pressure_deviation(const ContactProfile& profile, const Hertz& exact) {
+    std::vector<double> pressure, hertz;
+    for (std::size_t i = 0; i + 1 < profile.x.size(); ++i) {
+        const double weight = std::sqrt(std::abs(profile.x[i + 1] - profile.x[i]));
+        pressure.push_back(weight * 0.5 * (profile.pressure[i] + profile.pressure[i + 1]));
+        hertz.push_back(weight * exact.pressure(0.5 * (profile.x[i] + profile.x[i + 1])));
+    }
+    return relative_error_norm(pressure, hertz);
+}
+
 /// Scenes that model half of the contact carry half of the load.
 VerifyProblem hertz_problem(const std::string& name, const std::string& about, VerifyRun run, const Hertz& exact,
                             double force_of_model, double peak_tolerance) {
-    return {name,
-            about,
-            {std::move(run)},
-            {{"largest pressure", peak, exact.p0, peak_tolerance},
-             {"half width", half_width_of, exact.a, one_cell},
-             {"contact force along y", vertical_force, force_of_model, statics}}};
+    return {
+        name,
+        about,
+        {std::move(run)},
+        {{"pressure, L2 error", [=](const Answers& a) { return pressure_deviation(contact_of(a).profile, exact); }, 0, {}, 1},
+         {"largest pressure", peak, exact.p0, peak_tolerance},
+         {"half width", half_width_of, exact.a, one_cell},
+         {"contact force along y", vertical_force, force_of_model, statics}}};
 }
 
 /// C1's table: E = 1e5, nu = 0.3, Q = 500; of the cylinders 1/E* = compliance / E'.

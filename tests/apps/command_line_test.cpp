@@ -20,7 +20,7 @@ TEST_F(CommandLine, TellsItsVersionAndHelp) {
 
     const Outcome help = abut({"--help"});
     EXPECT_EQ(help.status, 0);
-    expect_words(help.output, {"analyze", "contacts", "inspect", "--help", "--version"});
+    expect_words(help.output, {"analyze", "contacts", "inspect", "study", "--help", "--version"});
     EXPECT_TRUE(help.errors.empty());
 }
 
@@ -36,6 +36,7 @@ TEST_F(CommandLine, HelpOfACommandListsItsOptionsWhateverElseIsGiven) {
     expect_words(abut({"contacts", "-h"}).output,
                  {"FILE", "-o DIR", "--distance", "--expect", "--units", "--tolerance", "--parts-by"});
     expect_words(abut({"inspect", "-h"}).output, {"FILE", "-o DIR", "--json", "--units", "--tolerance", "--parts-by"});
+    expect_words(abut({"study", "-h"}).output, {"SCENE", "-o DIR", "--budget SECONDS", "--threads N", "--json", "--quiet"});
 }
 
 TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
@@ -47,7 +48,7 @@ TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
     expect_refused(run, 1);
     expect_words(joined(run.errors), {"'analyse'", "did you mean 'analyze'"});
 
-    for (const char* future : {"study", "batch", "merge"}) {
+    for (const char* future : {"batch", "merge"}) {
         run = abut({future, "a.json"});
         expect_refused(run, 1);
         expect_words(joined(run.errors), {future, "not supported yet", "analyze"});
@@ -73,7 +74,8 @@ TEST_F(CommandLine, RefusesWrongValuesOfOptions) {
     write("scene.json", SceneText{}.text());
     expect_words(joined(abut({"analyze", "scene.json", "--accuracy", "rough"}).errors),
                  {"--accuracy", "'rough'", "draft, standard, fine"});
-    expect_refused(abut({"analyze", "scene.json", "--accuracy", "0"}), 1);
+    for (const char* error : {"0", "-0.01", "1e-6", "0.6", "1%", "0.01x", "nan"})
+        expect_words(joined(abut({"analyze", "scene.json", "--accuracy", error}).errors), {"--accuracy", "1e-05", "0.5"});
     expect_refused(abut({"contacts", "scene.json", "--distance", "-1"}), 1);
     expect_refused(abut({"contacts", "scene.json", "--distance", "1mm"}), 1);
     expect_refused(abut({"contacts", "scene.json", "--units", "mm"}), 1);
@@ -124,6 +126,15 @@ TEST_F(CommandLine, QuietPrintsNothingAndJsonTheResult) {
 
     const Outcome json = abut({"analyze", "scene.json", "--json"});
     EXPECT_EQ(json.output, read(folder_ / "out/result.json"));
+}
+
+TEST_F(CommandLine, AccuracyIsALevelOrAnError) {
+    write("scene.json", SceneText{}.text());
+    for (const auto& [accuracy, target] : {std::pair{"draft", "0.05"}, {"0.003", "0.003"}}) {
+        const Outcome run = abut({"analyze", "scene.json", "--accuracy", accuracy});
+        EXPECT_EQ(run.status, 0) << joined(run.errors);
+        expect_words(read(folder_ / "out/result.json"), {"\"accuracy\"", std::string("\"target\": ") + target, "\"passes\""});
+    }
 }
 
 TEST_F(CommandLine, PlanComputesAndWritesNothing) {

@@ -5,70 +5,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include "geometry/cut_cells.hpp"
 #include "geometry/elements.hpp"
-#include "geometry/elliptic_arc.hpp"
 #include "geometry/monotone.hpp"
-#include "geometry/spline_shape.hpp"
+#include "tests/benchmarks/wheel.hpp"
 
 namespace abut::benchmarks {
 namespace {
 
 using namespace geometry;
-constexpr double two_pi = 2 * std::numbers::pi;
-
-enum Kind : std::int64_t { lines, arcs, ellipses, cubics };
-
-/// Flat enough for neighbours not to cross.
-Curve edge_between(Kind kind, const Vec2& p, const Vec2& q) {
-    constexpr double half = 0.75;  // of an arc's angle
-    const Vec2 d = q - p, middle = 0.5 * (p + q);
-    const Vec2 along = -0.5 / std::sin(half) * d, outward = 0.3 * right_of(d);
-    if (kind == arcs) {
-        const Vec2 center = middle + 0.5 / std::tan(half) * left_of(d);
-        return Arc{center, along.norm(), std::atan2((p - center).y(), (p - center).x()), 2 * half};
-    }
-    if (kind == ellipses) return EllipticArc{middle - std::cos(half) * outward, along, outward, two_pi / 4 - half, 2 * half};
-    if (kind == cubics) return bezier_curve({p, p + 0.3 * d + outward, q - 0.4 * d + outward, q}, {});
-    return Segment{p, q};
-}
-
-/// A wheel of radius 1 with waves, of n edges.
-Part wheel(Kind kind, int n) {
-    Part part;
-    part.loops.resize(1);
-    const auto corner = [&](int i) {
-        const double angle = two_pi * i / n + 0.1, radius = 1 + 0.05 * std::sin(7 * angle);
-        return Vec2(radius * std::cos(angle), radius * std::sin(angle));
-    };
-    for (int i = 0; i < n; ++i) {
-        part.loops[0].edges.push_back(i);
-        part.edges.push_back({edge_between(kind, corner(i), corner((i + 1) % n)), "", ""});
-    }
-    return part;
-}
-
-/// n x n cells, not uniform, with the part's box and a little more.
-Grid grid_around(const Part& part, int n) {
-    const Box2 box = bounding_box(part);
-    Grid grid;
-    for (int axis : {0, 1}) {
-        std::vector<double>& coordinates = axis == 0 ? grid.x : grid.y;
-        for (int k = 0; k <= n; ++k) {
-            const double s = static_cast<double>(k) / n, bent = s + 0.02 * std::sin(two_pi * s);
-            coordinates.push_back(box.min[axis] - 0.01 + bent * (box.size()[axis] + 0.02));
-        }
-    }
-    return grid;
-}
-
 /// Arguments: kind of edges, cells each way, edges.
 void CutCellsOfManyEdges(benchmark::State& state) {
-    const Part part = wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(2)));
+    const Part part = wheel(static_cast<EdgeKind>(state.range(0)), static_cast<int>(state.range(2)));
     const Grid grid = grid_around(part, static_cast<int>(state.range(1)));
     CutCells cells;
     for (auto _ : state) cells = cut_cells(part, grid);
@@ -93,7 +44,7 @@ void find_elements_of(benchmark::State& state, const Part& part, std::int64_t n)
 
 /// Arguments: kind of edges, cells each way, edges.
 void ElementsOfManyEdges(benchmark::State& state) {
-    find_elements_of(state, wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(2))), state.range(1));
+    find_elements_of(state, wheel(static_cast<EdgeKind>(state.range(0)), static_cast<int>(state.range(2))), state.range(1));
 }
 BENCHMARK(ElementsOfManyEdges)
     ->ArgNames({"kind", "n", "edges"})
@@ -143,7 +94,7 @@ std::vector<Vec2> points_around(const Part& part, int n) {
 
 /// Arguments: kind of edges, edges. A hundred thousand points in one part.
 void PointsInPart(benchmark::State& state) {
-    const Part part = wheel(static_cast<Kind>(state.range(0)), static_cast<int>(state.range(1)));
+    const Part part = wheel(static_cast<EdgeKind>(state.range(0)), static_cast<int>(state.range(1)));
     const std::vector<Vec2> points = points_around(part, 100000);
     std::ptrdiff_t n_inside = 0;
     for (auto _ : state) {

@@ -98,6 +98,23 @@ void expect_periodic(int cells, bool uniform, int degree) {
     EXPECT_LT(seam_error(k), 1e-11);
 }
 
+/// Largest jump of derivatives of the functions at a breakpoint, of those two intervals that meet there.
+double slope_jump(const KnotVector& k, int interval) {
+    const double x = k.breakpoints[static_cast<std::size_t>(interval)];
+    std::vector<double> jump(static_cast<std::size_t>(k.n_functions()));
+    const auto add = [&](int i, double sign) {
+        LocalValues v, g;
+        evaluate(k, i, x, v, g);
+        for (int a = 0; a <= k.degree; ++a)
+            jump[static_cast<std::size_t>(k.first[static_cast<std::size_t>(i)] + a)] += sign * at(g, a);
+    };
+    add(interval, 1);
+    add(interval - 1, -1);
+    double worst = 0;
+    for (double j : jump) worst = std::max(worst, std::abs(j));
+    return worst;
+}
+
 }  // namespace
 
 TEST(BSpline, PeriodicKnotsHaveNoSeam) {
@@ -111,6 +128,39 @@ TEST(BSpline, PeriodicKnotsHaveNoSeam) {
 TEST(BSpline, PeriodicKnotsMayBeFewerThanTheDegree) {
     for (int degree = 1; degree <= 4; ++degree)
         for (int cells = 1; cells <= degree; ++cells) expect_periodic(cells, false, degree);
+}
+
+TEST(BSpline, PeriodicKnotsOfHigherMultiplicity) {
+    for (int degree = 2; degree <= 4; ++degree)
+        for (int doubled = 0; doubled < 7; ++doubled) {
+            SCOPED_TRACE("degree " + std::to_string(degree) + ", breakpoint " + std::to_string(doubled));
+            std::vector<int> multiplicity(8, 1);
+            multiplicity[static_cast<std::size_t>(doubled)] = degree;  // no more than continuous
+            const KnotVector k = periodic_knots(test::grid_lines(-0.7, 1.6, 7, false), degree, multiplicity);
+            const auto n = static_cast<std::size_t>(7 + degree - 1);  // functions of a period
+            ASSERT_EQ(k.knots.size(), n + 1 + 2 * static_cast<std::size_t>(degree));
+            for (std::size_t i = 0; i + n < k.knots.size(); ++i) EXPECT_NEAR(k.knots[i + n] - k.knots[i], 2.3, 1e-14);
+            for (int i = 0; i < 7; ++i)
+                for (double x : points_of(k, i)) {
+                    LocalValues v;
+                    evaluate(k, i, x, v);
+                    EXPECT_NEAR(std::accumulate(v.begin(), v.begin() + degree + 1, 0.0), 1, 1e-13);
+                }
+            for (int i = 1; i < 7; ++i) {
+                if (i == doubled) {
+                    EXPECT_GT(slope_jump(k, i), 0.1) << i;
+                } else {
+                    EXPECT_LT(slope_jump(k, i), 1e-11) << i;
+                }
+            }
+        }
+}
+
+TEST(BSpline, SimplePeriodicKnotsAreThoseOfMultiplicityOne) {
+    const std::vector<double> lines = test::grid_lines(-0.7, 1.6, 5, false);
+    const KnotVector simple = periodic_knots(lines, 2), ones = periodic_knots(lines, 2, std::vector<int>(6, 1));
+    EXPECT_EQ(simple.knots, ones.knots);
+    EXPECT_EQ(simple.first, ones.first);
 }
 
 TEST(BSpline, KnotsAreClampedAndCounted) {

@@ -401,6 +401,8 @@ TEST(ReadScene, accuracy) {
     EXPECT_EQ(grid.offset, Vec2(0.1, 0));
     EXPECT_NEAR(grid.angle, pi / 4, 1e-15);
     EXPECT_EQ(grid.degree, (std::array<int, 2>{2, 3}));
+    EXPECT_FALSE(accuracy.target);
+    EXPECT_EQ(with_members(R"("accuracy": {"target": 0.003})").accuracy.target, 0.003);
     const Accuracy knots =
         with_members(R"("accuracy": {"level": "fine", "grids": {"p": {"x": [0, 0.5, 1], "y": [0, 1]}}})").accuracy;
     EXPECT_EQ(knots.level, "fine");
@@ -452,7 +454,8 @@ TEST(ReadScene, assembly_faults) {
         fault(R"(, "material": "m", "parts": {"pin": {"name": "base"}})").find("there are two parts with the name 'base'"),
         std::string::npos);
     EXPECT_NE(fault(R"(, "material": "m", "parts": {"pin": "ignored"})").find("expected one of \"ignore\""), std::string::npos);
-    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "component")").find("'component' is not supported yet"), std::string::npos);
+    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "component")").find("'component' is not supported yet"),
+              std::string::npos);
 }
 
 TEST(ReadScene, imports_are_converted_where_both_units_are_stated) {

@@ -133,11 +133,13 @@ TEST(Invariance, UnitsAndPlaceDoNotMatter) {
 
 TEST(Invariance, TheSameSceneGivesTheSameAnswer) {
     Result a = test::answer_file("data/scenes/pin_bracket.json"), b = test::answer_file("data/scenes/pin_bracket.json");
-    a.timing.clear();
-    b.timing.clear();
-    for (Effect& e : a.effects) e.seconds = 0;
-    for (Effect& e : b.effects) e.seconds = 0;
-    EXPECT_EQ(result_json(a), result_json(b));
+    for (Result* r : {&a, &b}) {
+        r->timing.clear();
+        r->next_level.reset();
+        for (Effect& e : r->effects) e.seconds = 0;
+        for (PassSummary& p : r->passes) p.seconds = 0;
+    }
+    EXPECT_TRUE(result_json(a) == result_json(b));
 }
 
 TEST(PinBracket, CarriesItsLoad) {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/length_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/general_curve.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// The halves of [t0, t1] on which the rule agrees with that of their halves.
+void append_pieces(const Curve& curve, double t0, double t1, double whole, double total, int halvings, LengthTable& table) {
+    const double middle = 0.5 * (t0 + t1);
+    const double a = length_by_gauss(curve, t0, middle), b = length_by_gauss(curve, middle, t1);
+    if (halvings > 0 && !lengths_agree(a + b, whole, total)) {
+        append_pieces(curve, t0, middle, a, total, halvings - 1, table);
+        append_pieces(curve, middle, t1, b, total, halvings - 1, table);
+        return;
+    }
+    table.t.insert(table.t.end(), {middle, t1});
+    table.s.insert(table.s.end(), {table.s.back() + a, table.s.back() + a + b});
+}
+
+}  // namespace
+
+LengthTable length_table(const Curve& curve) {
+    std::vector<double> cuts{0};
+    for (const double t : smoothness_breaks(curve))
+        if (t > 0 && t < 1) cuts.push_back(t);
+    cuts.push_back(1);
+    const double total = length(curve);
+    LengthTable table{{0}, {0}};
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+        append_pieces(curve, cuts[i], cuts[i + 1], length_by_gauss(curve, cuts[i], cuts[i + 1]), total, most_length_halvings,
+                      table);
+    return table;
+}
+
+double parameter_at_length(const Curve& curve, const LengthTable& table, double s) {
+    if (!(s > 0)) return 0;
+    if (s >= table.s.back()) return 1;
+    const auto after = std::upper_bound(table.s.begin(), table.s.end(), s) - table.s.begin();
+    const auto k = static_cast<std::size_t>(after) - 1;
+    const double t0 = table.t[k], s0 = table.s[k];
+    double lo = t0, hi = table.t[k + 1], t = lo + (s - s0) / (table.s[k + 1] - s0) * (hi - lo);
+    for (;;) {
+        const double reached = s0 + length_by_gauss(curve, t0, t);
+        if (reached == s) return t;
+        (reached < s ? lo : hi) = t;
+        const double newton = t + (s - reached) / general_values(curve, t)[1].norm();
+        const double next = lo < newton && newton < hi ? newton : 0.5 * (lo + hi);
+        if (std::abs(next - t) <= epsilon || !(lo < next && next < hi)) return next;
+        t = next;
+    }
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/closed_factor.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solver/blas.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+void solve_triangle(const MatrixXd& l, int n, const char* transposed, MatrixXd& x) {
+    const int columns = static_cast<int>(x.cols()), ldl = static_cast<int>(l.rows());
+    const double one = 1;
+    if (n > 0 && columns > 0) dtrsm_("L", "L", transposed, "N", &n, &columns, &one, l.data(), &ldl, x.data(), &n);
+}
+
+}  // namespace
+
+ClosedFactor::ClosedFactor(const MatrixXd& compliance, const Eigen::VectorXd& pressure)
+    : compliance_(compliance), preferred_(at(compliance.rows())), l_(compliance.rows(), compliance.rows()) {
+    std::iota(preferred_.begin(), preferred_.end(), Index{0});
+    std::stable_sort(preferred_.begin(), preferred_.end(), [&](Index a, Index b) { return pressure[a] > pressure[b]; });
+}
+
+bool ClosedFactor::move_to(const std::vector<char>& closed) {
+    const auto left = std::find_if(rows_.begin(), rows_.end(), [&](Index row) { return !closed[at(row)]; });
+    rows_.erase(left, rows_.end());
+    std::vector<char> kept(closed.size(), 0);
+    for (Index row : rows_) kept[at(row)] = 1;
+    std::vector<Index> more;
+    for (Index row : preferred_)
+        if (closed[at(row)] && !kept[at(row)]) more.push_back(row);
+    return more.empty() || append(more);
+}
+
+/// [C11 C21'; C21 C22]: L21 = C21 L11'^-1, L22 L22' = C22 - L21 L21'.
+bool ClosedFactor::append(const std::vector<Index>& more) {
+    const int n = static_cast<int>(rows_.size()), k = static_cast<int>(more.size()), ld = static_cast<int>(l_.rows());
+    double *below = l_.data() + n, *corner = below + static_cast<Index>(n) * ld;
+    for (int i = 0; i < k; ++i) {
+        for (int j = 0; j < n; ++j) l_(n + i, j) = compliance_(more[at(i)], rows_[at(j)]);
+        for (int j = 0; j <= i; ++j) l_(n + i, n + j) = compliance_(more[at(i)], more[at(j)]);
+    }
+    const double one = 1, minus = -1;
+    if (n > 0) {
+        dtrsm_("R", "L", "T", "N", &k, &n, &one, l_.data(), &ld, below, &ld);
+        dsyrk_("L", "N", &k, &n, &minus, below, &ld, &one, corner, &ld);
+    }
+    int info = 0;
+    dpotrf_("L", &k, corner, &ld, &info);
+    if (info != 0) return false;
+    rows_.insert(rows_.end(), more.begin(), more.end());
+    return true;
+}
+
+void ClosedFactor::solve_lower(MatrixXd& x) const {
+    solve_triangle(l_, static_cast<int>(rows_.size()), "N", x);
+}
+
+void ClosedFactor::solve_transposed(MatrixXd& x) const {
+    solve_triangle(l_, static_cast<int>(rows_.size()), "T", x);
+}
+
+}  // namespace abut::solver

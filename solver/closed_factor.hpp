@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cholesky factor of the compliance among the closed rows, kept from one active set to the next.
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+namespace abut::solver {
+
+/// P C_cc P' = L L' for the closed rows c. A new set keeps the factor up to the first row that has left, and continues it with
+/// the others. Rows are taken in the order of falling pressure of the start, so that those likely to leave come last.
+class ClosedFactor {
+public:
+    /// The compliance (m x m) is looked at, not copied; pressure: by row, of the start.
+    ClosedFactor(const Eigen::MatrixXd& compliance, const Eigen::VectorXd& pressure);
+
+    /// False: C is singular on the set. Cost: a^3 / 3 of a first set of a rows, a^2 for each row that comes last.
+    bool move_to(const std::vector<char>& closed);
+
+    /// The closed rows in the factor's order.
+    const std::vector<Eigen::Index>& rows() const { return rows_; }
+    /// x = L^-1 x, x = L'^-1 x; rows as in rows().
+    void solve_lower(Eigen::MatrixXd& x) const;
+    void solve_transposed(Eigen::MatrixXd& x) const;
+
+private:
+    bool append(const std::vector<Eigen::Index>& more);
+
+    const Eigen::MatrixXd& compliance_;
+    std::vector<Eigen::Index> preferred_;  ///< all rows
+    std::vector<Eigen::Index> rows_;
+    Eigen::MatrixXd l_;  ///< (m x m) of which the leading rows().size() are used, the lower triangle
+};
+
+}  // namespace abut::solver
