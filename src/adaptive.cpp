@@ -88,9 +88,17 @@ void first_goals(const SolvedAssembly& solved, NextGrids& next) {
     }
 }
 
-bool at_goal(const NextGrids& next) {
+/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure?
+bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
+    if (k >= error.contacts.size() || !error.contacts[k]) return false;
+    const ContactError& c = *error.contacts[k];
+    return c.share * std::max(c.pressure, c.at_corner ? 0.0 : c.peak) <= aim * target;
+}
+
+/// Do the contacts that are not good yet have the cells that they aimed at?
+bool at_goal(const ErrorEstimate& error, const NextGrids& next) {
     for (std::size_t k = 0; k < next.goal.size(); ++k)
-        if (next.resolution[k].end_fraction > next.goal[k]) return false;
+        if (!is_good(error, k, next.target) && next.resolution[k].end_fraction > next.goal[k]) return false;
     return next.coarsening <= next.coarseness;
 }
 
@@ -105,15 +113,8 @@ void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
     if (inside) next.coarseness *= std::cbrt(missed);
 }
 
-/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure?
-bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
-    if (k >= error.contacts.size() || !error.contacts[k]) return false;
-    const ContactError& c = *error.contacts[k];
-    return c.share * std::max(c.pressure, c.at_corner ? 0.0 : c.peak) <= aim * target;
-}
-
 void refine(const ErrorEstimate& error, NextGrids& next) {
-    if (at_goal(next) && error.contact_pressure) shrink_goals(error, next);
+    if (at_goal(error, next) && error.contact_pressure) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (is_good(error, k, next.target)) continue;
         const double known = error.contacts.size() > k && error.contacts[k] ? end_known * error.contacts[k]->ends : 0.0;
