@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The runs of a study as CSV and as JSON.
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/csv_field.hpp"
 #include "src/study_prices.hpp"
 
 namespace abut {
@@ -12,19 +11,6 @@ namespace abut {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string exact(double value) {
-    if (!std::isfinite(value)) return "";
-    std::array<char, 32> buffer{};
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
-std::string quoted(const std::string& field) {
-    if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
-    std::string text = "\"";
-    for (char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return text + "\"";
-}
 
 std::string kind_text(StudySetting::Kind kind) {
     if (kind == StudySetting::Kind::level) return "level";
@@ -38,15 +24,15 @@ std::string status_text(StudyRun::Status status) {
 
 std::string csv_line(const StudyRun& r) {
     const StudySetting& s = r.setting;
-    std::string line = kind_text(s.kind) + "," + quoted(s.level) + "," + std::to_string(s.degree) + "," + s.basis + "," +
-                       exact(s.size) + "," + status_text(r.status) + "," + std::to_string(r.repeats) + "," +
+    std::string line = kind_text(s.kind) + "," + csv_field(s.level) + "," + std::to_string(s.degree) + "," + s.basis + "," +
+                       csv_field(s.size) + "," + status_text(r.status) + "," + std::to_string(r.repeats) + "," +
                        std::to_string(r.unknowns) + "," + std::to_string(r.multipliers);
     for (int n : r.cells) line += "," + std::to_string(n);
-    line += "," + exact(r.solver_seconds) + "," + exact(r.seconds) + "," + exact(r.cpu_seconds);
-    for (double seconds : r.stage) line += "," + exact(seconds);
-    line += "," + exact(r.peak_bytes) + "," + (r.estimated_error ? exact(*r.estimated_error) : "");
-    for (double error : r.error) line += "," + exact(error);
-    return line + "," + quoted(r.message) + "\n";
+    line += "," + csv_field(r.solver_seconds) + "," + csv_field(r.seconds) + "," + csv_field(r.cpu_seconds);
+    for (double seconds : r.stage) line += "," + csv_field(seconds);
+    line += "," + csv_field(r.peak_bytes) + "," + (r.estimated_error ? csv_field(*r.estimated_error) : "");
+    for (double error : r.error) line += "," + csv_field(error);
+    return line + "," + csv_field(r.message) + "\n";
 }
 
 Json number(double value) {
@@ -120,7 +106,7 @@ std::string study_csv(const Study& study) {
         "seconds,cpu_seconds";
     for (const char* stage : study_stages) text += "," + std::string(stage);
     text += ",peak_bytes,estimated_error";
-    for (const StudyMeasure& m : study.measures) text += "," + quoted("error of " + m.what);
+    for (const StudyMeasure& m : study.measures) text += "," + csv_field("error of " + m.what);
     text += ",message\n";
     for (const StudyRun& run : study.runs) text += csv_line(run);
     return text;
