@@ -9,6 +9,7 @@
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
 #include "src/next_candidates.hpp"
+#include "src/next_grids.hpp"
 #include "src/plan.hpp"
 #include "src/stress_error.hpp"
 
@@ -20,25 +21,10 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
 constexpr int max_passes = 7;  // on the same candidates
 
-/// Cells at the free ends of a contact that was just found, of its length. From one grid to the next they become finer by a
-/// factor between these two: as fine as the end is known, which is about this times the end's relative error. None is finer
-/// than the last.
-constexpr double first_end_fraction = 1.0 / 8, least_refinement = 4, end_refinement = 8, end_known = 0.6;
-constexpr double least_end_fraction = 1e-4;
 /// On the same grids, until the ends are where they were expected.
 constexpr int max_knot_moves = 3;
 /// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
 constexpr double affordable_unknowns = 30000, affordable_growth = 12;
-/// Cells along the contact, and at its corners of its length, likewise.
-constexpr double first_cells = 8, cell_refinement = 1.3, first_corner_fraction = 1.0 / 30, corner_refinement = 2;
-/// Relative L2 error of a pressure with one free end, cells h there, over a length L, is about this times h / L (Hertz'
-/// problem, with the pressure's double knot where the end was expected to within half a cell: 0.12 to 0.25).
-constexpr double end_error = 0.2;
-/// Where the estimate missed its target the next cells aim at less, within these factors.
-constexpr double aim = 0.7, least_shrink = 0.25;
-/// Of the sizes that the shape asks for: first and second grids only locate the contacts, and show what the shape's cells do.
-constexpr double first_coarsening = 2, coarsening_step = 1.4, least_step = 1.2;
-
 /// Are all grids given, so that there is nothing to adapt?
 bool grids_are_fixed(const Scene& scene) {
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
@@ -51,80 +37,8 @@ std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& ca
     return pairs;
 }
 
-/// Cells that the next grids are to have.
-struct NextGrids {
-    double target;
-    double coarseness;                          ///< of the shape's cells, at the target
-    double coarsening;                          ///< of these, on the next grids
-    std::vector<double> goal;                   ///< by contact: fraction of its length that reaches the target at its ends
-    std::vector<ContactResolution> resolution;  ///< by contact, on the next grids
-
-    double next_coarseness() const { return std::max(coarseness, coarsening); }
-    /// The last step is no smaller than the others, or there would be nothing to see in it.
-    void coarsen_less() {
-        coarsening /= coarsening_step;
-        if (coarsening < least_step * coarseness) coarsening = coarseness;
-    }
-};
-
 bool is_solved(const SolvedAssembly& s) {
     return s.failure.empty() && s.solution.mechanism.empty();
-}
-
-int free_ends(const std::vector<ContactRun>& runs) {
-    int n = 0;
-    for (const ContactRun& run : runs) n += (run.from_start ? 0 : 1) + (run.to_end ? 0 : 1);
-    return std::max(1, n);
-}
-
-void first_goals(const SolvedAssembly& solved, NextGrids& next) {
-    next.goal.clear();
-    next.resolution.clear();
-    for (const auto& runs : solved.runs) {
-        const double per_run =
-            static_cast<double>(free_ends(runs)) / static_cast<double>(std::max<std::size_t>(1, runs.size()));
-        next.goal.push_back(std::clamp(next.target / (end_error * per_run), least_end_fraction, first_end_fraction));
-        next.resolution.push_back({first_cells, std::max(next.goal.back(), first_end_fraction), first_corner_fraction});
-    }
-}
-
-/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure?
-bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
-    if (k >= error.contacts.size() || !error.contacts[k]) return false;
-    const ContactError& c = *error.contacts[k];
-    return c.share * std::max(c.pressure, c.at_corner ? 0.0 : c.peak) <= aim * target;
-}
-
-/// Do the contacts that are not good yet have the cells that they aimed at?
-bool at_goal(const ErrorEstimate& error, const NextGrids& next) {
-    for (std::size_t k = 0; k < next.goal.size(); ++k)
-        if (!is_good(error, k, next.target) && next.resolution[k].end_fraction > next.goal[k]) return false;
-    return next.coarsening <= next.coarseness;
-}
-
-/// Contacts whose error counts get smaller goals; the shape's cells follow slowly.
-void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
-    const double missed = std::clamp(aim * next.target / *error.contact_pressure, least_shrink, aim);
-    for (std::size_t k = 0; k < next.goal.size(); ++k)
-        if (error.contacts[k] && error.contacts[k]->ends > 0.5 * next.target)
-            next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
-    bool inside = false;
-    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target && c->inside > c->ends);
-    if (inside) next.coarseness *= std::cbrt(missed);
-}
-
-void refine(const ErrorEstimate& error, NextGrids& next) {
-    if (at_goal(error, next) && error.contact_pressure) shrink_goals(error, next);
-    for (std::size_t k = 0; k < next.goal.size(); ++k) {
-        if (is_good(error, k, next.target)) continue;
-        const double known = error.contacts.size() > k && error.contacts[k] ? end_known * error.contacts[k]->ends : 0.0;
-        next.resolution[k].cells *= cell_refinement;
-        next.resolution[k].corner_fraction /= corner_refinement;
-        const double last = next.resolution[k].end_fraction;
-        next.resolution[k].end_fraction =
-            std::max({next.goal[k], last / end_refinement, std::min(known, last / least_refinement)});
-    }
-    next.coarsen_less();
 }
 
 class Path {
@@ -136,7 +50,7 @@ public:
           seconds_(seconds),
           threads_(solver::usable_threads(options.threads)) {
         out_.target = target_of(scene.accuracy);
-        next_ = {out_.target, 1, 1, {}, {}};
+        next_ = {out_.target, 1, 1};
     }
 
     Outcome walk() {
@@ -202,7 +116,7 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
-            first_goals(now, next_);
+            set_first_goals(now, next_);
             wanted_ = sizes_from(scene_, now, next_.resolution);
         }
     }
@@ -231,12 +145,10 @@ private:
         return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back());
     }
 
-    bool on_final_cells() const { return next_.coarsening <= next_.coarseness; }
-
     /// Without contact: finer grids only for a target of its own.
     bool step_without_contact(SolvedAssembly&& now) {
         recover_stress(now);
-        if (on_final_cells()) {
+        if (next_.on_final_cells()) {
             const ErrorEstimate& error = out_.errors.back();
             if (!scene_.accuracy.target || !error.stress) return end(std::move(now), PathEnd::no_need);
             if (*error.stress <= out_.target) return end(std::move(now), PathEnd::reached);
@@ -244,7 +156,7 @@ private:
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
             next_.coarseness /= coarsening_step;
         }
-        next_.coarsen_less();
+        coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
         return false;
     }
@@ -264,7 +176,7 @@ private:
         const bool stuck = !is_solved(now);
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
-        if (!now.failure.empty() && !on_final_cells()) {  // a wall too thin for the first cells
+        if (!now.failure.empty() && !next_.on_final_cells()) {  // a wall too thin for the first cells
             comparable_from_ = out_.passes.size();
             start_over();
             next_.coarsening = next_.coarseness;
@@ -284,7 +196,7 @@ private:
         const ErrorEstimate& error = out_.errors.back();
         if (error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target)
             return end(std::move(now), PathEnd::reached);
-        if (on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
+        if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
         prepare_next(now, error);
@@ -293,8 +205,8 @@ private:
 
     void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         if (next_.goal.empty()) {
-            first_goals(now, next_);
-            next_.coarsen_less();
+            set_first_goals(now, next_);
+            coarsen_less(next_);
         } else {
             refine(error, next_);
         }

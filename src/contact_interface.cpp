@@ -8,6 +8,7 @@
 
 #include "geometry/gauss.hpp"
 #include "src/penalty_interface.hpp"
+#include "src/table.hpp"
 
 namespace abut {
 
@@ -87,13 +88,6 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
         if (piece.length > 0 && piece.size > 0) pieces.push_back(piece);
     }
     return pieces;
-}
-
-double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v) {
-    const auto i = std::clamp<std::ptrdiff_t>(std::upper_bound(from.begin(), from.end(), v) - from.begin() - 1, 0,
-                                              static_cast<std::ptrdiff_t>(from.size()) - 2);
-    const auto k = static_cast<std::size_t>(i);
-    return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
 }
 
 /// The middle curve's table against the chains; and at its places the integral of ds / size.

@@ -6,18 +6,13 @@
 
 #include "geometry/gauss.hpp"
 #include "src/contact_measures.hpp"
+#include "src/table.hpp"
 
 namespace abut {
 
 namespace {
 
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
-
-double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v) {
-    const auto after = std::upper_bound(from.begin() + 1, from.end() - 1, v) - from.begin();
-    const auto k = static_cast<std::size_t>(after) - 1;
-    return to[k] + (v - from[k]) / (from[k + 1] - from[k]) * (to[k + 1] - to[k]);
-}
 
 double spacing(const solver::KnotVector& knots, double s) {
     const auto i = static_cast<std::size_t>(interval_of(knots, s));
