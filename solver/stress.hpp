@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stresses of a displacement, whichever way the part's volume strain is made.
 #pragma once
+#include <optional>
+
 #include "solver/assembly.hpp"
+#include "solver/local_spline.hpp"
 
 namespace abut::solver {
 
@@ -9,6 +12,18 @@ namespace abut::solver {
 /// the mass matrix, else nothing.
 class StressOf {
 public:
+    /// On one element: what its points share is done once.
+    class OnElement {
+    public:
+        OnElement(const StressOf& stress, int element);
+        Eigen::Vector3d operator()(const Vec2& x) const;
+
+    private:
+        const StressOf& stress_;
+        int element_;
+        std::optional<LocalSpline<2>> displacement_;  // without a structure
+    };
+
     StressOf(const PartInput& input, const Eigen::VectorXd& displacement);
 
     /// (xx, yy, xy) at a point of an element.

@@ -21,7 +21,8 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
 constexpr int max_passes = 7;  // on the same candidates
 
-/// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be near.
+/// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
+/// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
 /// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
 constexpr double affordable_unknowns = 30000, affordable_growth = 12;

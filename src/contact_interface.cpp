@@ -164,7 +164,8 @@ std::vector<double> expected_coefficients(const ContactInterface& c, const Expec
     const std::vector<double>& knots = c.face.pressure.knots;
     for (int k = 0; k < n_rows(c.face); ++k) {
         expected.push_back(pressure(knots[at(k + 1)]));
-        for (int i = 2; i <= c.face.pressure.degree; ++i) expected.back() = std::min(expected.back(), pressure(knots[at(k + i)]));
+        for (int i = 2; i <= c.face.pressure.degree; ++i)
+            expected.back() = std::min(expected.back(), pressure(knots[at(k + i)]));
     }
     return expected;
 }

@@ -23,10 +23,11 @@ double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& 
     const solver::StressOf raw(input, displacement);
     double twice = 0;
     for_all_cells(input, [&](const solver::CellRule& cell) {
-        for (std::size_t q = 0; q < cell.points.size(); ++q) {
-            const Eigen::Vector3d s = solver::stress_at(smoothed, cell.element, cell.points[q]).head<3>();
-            twice += cell.weights[q] * twice_density(input.elasticity, s - raw(cell.element, cell.points[q]));
-        }
+        const solver::StressOf::OnElement raw_here(raw, cell.element);
+        const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
+        for (std::size_t q = 0; q < cell.points.size(); ++q)
+            twice += cell.weights[q] *
+                     twice_density(input.elasticity, smoothed_here.value(cell.points[q]) - raw_here(cell.points[q]));
     });
     return 0.5 * input.thickness * twice;
 }
