@@ -2,6 +2,7 @@
 #include "src/stress_error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "solver/stress.hpp"
 #include "src/contact_measures.hpp"
@@ -17,22 +18,23 @@ double twice_density(const solver::Elasticity& d, const Eigen::Vector3d& s) {
     return (d.d11 * (s[0] * s[0] + s[1] * s[1]) - 2 * d.d12 * s[0] * s[1]) / determinant + s[2] * s[2] / d.d33;
 }
 
-/// Strain energy of the difference between smoothed stresses and those of the displacement.
-double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& displacement,
-                         const solver::StressField& smoothed) {
+}  // namespace
+
+std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
+                                   const solver::StressField& smoothed) {
     const solver::StressOf raw(input, displacement);
-    double twice = 0;
+    std::vector<double> errors(input.space.fraction.size(), 0.0);
     for_all_cells(input, [&](const solver::CellRule& cell) {
         const solver::StressOf::OnElement raw_here(raw, cell.element);
         const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
+        double twice = 0;
         for (std::size_t q = 0; q < cell.points.size(); ++q)
             twice += cell.weights[q] *
                      twice_density(input.elasticity, smoothed_here.value(cell.points[q]) - raw_here(cell.points[q]));
+        errors[static_cast<std::size_t>(cell.element)] = 0.5 * input.thickness * twice;
     });
-    return 0.5 * input.thickness * twice;
+    return errors;
 }
-
-}  // namespace
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved) {
     std::vector<solver::StressField> fields;
@@ -47,7 +49,8 @@ std::optional<double> energy_error(const SolvedAssembly& solved, const std::vect
     double error = 0;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (!stress[k].failure.empty()) return std::nullopt;
-        error += difference_energy(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
+        const std::vector<double> errors = element_errors(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
+        error += std::accumulate(errors.begin(), errors.end(), 0.0);
     }
     return std::max(0.0, error) / energy;
 }
