@@ -85,8 +85,8 @@ TEST_F(BatchCommand, ResultsDoNotDependOnWorkersOrShards) {
     EXPECT_GT(answers.size(), 5U * 3U);
     for (const char* out : {"three", "merged", "shared"}) EXPECT_EQ(answers_of(out), answers) << out;
     // The comparison sees a single digit.
-    write("three/jobs/s1.dxf/result.json", std::regex_replace(read(folder_ / "three/jobs/s1.dxf/result.json"),
-                                                              std::regex("\"unknowns\": 1"), "\"unknowns\": 2"));
+    write("three/jobs/s1.dxf/result.json",
+          std::regex_replace(read(folder_ / "three/jobs/s1.dxf/result.json"), std::regex("\"unknowns\": "), "\"unknowns\": 1"));
     EXPECT_NE(answers_of("three"), answers);
 }
 
