@@ -24,8 +24,9 @@ th[aria-sort=descending] button::after { content: " \25BC"; font-size: 9px; }
 tbody td { vertical-align: middle; }
 td.picture { width: 136px; padding-right: 12px; }
 td.picture img { display: block; }
-td.message { max-width: 420px; font-size: 12px; }
-.status { display: inline-block; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
+td.message { min-width: 380px; max-width: 560px; font-size: 12px; }
+th { white-space: normal; }
+.status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
 .status.differs { background: #fff6e5; color: #8a5200; }
 .status.failed, .status.refused, .status.broken { background: #fdeeee; color: #8a1010; font-weight: 600; }
 )";
@@ -138,7 +139,7 @@ std::string head_cell(const std::string& title, bool number) {
 std::string head(bool parameters) {
     std::string html = "<thead><tr><th></th>" + head_cell("job", false) + head_cell("status", false);
     if (parameters) html += head_cell("parameters", false);
-    for (const char* title : {"parts", "pairs", "closed", "peak pressure", "worst est. error", "warnings", "seconds"})
+    for (const char* title : {"parts", "pairs", "closed", "peak pressure", "worst estimated error", "warnings", "seconds"})
         html += head_cell(title, true);
     return html + head_cell("message", false) + "</tr></thead>\n";
 }

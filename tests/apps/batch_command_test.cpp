@@ -182,6 +182,24 @@ TEST_F(BatchCommand, AJobBeyondItsMemoryFailsAlone) {
     EXPECT_TRUE(any_line_has(run.errors, {"large.json", "memory"})) << joined(run.errors);
 }
 
+TEST_F(BatchCommand, EveryRealFileHasAResultOrOneClearError) {
+    const std::string inputs = std::string(ABUT_SOURCE_DIR) + "/../shared/inputs";
+    if (!fs::exists(inputs)) GTEST_SKIP() << "the drawings and meshes are not here";
+    const Outcome run = abut({"batch", inputs, "-o", "o"});
+    EXPECT_EQ(run.status, 1);  // some of them are wrong on purpose
+    const auto summary = nlohmann::json::parse(read(folder_ / "o/summary.json"));
+    EXPECT_EQ(summary["counts"]["broken"], 0);
+    EXPECT_EQ(summary["counts"]["failed"], 0);
+    EXPECT_GE(summary["counts"]["ok"], 59);
+    EXPECT_GE(summary["jobs"].size(), 75U);
+    for (const auto& job : summary["jobs"]) {
+        const std::string message = job["message"], file = job["file"];
+        EXPECT_EQ(message.empty(), job["status"] == "ok") << file;
+        EXPECT_TRUE(message.empty() || message.starts_with(file)) << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    }
+}
+
 /// A disk of 400 kB, where the system lets a test have one.
 TEST_F(BatchCommand, AFullDiskLosesNothingThatWasFinished) {
     write_sketches(60);
