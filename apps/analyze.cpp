@@ -15,6 +15,7 @@
 #include "geometry/input_error.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/analysis.hpp"
+#include "src/mirror_symmetry.hpp"
 #include "src/nearest_name.hpp"
 #include "src/plan.hpp"
 #include "src/result.hpp"
@@ -42,6 +43,15 @@ void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
         " or a relative error from " + number_text(least_target, 1) + " to " + number_text(most_target, 1);
     throw InputError("--accuracy", "'" + shortened(text) + "' is no level and no error to aim at",
                      "use " + listed(accuracy_levels) + "," + numbers);
+}
+
+/// Whether the scene is symmetric is looked at here only: it changes no answer, and costs some closest points.
+std::vector<Effect> plan_with_symmetry(const Scene& scene) {
+    const ResolvedConditions conditions = resolve_conditions(scene);
+    std::vector<Effect> plan = plan_effects(scene, conditions);
+    for (Effect& effect : plan)
+        if (effect.name == "symmetry") effect.why = symmetry_text(find_mirror_symmetry(scene, conditions));
+    return plan;
 }
 
 Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
@@ -85,7 +95,8 @@ int analyze_command(const Arguments& arguments) {
     override_accuracy(scene.accuracy, arguments);
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
-        print_text(has(arguments, "--json") ? plan_json(plan_effects(scene)) : plan_table(plan_effects(scene)));
+        const std::vector<Effect> plan = plan_with_symmetry(scene);
+        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan));
         return exit_done;
     }
     check_formats(scene);

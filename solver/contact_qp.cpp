@@ -98,6 +98,21 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
+/// Without unilateral rows there is one linear system. False: it does not answer (a motion is free, or C singular).
+bool solve_linear(const ContactQp& qp, ContactQpResult& result) {
+    const auto is_unilateral = [](char c) { return c != 0; };
+    if (qp.gap.size() == 0 || std::any_of(qp.unilateral.begin(), qp.unilateral.end(), is_unilateral)) return false;
+    VectorXd multipliers, amplitudes;
+    if (!solve_on_set(qp, result.active, multipliers, amplitudes) || !is_balanced(qp, multipliers)) return false;
+    result.gap = qp.gap + qp.compliance * multipliers + qp.modes * amplitudes;
+    result.residual = contact_residual(qp, {multipliers, result.gap, qp.modes.transpose() * multipliers + qp.mode_load});
+    result.multipliers = std::move(multipliers);
+    result.settled = VectorXd::Zero(amplitudes.size());
+    result.motion = std::move(amplitudes);
+    result.converged = true;
+    return true;
+}
+
 }  // namespace
 
 ContactQpResult solve_contact_qp(const ContactQp& qp) {
@@ -108,6 +123,7 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         result.converged = true;
         return result;
     }
+    if (solve_linear(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     if (!start.balanced && find_mechanism(qp, result)) return result;
     for (std::size_t k = 0; k < result.active.size(); ++k)

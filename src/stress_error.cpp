@@ -45,6 +45,7 @@ std::optional<double> energy_error(const SolvedAssembly& solved, const std::vect
     if (!(energy > 0)) return std::nullopt;
     double error = 0;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (solved.grids[k].is_rigid) continue;
         if (!stress[k].failure.empty()) return std::nullopt;
         error += difference_energy(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
     }
