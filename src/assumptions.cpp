@@ -41,9 +41,29 @@ struct LargestChange {
     PlacedValue rotation, strain;
 };
 
+/// Where a part is looked at: all along its boundary, in its cut cells, and in the middle of the others.
+std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
+    std::vector<std::pair<int, Vec2>> places = cut_cell_samples(g);
+    const geometry::Grid& grid = g.cells.grid;
+    for (std::size_t c = 0; c < g.cells.cell_class.size(); ++c) {
+        if (g.cells.cell_class[c] != geometry::CellClass::inner) continue;
+        const int cell = static_cast<int>(c);
+        const std::size_t i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
+        places.emplace_back(cell, 0.5 * Vec2(grid.x[i] + grid.x[i + 1], grid.y[j] + grid.y[j + 1]));
+    }
+    for (std::size_t k = 0; k < g.cells.pieces.size(); ++k) {
+        const geometry::BoundaryPiece& piece = g.cells.pieces[k];
+        if (g.elements.of_piece[k] < 0) continue;
+        const geometry::Curve& curve = g.local.edges[at(piece.edge)].curve;
+        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1), piece.t1})
+            places.emplace_back(g.elements.of_piece[k], point(curve, t));
+    }
+    return places;
+}
+
 LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
     LargestChange largest;
-    for (const auto& [element, x] : cut_cell_samples(g)) {
+    for (const auto& [element, x] : places_of(g)) {
         const auto u = solver::displacement_at(g.input, displacement, element, x);
         largest.rotation.take(0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)), x);
         largest.strain.take((0.5 * (u.gradient + u.gradient.transpose())).norm(), x);
