@@ -55,6 +55,10 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
 }  // namespace
 
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
+    if (grid.is_rigid) {
+        const Eigen::Index n = grid.input.space.n_functions;
+        return {grid.input.space, Eigen::MatrixX3d::Zero(n, 3), 0, ""};
+    }
     std::vector<solver::SamplePoint> cut;
     for (const auto& [element, x] : cut_cell_samples(grid)) cut.push_back({element, x});
     const int degree = std::max(grid.input.space.x.degree, grid.input.space.y.degree);

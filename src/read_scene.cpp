@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+#include <algorithm>
 #include <utility>
 
 #include "src/json_document.hpp"
@@ -123,7 +124,10 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     if (const JsonValue* materials = find_member(reading.root, "materials")) {
         scene.materials = read_materials(reading, *materials, scene.analysis);
     }
+    scene.materials.push_back(built_in_rigid());
     read_all_parts(reading, scene);
+    const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
+    if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
     read_sections(reading, scene);
     // Edges can be looked up only where every part has its geometry.
     if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);

@@ -7,7 +7,7 @@ import json
 import pathlib
 import sys
 
-TIMES = {"seconds", "timing"}
+TIMES = {"seconds", "share", "timing"}
 
 
 def without_times(value):

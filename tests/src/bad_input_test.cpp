@@ -201,8 +201,6 @@ TEST(BadInput, what_is_not_supported_yet_is_refused_by_name) {
              {"\"abut\": 1,", "\"abut\": 1, \"analysis\": \"axisymmetric\",",
               "s.json:1 /analysis: 'axisymmetric' is not supported yet"},
              {"\"abut\": 1,", "\"abut\": 1, \"symmetry\": \"auto\",", "s.json:1 /symmetry: 'auto' is not supported yet"},
-             {"\"material\": \"steel\"", "\"material\": \"rigid\"",
-              "s.json:5 /parts/0/material: parts of the material 'rigid' are not supported yet"},
              {"\"pressure\"", "\"at\": [0, 0], \"pressure\"", "s.json:9 /loads/0/at: 'at' is not supported yet"},
              {"\"pressure\"", "\"spin\"", "s.json:9 /loads/0/spin: 'spin' is not supported yet"},
              {"\"pressure\"", "\"temperature\"", "s.json:9 /loads/0/temperature: 'temperature' is not supported yet"},
