@@ -145,10 +145,10 @@ Json solver(const Result& r) {
     return {{"grids", r.solver.grids},
             {"factorizations", r.solver.factorizations},
             {"contact_iterations", r.solver.contact_iterations},
-            {"groups", r.solver.groups},
-            {"contact_problems", r.solver.contact_problems},
             {"condition_estimate", number(r.solver.condition_estimate)},
-            {"converged", r.solver.converged}};
+            {"converged", r.solver.converged},
+            {"groups", r.solver.groups},
+            {"contact_problems", r.solver.contact_problems}};
 }
 
 Json timing(const Result& r) {

@@ -15,13 +15,15 @@ if [ -z "$scene" ]; then
 {"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [{"name": "plate", "material": "m", "geometry": {"difference": [
    {"rectangle": {"min": [0, 0], "max": [4, 2]}}, {"circle": {"center": [2.1, 0.9], "radius": 0.4}}]}}],
  "supports": [{"on": "plate/bottom", "fix": ["x", "y"]}], "loads": [{"on": "plate/top", "pressure": 10}],
- "accuracy": {"cell_size": 0.05}, "output": {"formats": []}}
+ "accuracy": {"cell_size": 0.05}, "output": {"formats": ["json"]}}
 SCENE
 fi
 # counts of one run: OpenBLAS on one thread, and told its kernels, so that it does not look for them anew
 count() {
+  rm -rf "$folder/result"
   OPENBLAS_NUM_THREADS=1 OPENBLAS_CORETYPE=Haswell valgrind --tool=callgrind --callgrind-out-file="$folder/out" \
     "$1" analyze "$scene" -o "$folder/result" --quiet --threads 1 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+  [ -f "$folder/result/result.json" ] || { echo "$1 did not solve the scene" >&2; exit 1; }
 }
 a=$(count "$with") b=$(count "$without") c=$(count "$with")
 awk -v a="$a" -v b="$b" -v c="$c" 'BEGIN {
