@@ -106,11 +106,12 @@ TEST_F(BatchCommand, IsAShardInASlurmArray) {
 
 TEST_F(BatchCommand, ComparesDetectionWithATable) {
     write_sketches(3);
-    write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\ns1.dxf,,\n");
+    write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\ns1.dxf,,\ns7.dxf,,\n");
     const Outcome run = abut({"batch", "in", "-o", "o", "--only", "contacts", "--expect", "e.csv"});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"precision 0.5 (1 of 2", "recall 1 (1 of 1"})) << run.output;
     EXPECT_TRUE(any_line_has(run.errors, {"s1.dxf", "differs", "1 difference"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"--expect names 1 ", "s7.dxf"}));
     EXPECT_TRUE(any_line_has(lines_of(read(folder_ / "o/summary.csv")), {"s1.dxf", ",differs,"}));
     write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\n");
     EXPECT_EQ(abut({"batch", "in", "-o", "o", "--only", "contacts", "--expect", "e.csv"}).status, 0);
