@@ -32,6 +32,7 @@ struct Samples {
 struct NormalEquations {
     std::vector<std::tuple<int, int, double>> entries;  // (column, row >= column, value)
     Eigen::MatrixX3d rhs;
+    Eigen::VectorXd rhs_zz;  // empty: zz follows from the others
 };
 
 /// Adds one element's samples: dense within it, then its lower triangle.
@@ -45,9 +46,16 @@ void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& 
         b.row(static_cast<Index>(k)) = evaluate(space, element, x).value.transpose();
         s.row(static_cast<Index>(k)) = stress(element, x).transpose();
     }
+    Eigen::VectorXd zz;
+    if (eq.rhs_zz.size() > 0) {
+        zz.resize(b.rows());
+        for (std::size_t k = 0; k < samples.points.size(); ++k)
+            zz[static_cast<Index>(k)] = stress.zz(element, samples.points[k]);
+    }
     const auto weight = Eigen::Map<const Eigen::VectorXd>(samples.weights.data(), b.rows()).asDiagonal();
     const Eigen::MatrixXd m = b.transpose() * weight * b;
     const Eigen::MatrixX3d r = b.transpose() * weight * s;
+    if (zz.size() > 0) eq.rhs_zz(functions) += b.transpose() * weight * zz;
     for (Index j = 0; j < n; ++j) {
         eq.rhs.row(functions[static_cast<std::size_t>(j)]) += r.row(j);
         for (Index i = 0; i < n; ++i)
@@ -138,7 +146,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
 
     const double cut_weight = low ? weight_in_cut_cells : 1;
     const StressOf stress(input, displacement);
-    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3)};
+    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}};
+    if (has_own_zz(input)) eq.rhs_zz = Eigen::VectorXd::Zero(field.space.n_functions);
     std::vector<Samples> samples(from.fraction.size());
     for (std::size_t element = 0; element < from.fraction.size(); ++element)
         if (from.fraction[element] == 1) samples[element] = full_cell_samples(from, static_cast<int>(element), inside);
@@ -157,6 +166,7 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     }
     field.coefficients.resize(field.space.n_functions, 3);
     for (Index k = 0; k < 3; ++k) field.coefficients.col(k) = factor.solve(eq.rhs.col(k));
+    if (eq.rhs_zz.size() > 0) field.zz = factor.solve(eq.rhs_zz);
     return field;
 }
 
@@ -166,7 +176,9 @@ Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) 
     Eigen::Vector3d s = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < b.functions.size(); ++i)
         s += b.value[static_cast<Index>(i)] * field.coefficients.row(b.functions[i]).transpose();
-    return {s[0], s[1], s[2], field.out_of_plane * (s[0] + s[1])};
+    double zz = field.out_of_plane * (s[0] + s[1]);
+    if (field.zz.size() > 0) zz = b.value.dot(field.zz(b.functions));
+    return {s[0], s[1], s[2], zz};
 }
 
 }  // namespace abut::solver

@@ -177,6 +177,11 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     }
     warn_of_points(scene, result);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
+    if (scene.analysis == Analysis::axisymmetric) {
+        // around the axis only forces along it have a resultant: radial ones, and moments, balance by themselves
+        for (Resultant* r : {&t.applied, &reaction}) *r = {{0, r->force.y()}, 0};
+        for (Reaction& r : result.reactions) r.moment = 0;
+    }
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;
     // below what rounding of the displacements amounts to in force there is nothing to balance

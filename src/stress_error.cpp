@@ -17,6 +17,13 @@ double twice_density(const solver::Elasticity& d, const Eigen::Vector3d& s) {
     return (d.d11 * (s[0] * s[0] + s[1] * s[1]) - 2 * d.d12 * s[0] * s[1]) / determinant + s[2] * s[2] / d.d33;
 }
 
+/// The same in three dimensions, zz among the stresses.
+double twice_density_of_ring(const solver::Elasticity& d, const Eigen::Vector4d& s) {
+    const double twice_mu = 2 * d.d33, trace = s[0] + s[1] + s[3];
+    const double squares = s[0] * s[0] + s[1] * s[1] + s[3] * s[3] + 2 * s[2] * s[2];
+    return (squares - d.d12 / (twice_mu + 3 * d.d12) * trace * trace) / twice_mu;
+}
+
 /// Strain energy of the difference between smoothed stresses and those of the displacement.
 double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& displacement,
                          const solver::StressField& smoothed) {
@@ -24,8 +31,12 @@ double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& 
     double twice = 0;
     for_all_cells(input, [&](const solver::CellRule& cell) {
         for (std::size_t q = 0; q < cell.points.size(); ++q) {
-            const Eigen::Vector3d s = solver::stress_at(smoothed, cell.element, cell.points[q]).head<3>();
-            twice += cell.weights[q] * twice_density(input.elasticity, s - raw(cell.element, cell.points[q]));
+            const Eigen::Vector4d s = solver::stress_at(smoothed, cell.element, cell.points[q]);
+            Eigen::Vector4d away = s;
+            away.head<3>() -= raw(cell.element, cell.points[q]);
+            if (input.axis) away[3] -= raw.zz(cell.element, cell.points[q]);
+            twice += cell.weights[q] * (input.axis ? twice_density_of_ring(input.elasticity, away)
+                                                   : twice_density(input.elasticity, away.head<3>()));
         }
     });
     return 0.5 * input.thickness * twice;
