@@ -61,6 +61,17 @@ void add_foundation(ContactQp& qp, const AssemblyProblem& problem, const AllRows
         if (!qp.unilateral[static_cast<std::size_t>(row)]) qp.foundation[row] = stiffest > 0 ? stiffest : 1.0;
 }
 
+/// What is known of the multipliers, where something is.
+VectorXd expected_multipliers(const AssemblyProblem& problem, const AllRows& all) {
+    const auto knows = [](const Interface& face) { return !face.expected.empty(); };
+    if (std::none_of(problem.interfaces.begin(), problem.interfaces.end(), knows)) return VectorXd(0);
+    VectorXd expected = VectorXd::Zero(all.rows.n);
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
+        std::copy(problem.interfaces[i].expected.begin(), problem.interfaces[i].expected.end(),
+                  expected.begin() + all.first_row[i]);
+    return expected;
+}
+
 /// Loads, and displacements without the rigid motions.
 void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, int threads,
                            AssemblySolution& solution) {
@@ -180,6 +191,7 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
     scale_rows(qp, rows.weight);
     add_foundation(qp, problem, all);
+    qp.expected = expected_multipliers(problem, all);
     solution.seconds.condensation = laps.lap();
 
     const MotionSplit split = split_motions(problem, qp.modes);

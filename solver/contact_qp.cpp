@@ -89,6 +89,14 @@ bool run_passes(const ContactQp& qp, const MatrixXd& stiffness, bool repeats, Cl
     return false;
 }
 
+/// The rows that are closed where these are the multipliers.
+ActiveSet closed_by(const ContactQp& qp, const VectorXd& multipliers) {
+    ActiveSet active = bilateral_rows(qp);
+    for (std::size_t k = 0; k < active.size(); ++k)
+        if (multipliers[static_cast<Index>(k)] > 0) active[k] = 1;
+    return active;
+}
+
 /// The motion that no pressures >= 0 can keep in balance; false where some can.
 bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
     const NonnegativeResult balance = nonnegative_least_squares(qp.modes.transpose(), -qp.mode_load, qp.unilateral);
@@ -96,6 +104,28 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
     result.feasible = false;
     result.mechanism = -balance.residual;
     return true;
+}
+
+bool has_unilateral_rows(const ContactQp& qp) {
+    return std::find_if(qp.unilateral.begin(), qp.unilateral.end(), [](char u) { return u != 0; }) != qp.unilateral.end();
+}
+
+void conclude(const ContactQp& qp, const VectorXd& settled, VectorXd gap, ContactState& state, ContactQpResult& result) {
+    result.gap = std::move(gap);
+    result.residual =
+        contact_residual(qp, {state.multipliers, result.gap, qp.modes.transpose() * state.multipliers + qp.mode_load});
+    result.multipliers = std::move(state.multipliers);
+    result.settled = settled;
+    result.motion = std::move(state.amplitudes);
+}
+
+/// One linear solution. False: a motion is not held; nothing is changed but the count of iterations.
+bool solve_two_sided(const ContactQp& qp, ContactQpResult& result) {
+    ContactState state;
+    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
+    result.converged = solve_exactly(qp, factor, state, result) == SetSearch::found;
+    if (result.converged) conclude(qp, VectorXd::Zero(qp.modes.cols()), gap_of(qp, state), state, result);
+    return result.converged;
 }
 
 }  // namespace
@@ -108,25 +138,28 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         result.converged = true;
         return result;
     }
+    if (!has_unilateral_rows(qp) && solve_two_sided(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     if (!start.balanced && find_mechanism(qp, result)) return result;
-    for (std::size_t k = 0; k < result.active.size(); ++k)
-        if (start.multipliers[static_cast<Index>(k)] > 0) result.active[k] = 1;
 
     // amplitudes from where the bodies settle: a clearance, however wide, then leaves no rounding in the elastic answer
     ContactQp near = qp;
     near.gap += qp.modes * start.amplitudes;
     ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols())};
-    ClosedFactor factor(near.compliance, start.multipliers);
-    const SetSearch search = solve_exactly(near, factor, state, result);
+    const bool is_expected = qp.expected.size() > 0;
+    ClosedFactor factor(near.compliance, is_expected ? qp.expected : start.multipliers);
+    SetSearch search = SetSearch::repeated;
+    if (is_expected) {
+        result.active = closed_by(qp, qp.expected);
+        search = solve_exactly(near, factor, state, result);
+    }
+    if (search != SetSearch::found) {
+        result.active = closed_by(qp, start.multipliers);
+        search = solve_exactly(near, factor, state, result);
+    }
     result.converged =
         search == SetSearch::found || run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
-    result.gap = gap_of(near, state);
-    result.residual =
-        contact_residual(qp, {state.multipliers, result.gap, qp.modes.transpose() * state.multipliers + qp.mode_load});
-    result.multipliers = std::move(state.multipliers);
-    result.settled = start.amplitudes;
-    result.motion = std::move(state.amplitudes);
+    conclude(qp, start.amplitudes, gap_of(near, state), state, result);
     return result;
 }
 

@@ -20,6 +20,9 @@ struct ContactQp {
     Eigen::VectorXd foundation;    ///< stiffness of a Winkler foundation for every row, for the starting guess (m)
     Eigen::VectorXd drawn_gap;     ///< gap of the undeformed bodies, for the same (m)
     double load_scale = 0;         ///< the largest load on any body: what equilibrium is measured against
+    /// Multipliers of a problem much like this one, whose active set the search begins with; empty: that of the settle. Speed
+    /// only.
+    Eigen::VectorXd expected{};
 };
 
 struct ContactQpResult {
@@ -37,7 +40,8 @@ struct ContactQpResult {
 
 /// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
 ///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
-/// 2. Primal-dual active set [Hueber05]. Usually the end.
+///    Without unilateral rows there is nothing to search, and this is left out.
+/// 2. Primal-dual active set [Hueber05], from the expected set where there is one, else from the settle's. Usually the end.
 /// 3. Where it repeats a set, or meets one that leaves a motion free: passes of the same under a proximal term on the
 ///    amplitudes, a fraction of the foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of
 ///    each pass is tried without the term; where a single point carries all, the balance becomes exact by the passes.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/ring.hpp"
 
@@ -58,10 +59,15 @@ VectorXd free_strain_load(const PartInput& input) {
 
 double largest_restrained_stress(const PartInput& input) {
     double largest = 0;
+    bool is_finite = true;
     for_all_cells(input, [&](const CellRule& rule) {
-        for (const Vec2& x : rule.points) largest = std::max(largest, std::abs(input.free_strain(x)));
+        for (const Vec2& x : rule.points) {
+            const double strain = std::abs(input.free_strain(x));
+            is_finite = is_finite && std::isfinite(strain);
+            largest = std::max(largest, strain);
+        }
     });
-    return input.elasticity.expansion * largest;
+    return is_finite ? input.elasticity.expansion * largest : std::numeric_limits<double>::quiet_NaN();
 }
 
 double elastic_energy(const PartInput& input, const VectorXd& displacement) {

@@ -10,11 +10,13 @@ namespace abut::solver {
 /// with a projected dilatation the rest is part of the projection (prescribed volume strain 3 e).
 Eigen::VectorXd free_strain_load(const PartInput& input);
 
-/// What a unit of restrained strain amounts to: the largest of its stresses anywhere in the part. Scale of rounding.
+/// The largest stress that a wholly restrained free strain would leave anywhere in the part: the scale of rounding. Not a
+/// number where the strain is none somewhere.
 double largest_restrained_stress(const PartInput& input);
 
-/// Elastic energy: stress times elastic strain (that of the displacement less the free one), halved, over the part; a restrained
-/// part has some without any displacement, one that expands freely has none. Of the local elasticity (see volume_energy).
+/// Elastic energy: stress times elastic strain (that of the displacement less the free one), halved, over the part; a
+/// restrained part has some without any displacement, one that expands freely has none. Of the local elasticity (see
+/// volume_energy).
 double elastic_energy(const PartInput& input, const Eigen::VectorXd& displacement);
 
 }  // namespace abut::solver

@@ -71,30 +71,108 @@ PointRows penalty_row(const Interface& face, std::size_t point, int first_row) {
     return rows;
 }
 
-void add_point(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const InterfacePoint& p,
-               const PointRows& of) {
+/// Gaps and weights of a point's rows.
+void add_gap(Rows& rows, const InterfacePoint& p, const PointRows& of) {
     for (std::size_t k = 0; k < of.n; ++k) {
         rows.gap0[of.row[k]] += of.share[k] * p.gap;
         rows.weight[of.row[k]] += of.share[k];
     }
-    for (std::size_t side = 0; side < 2; ++side) {
-        const auto part = static_cast<std::size_t>(face.part[side]);
-        const DisplacementBasis b = displacement_basis(parts[part].input, p.element[side], p.x[side]);
-        const Vec2 along = (side == 0 ? -1 : 1) * p.normal[side];
-        for (std::size_t k = 0; k < of.n; ++k) {
-            rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
-            for (std::size_t i = 0; i < b.x.functions.size(); ++i)
+}
+
+Vec2 opening_direction(const InterfacePoint& p, std::size_t side) {
+    return (side == 0 ? -1 : 1) * p.normal[side];
+}
+
+/// One side's entries of a point, on a body with a solution structure.
+void add_structured(Rows& rows, const PartInput& input, std::size_t part, const InterfacePoint& p, std::size_t side,
+                    const PointRows& of) {
+    const DisplacementBasis b = displacement_basis(input, p.element[side], p.x[side]);
+    const Vec2 along = opening_direction(p, side);
+    for (std::size_t k = 0; k < of.n; ++k) {
+        rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
+        for (std::size_t i = 0; i < b.x.functions.size(); ++i)
+            for (int c = 0; c < 2; ++c)
+                rows.by_part[part].push_back(
+                    {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
+    }
+}
+
+/// Entries of one side's points that follow each other in the same element and rows: summed for the element's B-splines, then
+/// given to the functions at once.
+class RunOfPoints {
+public:
+    RunOfPoints(const SplineSpace& space, std::vector<RowEntry>& entries) : space_(space), entries_(entries) {}
+    RunOfPoints(const RunOfPoints&) = delete;
+    RunOfPoints& operator=(const RunOfPoints&) = delete;
+    ~RunOfPoints() { close(); }
+
+    void add(int element, const Vec2& x, const Vec2& along, const PointRows& of) {
+        if (element != element_ || !is_same(of)) open(element, of);
+        LocalValues vx, vy;
+        evaluate(space_.x, space_.column_of(element), x.x(), vx);
+        evaluate(space_.y, space_.row_of(element), x.y(), vy);
+        Index k = 0;
+        for (Index b = 0; b <= space_.y.degree; ++b)
+            for (Index a = 0; a <= space_.x.degree; ++a, ++k) {
+                const double value = vx[static_cast<std::size_t>(a)] * vy[static_cast<std::size_t>(b)];
+                for (std::size_t r = 0; r < of.n; ++r)
+                    for (Index c = 0; c < 2; ++c) sums_(2 * static_cast<Index>(r) + c, k) += of.share[r] * value * along[c];
+            }
+    }
+
+private:
+    bool is_same(const PointRows& of) const {
+        return of.n == rows_.n && std::equal(of.row.begin(), of.row.begin() + of.n, rows_.row.begin());
+    }
+
+    void open(int element, const PointRows& of) {
+        close();
+        if (element != element_) extraction_ = extraction(space_, element);
+        element_ = element;
+        rows_ = of;
+        sums_.setZero(2 * static_cast<Index>(of.n), Index{space_.x.degree + 1} * (space_.y.degree + 1));
+    }
+
+    void close() {
+        if (element_ < 0) return;
+        if (!extraction_.identity) sums_ = (sums_ * extraction_.matrix).eval();
+        for (std::size_t r = 0; r < rows_.n; ++r)
+            for (Index i = 0; i < sums_.cols(); ++i)
                 for (int c = 0; c < 2; ++c)
-                    rows.by_part[part].push_back(
-                        {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
-        }
+                    entries_.push_back({rows_.row[r], 2 * extraction_.functions[static_cast<std::size_t>(i)] + c,
+                                        sums_(2 * static_cast<Index>(r) + c, i)});
+    }
+
+    const SplineSpace& space_;
+    std::vector<RowEntry>& entries_;
+    int element_ = -1;
+    PointRows rows_{};
+    Extraction extraction_;
+    Eigen::MatrixXd sums_;  // (row and component x B-spline of the element)
+};
+
+void add_side(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, std::size_t side,
+              const std::vector<PointRows>& of) {
+    const auto part = static_cast<std::size_t>(face.part[side]);
+    const PartInput& input = parts[part].input;
+    RunOfPoints run(input.space, rows.by_part[part]);
+    for (std::size_t q = 0; q < face.points.size(); ++q) {
+        const InterfacePoint& p = face.points[q];
+        if (input.structure)
+            add_structured(rows, input, part, p, side, of[q]);
+        else
+            run.add(p.element[side], p.x[side], opening_direction(p, side), of[q]);
     }
 }
 
 void add_interface(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, int first_row) {
     const auto rows_of = face.penalty.empty() ? mortar_rows : penalty_row;
-    for (std::size_t q = 0; q < face.points.size(); ++q)
-        add_point(rows, parts, face, face.points[q], rows_of(face, q, first_row));
+    std::vector<PointRows> of;
+    for (std::size_t q = 0; q < face.points.size(); ++q) {
+        of.push_back(rows_of(face, q, first_row));
+        add_gap(rows, face.points[q], of.back());
+    }
+    for (std::size_t side = 0; side < 2; ++side) add_side(rows, parts, face, side, of);
 }
 
 void add_softness(Rows& rows, const std::vector<Interface>& interfaces, const std::vector<int>& first_row) {

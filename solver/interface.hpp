@@ -38,6 +38,8 @@ struct Interface {
     bool periodic = false;   ///< all the way round: mortar's pressure has periodic knots
     std::vector<InterfacePoint> points{};
     std::vector<double> penalty{};  ///< by point: pressure per penetration (beta of eq 4.23); empty: mortar
+    /// Its unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
+    std::vector<double> expected{};
 };
 
 /// Knots of the polyline through the pressures at a penalty interface's points: its places are begin, the points in order, end.

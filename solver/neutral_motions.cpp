@@ -22,24 +22,44 @@ using Eigen::VectorXd;
 /// Pressures may change by this fraction in making up for the neutral motions' balance.
 constexpr double largest_rebalancing = 0.02;
 
-/// A row of few entries: resistance of one pair of points to the free motions of its two bodies.
-struct PairResistance {
-    std::array<std::pair<Index, double>, 6> entry;  // amplitude, resistance
-    std::size_t n = 0;
-};
+/// The free motions of an interface's two bodies, at most three each.
+constexpr int max_motions = 6;
+using PairMotions = Eigen::Matrix<double, max_motions, 1>;
+using PairMatrix = Eigen::Matrix<double, max_motions, max_motions>;
 
-PairResistance resistance_of(const AssemblyProblem& problem, const std::vector<Index>& offset, std::size_t face,
-                             std::size_t point) {
-    PairResistance row;
+/// Resistance of a pair of points to the motions of the first body, then of the second; the rest zero.
+PairMotions resistance_of(const AssemblyProblem& problem, std::size_t face, std::size_t point) {
+    PairMotions row = PairMotions::Zero();
     const Interface& f = problem.interfaces[face];
+    Index k = 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        const auto part = static_cast<std::size_t>(f.part[side]);
         const Vec2 normal = -problem.own_normals[face][point][side];
-        Index amplitude = offset[part];
-        for (const RigidMotion& motion : problem.parts[part].free_motions)
-            row.entry[row.n++] = {amplitude++, normal.dot(motion.at(f.points[point].x[side]))};
+        for (const RigidMotion& motion : problem.parts[static_cast<std::size_t>(f.part[side])].free_motions)
+            row[k++] = normal.dot(motion.at(f.points[point].x[side]));
     }
     return row;
+}
+
+/// R'R of one interface, each row weighted with its share of the length.
+PairMatrix pair_resistance_squared(const AssemblyProblem& problem, std::size_t face) {
+    PairMatrix sum = PairMatrix::Zero();
+    double total = 0;
+    const std::vector<InterfacePoint>& points = problem.interfaces[face].points;
+    for (std::size_t q = 0; q < points.size(); ++q) {
+        const PairMotions row = resistance_of(problem, face, q);
+        sum += points[q].weight * row * row.transpose();
+        total += points[q].weight;
+    }
+    return sum / total;
+}
+
+/// Amplitudes of an interface's motions.
+std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>& offset) {
+    std::vector<Index> list;
+    for (int part : face.part)
+        for (Index k = offset[static_cast<std::size_t>(part)]; k < offset[static_cast<std::size_t>(part) + 1]; ++k)
+            list.push_back(k);
+    return list;
 }
 
 /// R'R of the resistance R (rows x amplitudes).
@@ -47,16 +67,10 @@ MatrixXd resistance_squared(const AssemblyProblem& problem, const MatrixXd& mode
     const std::vector<Index> offset = mode_offsets(problem.parts);
     MatrixXd sum = MatrixXd::Zero(modes.cols(), modes.cols());
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
-        const std::vector<InterfacePoint>& points = problem.interfaces[f].points;
-        double total = 0;
-        for (const InterfacePoint& p : points) total += p.weight;
-        for (std::size_t q = 0; q < points.size(); ++q) {
-            const PairResistance row = resistance_of(problem, offset, f, q);
-            for (std::size_t i = 0; i < row.n; ++i)
-                for (std::size_t j = 0; j < row.n; ++j)
-                    sum(row.entry[i].first, row.entry[j].first) +=
-                        points[q].weight / total * row.entry[i].second * row.entry[j].second;
-        }
+        if (problem.interfaces[f].points.empty()) continue;
+        const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
+        const auto n = static_cast<Index>(amplitude.size());
+        sum(amplitude, amplitude) += pair_resistance_squared(problem, f).topLeftCorner(n, n);
     }
     const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
     return sum + held.transpose() * held;
@@ -119,6 +133,7 @@ bool balance_neutral_motions(const MatrixXd& modes, const VectorXd& mode_load, c
     ContactQp full = answer.qp;
     full.modes = modes * all;
     full.mode_load = all.transpose() * mode_load;
+    full.expected = VectorXd(0);
     ContactQpResult balanced = solve_contact_qp(full);
     balanced.iterations += answer.result.iterations;
     if (!balanced.feasible || !balanced.converged) return false;

@@ -293,17 +293,4 @@ double largest_displacement(const PartInput& input, const Eigen::VectorXd& displ
     return largest;
 }
 
-DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x) {
-    const PointBasis b = evaluate(space, element, x);
-    DisplacementAt d;
-    for (std::size_t i = 0; i < b.functions.size(); ++i) {
-        const auto k = static_cast<Index>(i);
-        const Vec2 c = displacement.segment<2>(2 * b.functions[i]);
-        d.value += b.value[k] * c;
-        d.gradient.col(0) += b.dx[k] * c;
-        d.gradient.col(1) += b.dy[k] * c;
-    }
-    return d;
-}
-
 }  // namespace abut::solver

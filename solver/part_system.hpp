@@ -108,7 +108,4 @@ double strain_energy(const PartSystem& system, const Eigen::VectorXd& displaceme
 /// largest value at its points.
 double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement);
 
-/// For spaces without a structure; displacement_at(PartInput, ...) serves all.
-DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x);
-
 }  // namespace abut::solver

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
+#include <numeric>
+#include <utility>
 
 #include "solver/solution_structure.hpp"
 #include "solver/stress.hpp"
@@ -29,61 +30,84 @@ struct Samples {
     std::vector<double> weights;
 };
 
+struct Entry {
+    int column, row;  // row >= column
+    double value;
+};
+
 struct NormalEquations {
-    std::vector<std::tuple<int, int, double>> entries;  // (column, row >= column, value)
+    std::vector<Entry> entries;
     Eigen::MatrixX3d rhs;
     Eigen::VectorXd rhs_zz;  // empty: zz follows from the others
 };
 
+/// Values of an element's functions at points (points x functions).
+Eigen::MatrixXd values_at(const SplineSpace& space, int element, const Extraction& extraction,
+                          const std::vector<Vec2>& points) {
+    Sampled sampled;
+    sample(space, element, points, sampled);
+    return extraction.identity ? std::move(sampled.value) : sampled.value * extraction.matrix;
+}
+
 /// Adds one element's samples: dense within it, then its lower triangle.
 void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& stress, int element, const Samples& samples) {
-    const std::vector<int> functions = extraction(space, element).functions;
+    const Extraction e = extraction(space, element);
+    const std::vector<int>& functions = e.functions;
     const auto n = static_cast<Index>(functions.size());
-    Eigen::MatrixXd b(static_cast<Index>(samples.points.size()), n);
+    const Eigen::MatrixXd b = values_at(space, element, e, samples.points);
     Eigen::MatrixX3d s(b.rows(), 3);
-    for (std::size_t k = 0; k < samples.points.size(); ++k) {
-        const Vec2& x = samples.points[k];
-        b.row(static_cast<Index>(k)) = evaluate(space, element, x).value.transpose();
-        s.row(static_cast<Index>(k)) = stress(element, x).transpose();
-    }
-    Eigen::VectorXd zz;
-    if (eq.rhs_zz.size() > 0) {
-        zz.resize(b.rows());
-        for (std::size_t k = 0; k < samples.points.size(); ++k)
-            zz[static_cast<Index>(k)] = stress.zz(element, samples.points[k]);
-    }
+    const StressOf::OnElement stress_here(stress, element);
+    for (std::size_t k = 0; k < samples.points.size(); ++k)
+        s.row(static_cast<Index>(k)) = stress_here(samples.points[k]).transpose();
     const auto weight = Eigen::Map<const Eigen::VectorXd>(samples.weights.data(), b.rows()).asDiagonal();
-    const Eigen::MatrixXd m = b.transpose() * weight * b;
-    const Eigen::MatrixX3d r = b.transpose() * weight * s;
-    if (zz.size() > 0) eq.rhs_zz(functions) += b.transpose() * weight * zz;
+    const Eigen::MatrixXd weighted = weight * b, m = b.transpose() * weighted;
+    const Eigen::MatrixX3d r = weighted.transpose() * s;
+    if (eq.rhs_zz.size() > 0) {
+        Eigen::VectorXd zz(b.rows());
+        for (Index k = 0; k < zz.size(); ++k) zz[k] = stress.zz(element, samples.points[static_cast<std::size_t>(k)]);
+        eq.rhs_zz(functions) += weighted.transpose() * zz;
+    }
     for (Index j = 0; j < n; ++j) {
-        eq.rhs.row(functions[static_cast<std::size_t>(j)]) += r.row(j);
+        const int column = functions[static_cast<std::size_t>(j)];
+        eq.rhs.row(column) += r.row(j);
         for (Index i = 0; i < n; ++i)
-            if (functions[static_cast<std::size_t>(i)] >= functions[static_cast<std::size_t>(j)])
-                eq.entries.emplace_back(functions[static_cast<std::size_t>(j)], functions[static_cast<std::size_t>(i)],
-                                        m(i, j));
+            if (const int row = functions[static_cast<std::size_t>(i)]; row >= column)
+                eq.entries.push_back({column, row, m(i, j)});
     }
 }
 
-SparseSymmetric assembled(std::vector<std::tuple<int, int, double>>& entries, int n) {
-    std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
-        return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
-    });
+/// The entries in the order of their columns, those of one column in the order in which they are given.
+std::vector<Entry> sorted_by_column(const std::vector<Entry>& entries, int n) {
+    std::vector<std::size_t> next(static_cast<std::size_t>(n) + 1, 0);
+    for (const Entry& e : entries) ++next[static_cast<std::size_t>(e.column) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Entry> sorted(entries.size());
+    for (const Entry& e : entries) sorted[next[static_cast<std::size_t>(e.column)]++] = e;
+    return sorted;
+}
+
+SparseSymmetric assembled(const std::vector<Entry>& entries, int n) {
+    const std::vector<Entry> sorted = sorted_by_column(entries, n);
     SparseSymmetric m;
     m.n = n;
-    m.first.assign(static_cast<std::size_t>(n) + 1, 0);
-    int last_column = -1;
-    for (const auto& [column, row, value] : entries) {
-        if (column == last_column && m.row.back() == row) {
-            m.value.back() += value;
-            continue;
+    m.first.assign(1, 0);
+    std::vector<double> sum(static_cast<std::size_t>(n));
+    std::vector<int> last_column(static_cast<std::size_t>(n), -1);
+    auto e = sorted.begin();
+    for (int column = 0; column < n; ++column) {
+        const std::size_t begin = m.row.size();
+        for (; e != sorted.end() && e->column == column; ++e) {
+            const auto row = static_cast<std::size_t>(e->row);
+            if (std::exchange(last_column[row], column) != column) {
+                sum[row] = 0;
+                m.row.push_back(e->row);
+            }
+            sum[row] += e->value;
         }
-        last_column = column;
-        m.row.push_back(row);
-        m.value.push_back(value);
-        ++m.first[static_cast<std::size_t>(column) + 1];
+        std::sort(m.row.begin() + static_cast<std::ptrdiff_t>(begin), m.row.end());
+        for (std::size_t k = begin; k < m.row.size(); ++k) m.value.push_back(sum[static_cast<std::size_t>(m.row[k])]);
+        m.first.push_back(static_cast<int>(m.row.size()));
     }
-    for (std::size_t c = 0; c < static_cast<std::size_t>(n); ++c) m.first[c + 1] += m.first[c];
     return m;
 }
 
@@ -172,13 +196,3 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
 
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) {
     if (!field.failure.empty()) return Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
-    const PointBasis b = evaluate(field.space, element, x);
-    Eigen::Vector3d s = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < b.functions.size(); ++i)
-        s += b.value[static_cast<Index>(i)] * field.coefficients.row(b.functions[i]).transpose();
-    double zz = field.out_of_plane * (s[0] + s[1]);
-    if (field.zz.size() > 0) zz = b.value.dot(field.zz(b.functions));
-    return {s[0], s[1], s[2], zz};
-}
-
-}  // namespace abut::solver

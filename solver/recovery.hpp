@@ -5,6 +5,7 @@
 #pragma once
 #include <vector>
 
+#include "solver/local_spline.hpp"
 #include "solver/part_system.hpp"
 
 namespace abut::solver {
@@ -17,8 +18,8 @@ struct SamplePoint {
 struct StressField {
     SplineSpace space;
     Eigen::MatrixX3d coefficients;  ///< (n_functions x (xx, yy, xy))
-    double out_of_plane = 0;  ///< zz = out_of_plane (xx + yy), where it has
-    Eigen::VectorXd zz{};     ///< no coefficients of its own (has_own_zz)
+    double out_of_plane = 0;        ///< zz = out_of_plane (xx + yy), where it has
+    Eigen::VectorXd zz{};           ///< no coefficients of its own (has_own_zz)
     std::string failure;
 };
 
@@ -27,6 +28,11 @@ struct StressField {
 /// cells, all cut), the quadrature points of the cut cells are sampled, too.
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
                        const std::vector<SamplePoint>& cut);
+
+/// (xx, yy, xy) on one element of a field whose fit has not failed.
+inline LocalSpline<3> local_stress(const StressField& field, int element) {
+    return {field.space, element, [&](int function) { return field.coefficients.row(function).transpose(); }};
+}
 
 /// (xx, yy, xy, zz) at a point of an element; not numbers where the fit has failed.
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x);

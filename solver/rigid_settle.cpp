@@ -58,13 +58,20 @@ double reach_of(const ContactQp& qp, const Settled& s, const VectorXd& residual,
     return 0;
 }
 
+/// G'WG with a diagonal W; motions are few, rows many.
+MatrixXd weighted_gram(const MatrixXd& modes, const VectorXd& weight) {
+    MatrixXd gram(modes.cols(), modes.cols());
+    VectorXd column(modes.rows());
+    for (Index j = 0; j < modes.cols(); ++j) {
+        column = weight.cwiseProduct(modes.col(j));
+        for (Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = column.dot(modes.col(i));
+    }
+    return gram;
+}
+
 /// G'KG over the rows under pressure.
 MatrixXd pressed_stiffness(const ContactQp& qp, const VectorXd& l) {
-    std::vector<Index> pressed;
-    for (Index k = 0; k < l.size(); ++k)
-        if (l[k] != 0) pressed.push_back(k);
-    const MatrixXd g = qp.modes(pressed, Eigen::all);
-    return g.transpose() * qp.foundation(pressed).asDiagonal() * g;
+    return weighted_gram(qp.modes, (l.array() != 0).select(qp.foundation, 0.0));
 }
 
 }  // namespace
@@ -78,7 +85,7 @@ Settled settle_rigidly(const ContactQp& qp) {
     const Index n = qp.modes.cols();
     Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
     if (qp.gap.size() == 0) return s;
-    s.stiffness = qp.modes.transpose() * qp.foundation.asDiagonal() * qp.modes;
+    s.stiffness = weighted_gram(qp.modes, qp.foundation);
     s.multipliers = pressures(qp, s.amplitudes);
     if (n == 0) return s;
     const double mean = s.stiffness.trace() / static_cast<double>(n);

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "solver/assembly.hpp"
+#include "solver/local_spline.hpp"
 
 namespace abut::solver {
 
@@ -45,6 +46,13 @@ struct DisplacementBasis {
 /// What everything that needs displacements at a point goes through.
 DisplacementBasis displacement_basis(const PartInput& input, int element, const Vec2& p);
 
+/// A displacement without a structure, on one element.
+inline LocalSpline<2> local_displacement(const SplineSpace& space, const Eigen::VectorXd& displacement, int element) {
+    return {space, element, [&](int function) { return displacement.segment<2>(2 * Eigen::Index{function}); }};
+}
+
+/// For spaces without a structure.
+DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 /// Displacement at a point of a part, with or without a structure.
 DisplacementAt displacement_at(const PartInput& input, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 

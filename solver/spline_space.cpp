@@ -18,24 +18,6 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-using LocalFunctions = std::array<int, (max_degree + 1) * (max_degree + 1)>;
-
-/// tensor_functions() without memory of its own: how many.
-std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result) {
-    if (!space.branches.empty()) {
-        const auto own = space.branches.find(element);
-        if (own != space.branches.end()) {
-            std::copy(own->second.begin(), own->second.end(), result.begin());
-            return own->second.size();
-        }
-    }
-    const int c = space.x.first[at(space.column_of(element))], r = space.y.first[at(space.row_of(element))];
-    std::size_t n = 0;
-    for (int b = 0; b <= space.y.degree; ++b)
-        for (int a = 0; a <= space.x.degree; ++a) result[n++] = (r + b) * space.x.n_functions() + c + a;
-    return n;
-}
-
 double distance_squared(const SplineSpace& s, int element, const Vec2& p) {
     const auto middle = [](const std::vector<double>& b, int i) { return 0.5 * (b[at(i)] + b[at(i) + 1]); };
     return (Vec2(middle(s.x.breakpoints, s.column_of(element)), middle(s.y.breakpoints, s.row_of(element))) - p).squaredNorm();
@@ -209,6 +191,21 @@ SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines,
                        {},
                        basis,
                        {}});
+}
+
+std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result) {
+    if (!space.branches.empty()) {
+        const auto own = space.branches.find(element);
+        if (own != space.branches.end()) {
+            std::copy(own->second.begin(), own->second.end(), result.begin());
+            return own->second.size();
+        }
+    }
+    const int c = space.x.first[at(space.column_of(element))], r = space.y.first[at(space.row_of(element))];
+    std::size_t n = 0;
+    for (int b = 0; b <= space.y.degree; ++b)
+        for (int a = 0; a <= space.x.degree; ++a) result[n++] = (r + b) * space.x.n_functions() + c + a;
+    return n;
 }
 
 std::vector<int> tensor_functions(const SplineSpace& space, int element) {

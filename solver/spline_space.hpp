@@ -7,6 +7,7 @@
 // them, and nothing ties the arms together.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -85,6 +86,9 @@ SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines,
 
 /// Branches of the tensor functions of an element, (q+1)(p+1), x fastest.
 std::vector<int> tensor_functions(const SplineSpace& space, int element);
+/// The same without memory of their own: how many.
+using LocalFunctions = std::array<int, (max_degree + 1) * (max_degree + 1)>;
+std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result);
 
 /// Functions of the space that are not zero on an element, and how its B-splines combine them: n_local x n_functions.
 struct Extraction {

@@ -2,6 +2,7 @@
 #include "solver/stress.hpp"
 
 #include "solver/dilatation.hpp"
+#include "solver/local_spline.hpp"
 #include "solver/ring.hpp"
 
 namespace abut::solver {
@@ -10,14 +11,24 @@ StressOf::StressOf(const PartInput& input, const Eigen::VectorXd& displacement) 
     if (input.is_projected) pressure_ = pressure(dilatation_of(input), displacement);
 }
 
+StressOf::OnElement::OnElement(const StressOf& stress, int element) : stress_(stress), element_(element) {
+    if (!stress.input_.structure) displacement_.emplace(local_displacement(stress.input_.space, stress.displacement_, element));
+}
+
+Eigen::Vector3d StressOf::OnElement::operator()(const Vec2& x) const {
+    if (!displacement_) return stress_(element_, x);
+    const SplineAt<2> u = displacement_->at(x);
+    return stress_(element_, x, {u.value, u.gradient});
+}
+
 Eigen::Vector3d StressOf::operator()(int element, const Vec2& x) const {
     return (*this)(element, x, displacement_at(input_, displacement_, element, x));
 }
 
-void StressOf::add_pressure(int element, const Vec2& x, double* stress, int n) const {
-    const PointBasis b = evaluate(input_.dilatation->space, element, x);
-    for (std::size_t i = 0; i < b.functions.size(); ++i)
-        for (int k = 0; k < n; ++k) stress[k] += b.value[static_cast<Eigen::Index>(i)] * pressure_[b.functions[i]];
+double StressOf::volume_pressure(int element, const Vec2& x) const {
+    const LocalSpline<1> pressure(input_.dilatation->space, element,
+                                  [&](int function) { return pressure_.segment<1>(function); });
+    return pressure.value(x)[0];
 }
 
 Eigen::Vector3d StressOf::operator()(int element, const Vec2& x, const DisplacementAt& u) const {
@@ -25,7 +36,7 @@ Eigen::Vector3d StressOf::operator()(int element, const Vec2& x, const Displacem
     Eigen::Vector3d s = stress_of(d, u.gradient);
     if (input_.axis) s.head<2>().array() += d.d12 * hoop_strain(input_, x, u);
     if (input_.free_strain) s.head<2>().array() -= d.expansion * input_.free_strain(x);
-    if (input_.is_projected) add_pressure(element, x, s.data(), 2);
+    if (input_.is_projected) s.head<2>().array() += volume_pressure(element, x);
     return s;
 }
 
@@ -38,7 +49,7 @@ double StressOf::zz(int element, const Vec2& x) const {
     }
     const Elasticity d = local_elasticity(input_);
     double s = d.d11 * hoop_strain(input_, x, u) + d.d12 * u.gradient.trace() - d.expansion * free;
-    if (input_.is_projected) add_pressure(element, x, &s, 1);
+    if (input_.is_projected) s += volume_pressure(element, x);
     return s;
 }
 

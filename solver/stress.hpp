@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stresses of a displacement, whichever way the part's volume strain is made, less those of its free strain.
 #pragma once
+#include <optional>
+
+#include "solver/local_spline.hpp"
 #include "solver/solution_structure.hpp"
 
 namespace abut::solver {
@@ -9,6 +12,18 @@ namespace abut::solver {
 /// the mass matrix, else nothing.
 class StressOf {
 public:
+    /// On one element: what its points share is done once.
+    class OnElement {
+    public:
+        OnElement(const StressOf& stress, int element);
+        Eigen::Vector3d operator()(const Vec2& x) const;
+
+    private:
+        const StressOf& stress_;
+        int element_;
+        std::optional<LocalSpline<2>> displacement_;  // without a structure
+    };
+
     StressOf(const PartInput& input, const Eigen::VectorXd& displacement);
 
     /// (xx, yy, xy) at a point of an element.
@@ -19,8 +34,8 @@ public:
     double zz(int element, const Vec2& x) const;
 
 private:
-    /// Adds the projected volume strain's pressure to n normal stresses.
-    void add_pressure(int element, const Vec2& x, double* stress, int n) const;
+    /// Of the projected volume strain.
+    double volume_pressure(int element, const Vec2& x) const;
 
     const PartInput& input_;
     const Eigen::VectorXd& displacement_;

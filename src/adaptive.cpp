@@ -21,8 +21,9 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3;
 constexpr int max_passes = 7;  // on the same candidates
 
-/// On the same grids, until the ends are where they were expected.
-constexpr int max_knot_moves = 3;
+/// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
+/// near.
+constexpr int max_knot_moves = 3, knot_moves_before = 2;
 /// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
 constexpr double affordable_unknowns = 30000, affordable_growth = 12;
 /// Are all grids given, so that there is nothing to adapt?
@@ -84,18 +85,21 @@ private:
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
         out_.factorizations += static_cast<int>(now.problem.parts.size());
         out_.iterations += now.solution.iterations;
-        follow_ends(now);
+        follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         return now;
     }
 
-    /// Knots move to where contact was found to end, and the contact alone is solved again.
-    void follow_ends(SolvedAssembly& now) {
-        if (scene_.contacts.penalty) return;
-        for (int n = 0; n < max_knot_moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++n) {
+    /// Knots move to where contact was found to end, and the contact alone is solved again. False: they are there.
+    bool follow_ends(SolvedAssembly& now, int moves) {
+        if (scene_.contacts.penalty) return false;
+        int moved = 0;
+        for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
             expect_ends(scene_, now, out_.candidates);
+            expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
         }
+        return moved > 0;
     }
 
     bool may_widen() const {
@@ -170,12 +174,17 @@ private:
 
     bool out_of_passes() const { return out_.passes.size() >= comparable_from_ + max_passes; }
 
+    void record(const SolvedAssembly& now) {
+        const bool stuck = !is_solved(now);
+        out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
+        out_.errors.push_back(errors_of_last(stuck));
+    }
+
     /// One solution; true: the last one.
     bool step() {
         SolvedAssembly now = solve();
         const bool stuck = !is_solved(now);
-        out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
-        out_.errors.push_back(errors_of_last(stuck));
+        record(now);
         if (!now.failure.empty() && !next_.on_final_cells()) {  // a wall too thin for the first cells
             comparable_from_ = out_.passes.size();
             start_over();
@@ -193,14 +202,23 @@ private:
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         if (stuck || grids_are_fixed(scene_)) return end(std::move(now), PathEnd::no_need);
         if (!any_run(now)) return step_without_contact(std::move(now));
-        const ErrorEstimate& error = out_.errors.back();
-        if (error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target)
-            return end(std::move(now), PathEnd::reached);
+        if (is_reached() && !next_.on_final_cells() && follow_ends(now, max_knot_moves - knot_moves_before)) {
+            out_.passes.pop_back();
+            out_.errors.pop_back();
+            record(now);
+            if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
+        }
+        if (is_reached()) return end(std::move(now), PathEnd::reached);
         if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-        prepare_next(now, error);
+        prepare_next(now, out_.errors.back());
         return false;
+    }
+
+    bool is_reached() const {
+        const ErrorEstimate& error = out_.errors.back();
+        return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target;
     }
 
     void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
@@ -213,6 +231,7 @@ private:
         wanted_ = sizes_from(scene_, now, next_.resolution);
         move_seams(scene_, now, out_.candidates);
         expect_ends(scene_, now, out_.candidates);
+        expect_pressures(now, out_.candidates);
     }
 
     double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }

@@ -14,6 +14,12 @@ struct ExpectedEnd {
     int outward;  ///< +1: beyond it, at larger s1, the gap is open; -1: the other way
 };
 
+/// Pressures that were found along a zone.
+struct ExpectedPressure {
+    std::vector<double> s1;  ///< arc lengths on the zone's first chain, ascending; closed zones: once around
+    std::vector<double> pressure;
+};
+
 struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second
     geometry::FacingZone zone;
@@ -22,6 +28,7 @@ struct Candidate {
     bool bonded = false;      ///< held together as drawn
     int rule = -1;            ///< the scene's rule for this pair, if any
     std::vector<ExpectedEnd> ends{};
+    ExpectedPressure expected{};  ///< empty: nothing is known
 };
 
 /// Drawn overlaps up to this fraction of the smaller part's diagonal are the drawing's rounding, not a fault.

@@ -146,6 +146,30 @@ Knots place_knots(const std::vector<double>& count, const ContactInterface& c, c
     return knots;
 }
 
+/// s1 of a place on the middle curve; where the zone is closed, in the period that begins at `from`.
+double chain_place(const ContactInterface& c, double s, double from) {
+    const double s1 = interpolate(c.s, c.s1, s), period = c.zone.chain1.length;
+    return c.zone.closed ? s1 - period * std::floor((s1 - from) / period) : s1;
+}
+
+/// Of the solution before: of each function the least pressure at the knots inside its support. So the last function that was
+/// closed is the last that is expected to be, though its pressure reaches into the support of the next.
+std::vector<double> expected_coefficients(const ContactInterface& c, const ExpectedPressure& before) {
+    std::vector<double> expected;
+    if (before.s1.empty()) return expected;
+    const auto pressure = [&](double s) {
+        const double s1 = chain_place(c, s, before.s1.front());
+        return s1 <= before.s1.back() ? interpolate(before.s1, before.pressure, s1) : 0.0;
+    };
+    const std::vector<double>& knots = c.face.pressure.knots;
+    for (int k = 0; k < n_rows(c.face); ++k) {
+        expected.push_back(pressure(knots[at(k + 1)]));
+        for (int i = 2; i <= c.face.pressure.degree; ++i)
+            expected.back() = std::min(expected.back(), pressure(knots[at(k + i)]));
+    }
+    return expected;
+}
+
 }  // namespace
 
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
@@ -188,6 +212,7 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
             append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch, drawn);
         }
     }
+    c.face.expected = expected_coefficients(c, candidate.expected);
     c.foundation = winkler_stiffness(scene, first, second);
     return c;
 }

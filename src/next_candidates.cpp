@@ -105,6 +105,26 @@ void expect_ends(const Scene& scene, const SolvedAssembly& s, std::vector<Candid
     for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, k);
 }
 
+namespace {
+
+bool in_contact(const std::vector<ContactRun>& runs, double s) {
+    return std::any_of(runs.begin(), runs.end(), [s](const ContactRun& run) { return run.begin <= s && s <= run.end; });
+}
+
+}  // namespace
+
+void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const ContactInterface& contact = s.contacts[k];
+        candidates[k].expected = {};
+        if (s.interface_of[k] < 0 || contact.pairing != Pairing::middle) continue;
+        candidates[k].expected.s1 = contact.s1;
+        for (double at_s : contact.s)
+            candidates[k].expected.pressure.push_back(
+                in_contact(s.runs[k], at_s) ? solver::pressure_at(contact.face.pressure, pressure_of(s, k), at_s) : 0.0);
+    }
+}
+
 bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ExpectedEnd> now = free_ends(scene, s, k), &expected = candidates[k].ends;

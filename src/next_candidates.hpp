@@ -18,6 +18,9 @@ void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Ca
 /// The free ends of all contacts, as the next pressure splines expect them.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
+/// The pressures of all contacts: where the next search for the active set begins.
+void expect_pressures(const SolvedAssembly& solved, std::vector<Candidate>& candidates);
+
 /// Do the free ends lie elsewhere than the candidates expected, by so much that other knots would tell more?
 bool ends_moved(const Scene& scene, const SolvedAssembly& solved, const std::vector<Candidate>& candidates);
 

@@ -34,8 +34,8 @@ struct Material {
 /// Where a part came from, and what it is made of.
 struct ScenePart {
     std::string name;
-    geometry::Part part;  ///< in assembly coordinates and the scene's length unit, named
-    int material = -1;    ///< index into Scene::materials
+    geometry::Part part;                      ///< in assembly coordinates and the scene's length unit, named
+    int material = -1;                        ///< index into Scene::materials
     double thickness = 1;                     ///< axisymmetric: 2 pi, so that all forces are totals over the circle
     std::string where;                        ///< JSON pointer
     std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports

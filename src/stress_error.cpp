@@ -30,13 +30,17 @@ double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& 
     const solver::StressOf raw(input, displacement);
     double twice = 0;
     for_all_cells(input, [&](const solver::CellRule& cell) {
+        const solver::StressOf::OnElement raw_here(raw, cell.element);
+        const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
         for (std::size_t q = 0; q < cell.points.size(); ++q) {
-            const Eigen::Vector4d s = solver::stress_at(smoothed, cell.element, cell.points[q]);
-            Eigen::Vector4d away = s;
-            away.head<3>() -= raw(cell.element, cell.points[q]);
-            if (input.axis) away[3] -= raw.zz(cell.element, cell.points[q]);
-            twice += cell.weights[q] * (input.axis ? twice_density_of_ring(input.elasticity, away)
-                                                   : twice_density(input.elasticity, away.head<3>()));
+            const Vec2& x = cell.points[q];
+            const Eigen::Vector3d away = smoothed_here.value(x) - raw_here(x);
+            if (!input.axis) {
+                twice += cell.weights[q] * twice_density(input.elasticity, away);
+                continue;
+            }
+            const double zz = solver::stress_at(smoothed, cell.element, x)[3] - raw.zz(cell.element, x);
+            twice += cell.weights[q] * twice_density_of_ring(input.elasticity, {away[0], away[1], away[2], zz});
         }
     });
     return 0.5 * input.thickness * twice;

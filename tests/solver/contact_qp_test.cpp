@@ -194,6 +194,42 @@ TEST(ContactQp, AgreesWithAllActiveSets) {
     EXPECT_GT(n_mechanisms, 30);
 }
 
+/// What is expected decides where the search begins, never where it ends: the answer itself, part of it, all or nothing.
+TEST(ContactQp, GivesTheSameAnswerWhateverIsExpected) {
+    int with_the_answer = 0, without = 0;
+    for (unsigned trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE(trial);
+        ContactQp qp = random_problem(trial, 3 + trial % 20, trial % 4, true);
+        const ContactQpResult plain = solve_contact_qp(qp);
+        if (!plain.feasible) continue;
+        ASSERT_TRUE(plain.converged);
+        std::mt19937 random = generator(trial);
+        const Index m = qp.gap.size();
+        for (const VectorXd& expected : {plain.multipliers, VectorXd(VectorXd::Zero(m)), VectorXd(VectorXd::Ones(m)),
+                                         VectorXd(random_matrix(random, m, 1))}) {
+            qp.expected = expected;
+            const ContactQpResult r = solve_contact_qp(qp);
+            expect_solved(qp, r, 1e-9);
+            EXPECT_LT((r.multipliers - plain.multipliers).norm(), 1e-9 * (1 + plain.multipliers.norm()));
+        }
+        qp.expected = plain.multipliers;
+        with_the_answer += solve_contact_qp(qp).iterations;
+        without += plain.iterations;
+    }
+    EXPECT_LT(with_the_answer, without / 2);
+}
+
+TEST(ContactQp, SolvesOnceWithoutUnilateralRows) {
+    for (unsigned trial = 0; trial < 20; ++trial) {
+        SCOPED_TRACE(trial);
+        ContactQp qp = random_problem(trial, 8, trial % 4, true);
+        std::fill(qp.unilateral.begin(), qp.unilateral.end(), char{0});
+        const ContactQpResult r = solve_contact_qp(qp);
+        expect_solved(qp, r, 1e-9);
+        EXPECT_EQ(r.iterations, 1);
+    }
+}
+
 TEST(ContactQp, FinishesWithTheMonotoneSetWhereThePrimalDualOneCycles) {
     // compliances far from those of solids: strongly coupled rows of either sign, starts far from the solution
     int n_fallback = 0;

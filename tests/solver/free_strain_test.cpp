@@ -57,8 +57,8 @@ TEST_P(FreeStrain, LeavesAFreePartWithoutStressInThePlane) {
         const Eigen::Matrix2d g = displacement_at(part, u, rule.element, x).gradient;
         EXPECT_NEAR(g(0, 0), law.in_plane * strain, tolerance() * strain);
         EXPECT_NEAR(g(1, 1), law.in_plane * strain, tolerance() * strain);
-        if (law.elasticity.expansion_zz != 0)
-            EXPECT_NEAR(stress.zz(rule.element, x), law.zz * E * strain, tolerance() * E * strain);
+        if (law.elasticity.expansion_zz == 0) continue;
+        EXPECT_NEAR(stress.zz(rule.element, x), law.zz * E * strain, tolerance() * E * strain);
     }
     const double area = test::ell_boxes(part)[0].area() + test::ell_boxes(part)[1].area();
     const double energy = 0.5 * law.zz * law.zz * E * strain * strain * area * part.thickness;

@@ -72,6 +72,27 @@ TEST(NextCandidates, FreeEndsAreExpectedWhereTheyWereFound) {
     EXPECT_TRUE(next[0].ends.empty());
 }
 
+TEST(NextCandidates, PressuresAreExpectedWhereTheyWereFound) {
+    Outcome pin = solved_pin();
+    std::vector<Candidate> next = pin.candidates;
+    expect_pressures(pin.solved, next);
+    const ExpectedPressure& expected = next[0].expected;
+    ASSERT_EQ(expected.s1.size(), expected.pressure.size());
+    ASSERT_EQ(expected.s1, pin.solved.contacts[0].s1);
+    const ContactRun& run = pin.solved.runs[0][0];
+    for (std::size_t k = 0; k < expected.s1.size(); ++k) {
+        const double s = pin.solved.contacts[0].s[k];
+        EXPECT_EQ(expected.pressure[k] > 0, run.begin < s && s < run.end) << s;
+    }
+    Stopwatches seconds;
+    const int before = pin.solved.solution.iterations;
+    const Eigen::VectorXd pressure = pin.solved.solution.pressure[0];
+    next[0].ends = pin.candidates[0].ends;
+    solve_contacts_again(pin_scene(), next, pin.solved, seconds, 1);
+    EXPECT_LE(pin.solved.solution.iterations, std::min(before, 2));
+    EXPECT_LT((pin.solved.solution.pressure[0] - pressure).norm(), 1e-9 * pressure.norm());
+}
+
 TEST(NextCandidates, TheSearchReachesAsFarAsThePartsMove) {
     Outcome pin = solved_pin();
     const double factor = needed_search_factor(pin_scene(), pin.solved);
