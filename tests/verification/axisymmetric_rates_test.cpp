@@ -55,5 +55,22 @@ TEST(AxisymmetricRates, DisplacementsConvergeInTheOrderOfTheirSplines) {
     EXPECT_LT(sphere_error(solved("hollow_sphere", 24, 3)), 1e-5);
 }
 
+/// Of Lame's cylinder: half the pressure's work.
+double energy_error(const Result& r) {
+    const double exact = 0.5 * 100 * 1.3 * 100.0 / 3 / 1e5 * 4.4 * std::numbers::pi;
+    return (exact - r.strain_energy) / exact;
+}
+
+/// Order 2 p; the estimate from one solution alone within a factor of two (measured: 0.88 to 1.35).
+TEST(AxisymmetricRates, EnergiesConvergeAndTheirEstimateKnowsIt) {
+    for (double p : {1.0, 2.0, 3.0}) {
+        EXPECT_GT(slope("cylinder_rz", 4, p, energy_error), 2 * p - 0.4) << p;
+        const Result r = solved("cylinder_rz", 8, p);
+        ASSERT_TRUE(r.error_estimate.energy);
+        EXPECT_GT(*r.error_estimate.energy, 0.5 * energy_error(r)) << p;
+        EXPECT_LT(*r.error_estimate.energy, 2 * energy_error(r)) << p;
+    }
+}
+
 }  // namespace
 }  // namespace abut
