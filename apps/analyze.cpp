@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut analyze: one scene, from its file to the result files.
-#include <algorithm>
 #include <iostream>
-#include <optional>
 
+#include "apps/accuracy_option.hpp"
 #include "apps/commands.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/plan_text.hpp"
@@ -12,37 +11,14 @@
 #include "apps/result_files.hpp"
 #include "apps/stopwatch.hpp"
 #include "apps/thread_option.hpp"
-#include "geometry/input_error.hpp"
-#include "src/accuracy_goal.hpp"
 #include "src/analysis.hpp"
-#include "src/nearest_name.hpp"
 #include "src/plan.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
-#include "src/svg.hpp"
 
 namespace abut {
 
 namespace {
-
-const std::vector<std::string> accuracy_levels{"draft", "standard", "fine"};
-
-/// --accuracy stands for the scene's level or target.
-void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
-    if (!has(arguments, "--accuracy")) return;
-    const std::string text = arguments.options.at("--accuracy");
-    accuracy.target.reset();
-    if (std::find(accuracy_levels.begin(), accuracy_levels.end(), text) != accuracy_levels.end()) {
-        accuracy.level = text;
-        return;
-    }
-    accuracy.target = to_number(text);
-    if (accuracy.target && is_target(*accuracy.target)) return;
-    const std::string numbers =
-        " or a relative error from " + number_text(least_target, 1) + " to " + number_text(most_target, 1);
-    throw InputError("--accuracy", "'" + shortened(text) + "' is no level and no error to aim at",
-                     "use " + listed(accuracy_levels) + "," + numbers);
-}
 
 Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);

@@ -22,6 +22,8 @@ int inspect_command(const Arguments& arguments);
 int init_command(const Arguments& arguments);
 int study_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
+int batch_command(const Arguments& arguments);
+int merge_command(const Arguments& arguments);
 
 /// What each command accepts, for parsing and for its help.
 CommandSpec analyze_spec();
@@ -30,5 +32,7 @@ CommandSpec inspect_spec();
 CommandSpec init_spec();
 CommandSpec study_spec();
 CommandSpec verify_spec();
+CommandSpec batch_spec();
+CommandSpec merge_spec();
 
 }  // namespace abut

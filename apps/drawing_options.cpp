@@ -61,6 +61,10 @@ ImportOptions drawing_options(const Arguments& arguments) {
         check_no_drawing_options(arguments);
         return {};
     }
+    return import_options(arguments);
+}
+
+ImportOptions import_options(const Arguments& arguments) {
     check_choice(arguments, "--units", known_units);
     check_choice(arguments, "--parts-by", known_ways);
     ImportOptions options;

@@ -14,6 +14,8 @@ std::vector<OptionSpec> drawing_option_specs();
 
 /// Throws InputError where a value is wrong, or where the options are given beside a scene, which states them itself.
 ImportOptions drawing_options(const Arguments& arguments);
+/// The same without a look at the operand.
+ImportOptions import_options(const Arguments& arguments);
 
 enum class FileKind { scene, drawing };  ///< meshes count as drawings
 /// By the file's extension, in either case. Throws InputError where the file is missing, or of a kind that cannot be read.

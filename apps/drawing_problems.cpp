@@ -27,10 +27,14 @@ void throw_if_any(const std::string& file, const std::vector<geometry::SketchPro
 }
 
 SketchReading read_whole_sketch(const Arguments& arguments) {
-    SketchReading reading = read_sketch(arguments.operand, drawing_options(arguments));
+    return read_whole_sketch(arguments.operand, drawing_options(arguments));
+}
+
+SketchReading read_whole_sketch(const std::string& file, const ImportOptions& options) {
+    SketchReading reading = read_sketch(file, options);
     std::vector<geometry::SketchProblem> problems = reading.drawing.problems;
     problems.insert(problems.end(), reading.sketch.problems.begin(), reading.sketch.problems.end());
-    throw_if_any(arguments.operand, problems);
+    throw_if_any(file, problems);
     return reading;
 }
 

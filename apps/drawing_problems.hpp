@@ -15,5 +15,7 @@ void throw_if_any(const std::string& file, const std::vector<geometry::SketchPro
 /// The drawing or mesh that the operand names. One with problems is refused: parts that could not be read would be missing
 /// without notice.
 SketchReading read_whole_sketch(const Arguments& arguments);
+/// The same of any drawing or mesh.
+SketchReading read_whole_sketch(const std::string& file, const ImportOptions& options);
 
 }  // namespace abut

@@ -25,11 +25,9 @@ struct Command {
 
 std::vector<Command> known_commands() {
     return {{analyze_spec(), analyze_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
-            {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command}};
+            {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command},
+            {batch_spec(), batch_command},     {merge_spec(), merge_command}};
 }
-
-/// Named in the documentation of the command line, and refused by name until they exist.
-const std::vector<std::string> future_commands{"batch", "merge"};
 
 std::string general_help() {
     std::string text = "usage: abut COMMAND FILE [OPTIONS]\n\nContact analysis of plane assemblies.\n\ncommands:\n";
@@ -44,9 +42,6 @@ std::string general_help() {
 [[noreturn]] void refuse_command(const std::string& word) {
     std::vector<std::string> names;
     for (const Command& command : known_commands()) names.push_back(command.spec.name);
-    if (std::find(future_commands.begin(), future_commands.end(), word) != future_commands.end()) {
-        throw InputError(word, "this command is not supported yet", "use one of " + listed(names));
-    }
     throw InputError("", "unknown command '" + shortened(word) + "'", nearest_name_hint(word, names));
 }
 

@@ -33,6 +33,8 @@ void fill_contact(const ContactError& e, std::size_t k, Result& result) {
 
 std::string why_it_ended(PathEnd end) {
     if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
+    if (end == PathEnd::fixed_grids) return "the scene gives the grids; \"adapt\": true lets them follow the target";
+    if (end == PathEnd::out_of_digits) return "rounding hides what finer grids would change";
     return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
 }
 
@@ -47,7 +49,7 @@ void fill_target(const Outcome& out, Result& result) {
     result.accuracy.target = out.target;
     result.accuracy.estimate = steering(error);
     result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
-    if (out.end != PathEnd::out_of_cells && out.end != PathEnd::out_of_passes) return;
+    if (out.end == PathEnd::no_need || out.end == PathEnd::reached || result.accuracy.reached) return;
     result.accuracy.why = why_it_ended(out.end);
     result.warnings.push_back("the estimated error of the " + result.accuracy.of + ", " +
                               percent(result.accuracy.estimate.value_or(1)) + ", is above the " + percent(out.target) +

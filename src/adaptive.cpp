@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "solver/blas_threads.hpp"
 #include "src/accuracy_goal.hpp"
@@ -12,6 +13,7 @@
 #include "src/next_grids.hpp"
 #include "src/plan.hpp"
 #include "src/stress_error.hpp"
+#include "src/stress_raisers.hpp"
 
 namespace abut {
 
@@ -26,6 +28,9 @@ constexpr int max_passes = 7;  // on the same candidates
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
 /// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
 constexpr double affordable_unknowns = 30000, affordable_growth = 12;
+/// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
+constexpr double rounding_share = 0.1;
+
 /// Are all grids given, so that there is nothing to adapt?
 bool grids_are_fixed(const Scene& scene) {
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
@@ -52,6 +57,7 @@ public:
           threads_(solver::usable_threads(options.threads)) {
         out_.target = target_of(scene.accuracy);
         next_ = {out_.target, 1, 1};
+        raisers_.resize(scene.parts.size());
     }
 
     Outcome walk() {
@@ -131,7 +137,11 @@ private:
         const auto begin = std::chrono::steady_clock::now();
         out_.stress = stress_fields(now);
         ErrorEstimate& error = out_.errors.back();
-        error.energy = energy_error(now, out_.stress);
+        error.energy = error.smoothing = energy_error(now, out_.stress);
+        const std::size_t n = out_.errors.size();
+        if (error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
+            error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
+                                           {out_.passes[n - 1].energy, *error.smoothing});
         if (error.energy) error.stress = std::sqrt(*error.energy);
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
@@ -149,19 +159,31 @@ private:
         return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back());
     }
 
-    /// Without contact: finer grids only for a target of its own.
+    /// Has the answer fewer digits than a finer grid could show?
+    bool is_lost_in_rounding(const SolvedAssembly& now) const {
+        return std::numeric_limits<double>::epsilon() * largest_condition(now) > rounding_share * out_.target;
+    }
+
+    /// Without contact the stress is aimed at. What smoothed stresses alone say of it holds where it is smooth; beside stress
+    /// raisers it takes a second grid to know.
     bool step_without_contact(SolvedAssembly&& now) {
         recover_stress(now);
         if (next_.on_final_cells()) {
             const ErrorEstimate& error = out_.errors.back();
-            if (!scene_.accuracy.target || !error.stress) return end(std::move(now), PathEnd::no_need);
-            if (*error.stress <= out_.target) return end(std::move(now), PathEnd::reached);
+            if (!error.stress) return end(std::move(now), PathEnd::no_need);
+            const bool is_low = *error.stress <= out_.target, is_first = out_.passes.size() == comparable_from_ + 1;
+            if (is_low && !is_first) return end(std::move(now), PathEnd::reached);
+            if (is_lost_in_rounding(now)) return end(std::move(now), is_low ? PathEnd::reached : PathEnd::out_of_digits);
+            const bool has_raisers = add_stress_raisers(now, out_.stress, raisers_);
+            if (is_low && !has_raisers) return end(std::move(now), PathEnd::reached);
             if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-            next_.coarseness /= coarsening_step;
+            if (!has_raisers) next_.coarseness /= coarsening_step;
         }
         coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+        for (std::size_t i = 0; i < wanted_.size(); ++i)
+            wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
         return false;
     }
 
@@ -200,7 +222,9 @@ private:
         }
         out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
-        if (stuck || grids_are_fixed(scene_)) return end(std::move(now), PathEnd::no_need);
+        if (stuck) return end(std::move(now), PathEnd::no_need);
+        if (grids_are_fixed(scene_))
+            return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
         if (!any_run(now)) return step_without_contact(std::move(now));
         if (is_reached() && !next_.on_final_cells() && follow_ends(now, max_knot_moves - knot_moves_before)) {
             out_.passes.pop_back();
@@ -244,6 +268,7 @@ private:
     Outcome out_;
     NextGrids next_;
     WantedSizes wanted_;
+    WantedSizes raisers_;  // where stresses turned out to be worst
     double factor_ = 1;
     int widenings_ = 0;
     std::size_t comparable_from_ = 0;  // passes before have other candidates

@@ -12,10 +12,12 @@ namespace abut {
 
 /// Why there are no finer grids.
 enum class PathEnd {
-    no_need,       ///< grids are given, or no contact carries anything: one solution
-    reached,       ///< the estimated error is below the target
-    out_of_cells,  ///< the budget of cells is spent
-    out_of_passes  ///< the errors do not fall: the pressure has no limit somewhere
+    no_need,        ///< grids are given and no target, or there is no error to bring down: one solution
+    fixed_grids,    ///< grids are given, and a target with them
+    reached,        ///< the estimated error is below the target
+    out_of_cells,   ///< the budget of cells is spent
+    out_of_passes,  ///< the errors do not fall: the pressure has no limit somewhere
+    out_of_digits   ///< rounding hides what finer grids would change
 };
 
 struct Outcome {

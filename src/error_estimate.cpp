@@ -21,6 +21,8 @@ constexpr double same_cells = 0.95;  // ratio of knot spacings above which they 
 /// An error at the ends of contact shifts its force, and the largest pressure by about this share of it (0.01 to 0.3): of use
 /// where the change from the grid before is small by chance.
 constexpr double ends_in_peak = 0.1;
+/// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
+constexpr double largest_ratio = 0.8;
 
 double end_errors(const ContactRecord& c) {
     double square = 0;
@@ -86,6 +88,12 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     if (strongest > 0) e.contact_pressure = worst / strongest;
     if (strongest > 0) e.peak = worst_peak / largest_peak;
     return e;
+}
+
+double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now) {
+    if (now.smoothing > largest_ratio * before.smoothing) return now.smoothing;
+    const double change = std::abs(now.energy - before.energy) / now.energy;
+    return std::max(now.smoothing, change * now.smoothing / (before.smoothing - now.smoothing));
 }
 
 }  // namespace abut

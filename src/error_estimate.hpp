@@ -28,6 +28,7 @@ struct ErrorEstimate {
     std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
     std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
     std::optional<double> peak;                         ///< the same of largest pressures, but for those at corners
+    std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
 };
@@ -35,5 +36,14 @@ struct ErrorEstimate {
 /// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands
 /// where a contact's cells stayed as they were.
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before);
+
+/// A solution's strain energy, and the energy of what its smoothed stresses differ by, relative to it.
+struct EnergyOnGrid {
+    double energy, smoothing;
+};
+/// Relative error of the energy on the later of two grids. The differences of smoothed stresses tell how the errors of both
+/// compare; the change of the energy is the difference of those errors, which gives their size: at corners without a limit of
+/// the stress the smoothed ones see a quarter of the error (error of stress: half), and miss the same fraction on both grids.
+double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);
 
 }  // namespace abut

@@ -127,6 +127,14 @@ std::optional<geometry::Part> the_only_part(SceneReading& reading, const JsonVal
     return std::nullopt;
 }
 
+/// Where the file is that a scene calls by this name.
+std::string path_of(const SceneReading& reading, const std::string& name) {
+    if (name != any_file) return (std::filesystem::path(reading.file).parent_path() / name).string();
+    if (!reading.given_file.empty()) return reading.given_file;
+    throw InputError("", "this scene is a template, whose file '" + name + "' stands for any drawing or mesh",
+                     "use it by abut batch SOURCE --template, or name a file");
+}
+
 }  // namespace
 
 const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
@@ -137,7 +145,7 @@ const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, c
     const auto known = imports.drawings.find(key);
     if (known != imports.drawings.end()) return &known->second;
     try {
-        ImportedDrawing import{read_drawing((std::filesystem::path(reading.file).parent_path() / *name).string(), options), 1};
+        ImportedDrawing import{read_drawing(path_of(reading, *name), options), 1};
         const std::optional<double> factor = factor_to_scene(reading, imports, import.drawing, file);
         if (!factor) return nullptr;
         import.factor = *factor;

@@ -148,8 +148,9 @@ void check_replaced(SceneReading& reading) {
     throw InputError(std::move(problems));
 }
 
-Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced) {
-    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced};
+Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced, const std::string& given_file = {}) {
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced,
+                         given_file};
     Scene scene;
     scene.file = document.file;
     const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
@@ -181,6 +182,10 @@ Scene read_scene(const std::string& path) {
 
 Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters) {
     return scene_of(read_json(path), parameters);
+}
+
+Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters, const std::string& file) {
+    return scene_of(read_json(path), parameters, file);
 }
 
 Scene read_scene_text(const std::string& text, const std::string& file) {

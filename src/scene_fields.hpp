@@ -26,6 +26,7 @@ struct SceneReading {
     std::vector<std::string> part_names;       ///< filled by the parts and the assembly
     bool all_parts_named = true;               ///< false where names are missing because their part could not be read
     std::map<std::string, double> replaced{};  ///< parameters whose values are given from outside
+    std::string given_file{};                  ///< what a template's file name `any_file` stands for; empty: nothing
 };
 
 /// Notes a problem at the place of a value.

@@ -2,6 +2,7 @@
 #include "src/stress_error.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "solver/stress.hpp"
 #include "src/contact_measures.hpp"
@@ -24,29 +25,44 @@ double twice_density_of_ring(const solver::Elasticity& d, const Eigen::Vector4d&
     return (squares - d.d12 / (twice_mu + 3 * d.d12) * trace * trace) / twice_mu;
 }
 
-/// Strain energy of the difference between smoothed stresses and those of the displacement.
-double difference_energy(const solver::PartInput& input, const Eigen::VectorXd& displacement,
-                         const solver::StressField& smoothed) {
-    const solver::StressOf raw(input, displacement);
+/// Twice the energy of the difference between smoothed stresses and those of a displacement in one cell; of the stresses in the
+/// plane, and around an axis.
+double twice_error(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
+                   const solver::CellRule& cell) {
+    const solver::StressOf::OnElement raw_here(raw, cell.element);
+    const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
     double twice = 0;
-    for_all_cells(input, [&](const solver::CellRule& cell) {
-        const solver::StressOf::OnElement raw_here(raw, cell.element);
-        const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
-        for (std::size_t q = 0; q < cell.points.size(); ++q) {
-            const Vec2& x = cell.points[q];
-            const Eigen::Vector3d away = smoothed_here.value(x) - raw_here(x);
-            if (!input.axis) {
-                twice += cell.weights[q] * twice_density(input.elasticity, away);
-                continue;
-            }
-            const double zz = solver::stress_at(smoothed, cell.element, x)[3] - raw.zz(cell.element, x);
-            twice += cell.weights[q] * twice_density_of_ring(input.elasticity, {away[0], away[1], away[2], zz});
-        }
-    });
-    return 0.5 * input.thickness * twice;
+    for (std::size_t q = 0; q < cell.points.size(); ++q)
+        twice +=
+            cell.weights[q] * twice_density(input.elasticity, smoothed_here.value(cell.points[q]) - raw_here(cell.points[q]));
+    return twice;
+}
+double twice_error_of_ring(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
+                           const solver::CellRule& cell) {
+    const solver::StressOf::OnElement raw_here(raw, cell.element);
+    double twice = 0;
+    for (std::size_t q = 0; q < cell.points.size(); ++q) {
+        const Vec2& x = cell.points[q];
+        Eigen::Vector4d away = solver::stress_at(smoothed, cell.element, x);
+        away.head<3>() -= raw_here(x);
+        away[3] -= raw.zz(cell.element, x);
+        twice += cell.weights[q] * twice_density_of_ring(input.elasticity, away);
+    }
+    return twice;
 }
 
 }  // namespace
+
+std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
+                                   const solver::StressField& smoothed) {
+    const solver::StressOf raw(input, displacement);
+    const auto error_in = input.axis ? twice_error_of_ring : twice_error;
+    std::vector<double> errors(input.space.fraction.size(), 0.0);
+    for_all_cells(input, [&](const solver::CellRule& cell) {
+        errors[static_cast<std::size_t>(cell.element)] = 0.5 * input.thickness * error_in(input, raw, smoothed, cell);
+    });
+    return errors;
+}
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved) {
     std::vector<solver::StressField> fields;
@@ -61,7 +77,8 @@ std::optional<double> energy_error(const SolvedAssembly& solved, const std::vect
     double error = 0;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (!stress[k].failure.empty()) return std::nullopt;
-        error += difference_energy(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
+        const std::vector<double> errors = element_errors(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
+        error += std::accumulate(errors.begin(), errors.end(), 0.0);
     }
     return std::max(0.0, error) / energy;
 }

@@ -39,7 +39,7 @@ TEST_F(CommandLine, HelpOfACommandListsItsOptionsWhateverElseIsGiven) {
     expect_words(abut({"study", "-h"}).output, {"SCENE", "-o DIR", "--budget SECONDS", "--threads N", "--json", "--quiet"});
 }
 
-TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
+TEST_F(CommandLine, RefusesMissingAndUnknownCommands) {
     Outcome run = abut({});
     expect_refused(run, 1);
     expect_words(joined(run.errors), {"no command", "abut --help"});
@@ -47,12 +47,6 @@ TEST_F(CommandLine, RefusesMissingUnknownAndFutureCommands) {
     run = abut({"analyse", "a.json"});
     expect_refused(run, 1);
     expect_words(joined(run.errors), {"'analyse'", "did you mean 'analyze'"});
-
-    for (const char* future : {"batch", "merge"}) {
-        run = abut({future, "a.json"});
-        expect_refused(run, 1);
-        expect_words(joined(run.errors), {future, "not supported yet", "analyze"});
-    }
 }
 
 TEST_F(CommandLine, SuggestsTheNearestOption) {

@@ -20,7 +20,7 @@ Outcome outcome(double pressure, double peak, PathEnd end) {
     error.peak = peak;
     error.energy = 4e-4;
     error.stress = 0.02;
-    out.errors = {ErrorEstimate{{std::nullopt}, {}, {}, {}, {}}, error};
+    out.errors = {ErrorEstimate{{std::nullopt}, {}, {}, {}, {}, {}}, error};
     return out;
 }
 
@@ -75,8 +75,10 @@ TEST(AccuracyResults, ThePeakCountsWhereItIsWorse) {
 }
 
 TEST(AccuracyResults, MissedTargetsSayWhy) {
-    for (const auto& [end, words] :
-         {std::pair{PathEnd::out_of_cells, "as many cells"}, {PathEnd::out_of_passes, "do not bring it down"}}) {
+    for (const auto& [end, words] : {std::pair{PathEnd::out_of_cells, "as many cells"},
+                                     {PathEnd::out_of_passes, "do not bring it down"},
+                                     {PathEnd::out_of_digits, "rounding"},
+                                     {PathEnd::fixed_grids, "adapt"}}) {
         const Result result = filled(outcome(0.03, 0.002, end));
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;

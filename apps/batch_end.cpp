@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/batch_end.hpp"
+
+#include <iostream>
+
+#include "apps/batch_progress.hpp"
+#include "apps/commands.hpp"
+#include "apps/output_folder.hpp"
+#include "apps/print_text.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int most_failures = 20;   // lines; the summary has all of them
+constexpr int signal_status = 128;  // as shells have it
+
+void print_totals(const std::string& out, const BatchSummary& summary, const BatchEnd& end, double seconds) {
+    const std::size_t fresh = end.progress.done - end.progress.kept;
+    std::cout << summary.jobs.size() << " jobs: " << count_text(summary);
+    if (!summary.missing.empty()) std::cout << "; " << summary.missing.size() << " are not done";
+    std::cout << "\n"
+              << fresh << " done now in " << time_text(seconds) << " (" << rate_text(static_cast<double>(fresh), seconds)
+              << "), " << end.progress.kept << " kept from before\n";
+    if (summary.expectation) std::cout << expectation_text(*summary.expectation) << "\n";
+    std::cout << "index: " << path_in(out, "index.html") << std::endl;
+}
+
+}  // namespace
+
+void print_failures(const BatchSummary& summary) {
+    int printed = 0, all = 0;
+    for (const JobRecord& job : summary.jobs) {
+        if (job.status == JobRecord::Status::ok || ++all > most_failures) continue;
+        std::cerr << "abut: " << job.name << ": " << status_word(job.status) << ": " << one_line_text(job.message) << "\n";
+        ++printed;
+    }
+    if (all > printed) std::cerr << "abut: and " << all - printed << " more jobs; summary.csv has all of them\n";
+}
+
+int end_batch(const std::string& out, const BatchFile& batch, const BatchEnd& end, const BatchCircumstances& circumstances) {
+    if (!end.write_fault.empty())
+        std::cerr << "abut: " << one_line_text(end.write_fault)
+                  << "; free the place and run the same command again: what is finished is kept" << std::endl;
+    const BatchSummary summary = summarize(out, batch);
+    write_summary(out, batch, summary);
+    if (!circumstances.quiet) print_totals(out, summary, end, circumstances.seconds);
+    print_failures(summary);
+    if (end.interrupted) {
+        std::cerr << "abut: stopped; the same command again goes on from here\n";
+        return signal_status + circumstances.signal;
+    }
+    if (!end.write_fault.empty()) return exit_wrong_input;
+    return all_well(summary) ? exit_done : exit_failed;
+}
+
+}  // namespace abut

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "apps/batch_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "geometry/input_error.hpp"
+#include "src/nearest_name.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr double most_workers = 4096, longest_timeout = 1e8;
+constexpr double least_memory = 64e6;  // below this not even the program itself gets along
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+std::size_t usual_workers() {
+    const std::optional<double> given = to_number(variable("SLURM_CPUS_PER_TASK"));
+    if (given && *given >= 1 && *given <= most_workers) return static_cast<std::size_t>(*given);
+    return std::max(1U, std::thread::hardware_concurrency());
+}
+
+double unit_of(char letter) {
+    switch (letter) {
+        case 'K':
+        case 'k':
+            return 1024.0;
+        case 'M':
+        case 'm':
+            return 1024.0 * 1024;
+        case 'G':
+        case 'g':
+            return 1024.0 * 1024 * 1024;
+        default:
+            return 0;
+    }
+}
+
+}  // namespace
+
+std::size_t workers_of(const Arguments& arguments) {
+    const std::optional<double> workers = positive_number(arguments, "-j");
+    if (!workers) return usual_workers();
+    if (*workers != std::floor(*workers) || *workers > most_workers)
+        throw InputError("-j", "is to be a whole number from 1 to 4096", "leave it out for one job on each processor");
+    return static_cast<std::size_t>(*workers);
+}
+
+double memory_of(const Arguments& arguments) {
+    const std::string text = value_or(arguments, "--memory", "");
+    if (!has(arguments, "--memory")) return 0;
+    const double unit = text.empty() ? 0 : unit_of(text.back());
+    const std::optional<double> number = unit > 0 ? to_number(text.substr(0, text.size() - 1)) : std::nullopt;
+    if (!number || *number <= 0)
+        throw InputError("--memory", "'" + shortened(text) + "' is no amount of memory", "write it as in 500M or 2G");
+    if (*number * unit < least_memory)
+        throw InputError("--memory", "'" + shortened(text) + "' is too little for any job", "give at least 64M");
+    return *number * unit;
+}
+
+unsigned timeout_of(const Arguments& arguments) {
+    const double seconds = positive_number(arguments, "--timeout").value_or(0);
+    if (seconds > longest_timeout)
+        throw InputError("--timeout", "is to be a number of seconds below 1e8", "leave it out for no limit");
+    return static_cast<unsigned>(std::ceil(seconds));
+}
+
+Shard shard_of(const Arguments& arguments) {
+    if (has(arguments, "--shard")) return parse_shard(arguments.options.at("--shard"));
+    return slurm_shard(variable).value_or(Shard{});
+}
+
+}  // namespace abut

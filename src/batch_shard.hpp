@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which jobs of a batch are whose, where several machines share it.
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace abut {
+
+struct Shard {
+    std::size_t index = 1, count = 1;  ///< index from 1 to count
+};
+
+/// "3/8". Throws InputError.
+Shard parse_shard(const std::string& text);
+
+/// The shard that a task of a Slurm job array is, by the variables SLURM_ARRAY_TASK_ID, _COUNT, _MIN, _STEP as `variable` gives
+/// them (empty: not set); nothing outside of arrays. Throws InputError where the array has gaps: its tasks cannot tell which
+/// ones they are.
+std::optional<Shard> slurm_shard(const std::function<std::string(const char*)>& variable);
+
+/// Jobs in turn: neighbours, which often take similar time, go to different shards.
+inline bool is_in(const Shard& shard, std::size_t job) {
+    return job % shard.count == shard.index - 1;
+}
+
+}  // namespace abut

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/job_store.hpp"
+
+#include <fcntl.h>
+#include <linux/fs.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "src/whole_file.hpp"
+
+namespace abut {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* run_prefix = ".run-";
+constexpr const char* lock_ending = ".lock";
+
+[[noreturn]] void give_up(const fs::path& path, const std::string& reason) {
+    throw StoreError(path.string() + " cannot be written: " + reason);
+}
+
+void make_folders(const fs::path& path) {
+    std::error_code error;
+    fs::create_directories(path, error);
+    if (error) give_up(path, error.message());
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
+    return name.data();
+}
+
+/// The file with this name, locked, or -1: someone else has the lock, or has just removed the file.
+int locked_file(const std::string& path, int flags) {
+    const int file = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
+    if (file < 0) return -1;
+    struct stat opened {
+    }, named{};
+    if (::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &opened) == 0 && ::stat(path.c_str(), &named) == 0 &&
+        opened.st_ino == named.st_ino)
+        return file;
+    ::close(file);
+    return -1;
+}
+
+/// The folders of runs whose process is gone. Their lock file goes last, so that nothing is left if this process dies too.
+void remove_left_overs(const std::string& out) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(run_prefix) || !name.ends_with(lock_ending)) continue;
+        const int lock = locked_file(entry.path().string(), 0);
+        if (lock < 0) continue;
+        std::error_code ignored;
+        fs::remove_all(entry.path().parent_path() / fs::path(name).stem(), ignored);
+        fs::remove(entry.path(), ignored);
+        ::close(lock);
+    }
+}
+
+/// To the disk: after a power failure a folder that has its name has its files, too.
+void sync(const fs::path& path, int flags) {
+    const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+    if (file < 0) give_up(path, std::strerror(errno));
+    const int failed = ::fsync(file);
+    const int reason = errno;
+    ::close(file);
+    if (failed != 0 && reason != EINVAL) give_up(path, std::strerror(reason));  // EINVAL: this file system cannot
+}
+
+void sync_folder(const fs::path& folder) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) sync(entry.path(), O_RDONLY);
+    sync(folder, O_RDONLY | O_DIRECTORY);
+}
+
+/// Two folders change names in one step; false where the file system cannot do that.
+bool exchange(const fs::path& a, const fs::path& b) {
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
+}  // namespace
+
+JobStore::JobStore(std::string out) : out_(std::move(out)) {
+    make_folders(fs::path(out_) / "jobs");
+    remove_left_overs(out_);
+    run_ = (fs::path(out_) / (run_prefix + host_name() + "-" + std::to_string(::getpid()))).string();
+    lock_ = locked_file(run_ + lock_ending, O_CREAT);
+    if (lock_ < 0) give_up(run_ + lock_ending, errno != 0 ? std::strerror(errno) : "it is locked");
+    make_folders(run_);
+}
+
+JobStore::~JobStore() {
+    std::error_code ignored;
+    fs::remove_all(run_, ignored);
+    fs::remove(run_ + lock_ending, ignored);
+    ::close(lock_);
+}
+
+std::string JobStore::begin(const std::string& name) const {
+    drop(name);
+    const fs::path folder = fs::path(run_) / name;
+    make_folders(folder);
+    return folder.string();
+}
+
+void JobStore::finish(const std::string& name) const {
+    const fs::path made = fs::path(run_) / name, place = job_folder(out_, name);
+    sync_folder(made);
+    std::error_code error;
+    fs::rename(made, place, error);
+    if (!error) return;
+    if (!fs::is_directory(place)) give_up(place, error.message());
+    if (exchange(made, place)) return drop(name);
+    // Killed between these two, the job is simply not there and will be done again.
+    fs::remove_all(place, error);
+    fs::rename(made, place, error);
+    if (error) give_up(place, error.message());
+}
+
+void JobStore::drop(const std::string& name) const {
+    std::error_code error;
+    fs::remove_all(fs::path(run_) / name, error);
+    if (error) give_up(fs::path(run_) / name, error.message());
+}
+
+std::string job_folder(const std::string& out, const std::string& name) {
+    return (fs::path(out) / "jobs" / name).string();
+}
+
+std::optional<JobRecord> stored_job(const std::string& out, const std::string& name) {
+    const fs::path folder = job_folder(out, name);
+    const std::optional<std::string> text = whole_file((folder / "job.json").string());
+    std::optional<JobRecord> record = text ? parse_job_json(*text) : std::nullopt;
+    if (!record || record->name != name) return std::nullopt;
+    std::error_code error;
+    for (const std::string& file : record->files)
+        if (!fs::exists(folder / file, error)) return std::nullopt;
+    return record;
+}
+
+}  // namespace abut
