@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "solver/ring.hpp"
+#include "solver/ring_stiffness.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -36,6 +39,13 @@ CellRule tensor_rule(const SplineSpace& s, int cell, const LineRule& rule) {
             result.weights.push_back(rule.weights[i] * rule.weights[j] * hx * hy);
         }
     return result;
+}
+
+/// Around an axis weights carry the radius.
+CellRule ring_rule(const PartInput& input, int cell) {
+    CellRule rule = tensor_rule(input.space, cell, input.line_rule);
+    for (std::size_t k = 0; k < rule.points.size(); ++k) rule.weights[k] *= radius(input, rule.points[k]);
+    return rule;
 }
 
 /// The elements of a part that hold material: full cells first, then those of the cut rules.
@@ -111,11 +121,13 @@ void add_at(VectorXd& to, const Extraction& e, const VectorXd& local) {
 }  // namespace
 
 void for_all_cells(const PartInput& input, const std::function<void(const CellRule&)>& f) {
-    for_full_cells(input.space, [&](int cell) { f(tensor_rule(input.space, cell, input.line_rule)); });
+    for_full_cells(input.space,
+                   [&](int cell) { f(input.axis ? ring_rule(input, cell) : tensor_rule(input.space, cell, input.line_rule)); });
     for (const CellRule& rule : input.cut_rules) f(rule);
 }
 
 BlockMatrix assemble_stiffness(const PartInput& input) {
+    if (input.axis) return assemble_ring_stiffness(input);
     const Elements elements = elements_of(input);
     BlockMatrix k = make_block_matrix(input.space.n_functions, elements.functions);
     Stiffness stiffness{input, local_elasticity(input), elements, BlockScatter(k), {}, {}};

@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/block_matrix.hpp"
@@ -36,6 +37,11 @@ struct PartInput {
     std::shared_ptr<const Dilatation> dilatation{};  ///< filled in by make_part_system
     /// Where interfaces have points, if that is known beforehand: the factor is made for their rows. Speed only.
     std::vector<int> contact_elements{};
+    /// Free strain (thermal expansion times temperature rise) at a point; empty: none, and nothing is computed of it.
+    std::function<double(const Vec2&)> free_strain{};
+    /// Place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2 pi.
+    std::optional<double> axis{};
+    bool touches_axis = false;  ///< an edge of the part lies on the axis, which is the first grid line
 };
 
 /// What the stresses of a displacement's own gradient follow from; with a projection all but lambda's.

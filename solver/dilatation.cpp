@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "solver/ring.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -22,6 +24,23 @@ Eigen::MatrixXd extracted(const Extraction& e, const Eigen::MatrixXd& local) {
     return e.identity ? local : Eigen::MatrixXd(local * e.matrix);
 }
 
+/// The volume strain that a free strain asks for by itself, 3 e.
+void add_free_volume(const PartInput& input, const CellRule& rule, const std::vector<int>& functions,
+                     const Eigen::MatrixXd& weighted, VectorXd& prescribed) {
+    VectorXd free(static_cast<Index>(rule.points.size()));
+    for (std::size_t k = 0; k < rule.points.size(); ++k) free[static_cast<Index>(k)] = 3 * input.free_strain(rule.points[k]);
+    const VectorXd sum = weighted * free;
+    for (std::size_t i = 0; i < functions.size(); ++i) prescribed[functions[i]] += sum[static_cast<Index>(i)];
+}
+
+/// Of u_x: du_x / dx, around an axis and u_x / r.
+Eigen::MatrixXd volume_strain_of_x(const PartInput& input, const CellRule& rule, const Sampled& u) {
+    if (!input.axis) return u.dx;
+    VectorXd inverse(static_cast<Index>(rule.points.size()));
+    for (std::size_t k = 0; k < rule.points.size(); ++k) inverse[static_cast<Index>(k)] = 1 / radius(input, rule.points[k]);
+    return u.dx + inverse.asDiagonal() * u.value;
+}
+
 void add_block(Entries& entries, const std::vector<int>& rows, const std::vector<int>& columns, int stride, int offset,
                const Eigen::MatrixXd& block) {
     for (std::size_t j = 0; j < columns.size(); ++j)
@@ -29,16 +48,18 @@ void add_block(Entries& entries, const std::vector<int>& rows, const std::vector
             entries.emplace_back(rows[i], stride * columns[j] + offset, block(static_cast<Index>(i), static_cast<Index>(j)));
 }
 
-void add_element(const PartInput& input, const SplineSpace& space, const CellRule& rule, Entries& divergence, Entries& mass) {
+void add_element(const PartInput& input, const SplineSpace& space, const CellRule& rule, Entries& divergence, Entries& mass,
+                 VectorXd& prescribed) {
     Sampled u, p;
     sample(input.space, rule.element, rule.points, u);
     sample(space, rule.element, rule.points, p);
     const Extraction eu = extraction(input.space, rule.element), ep = extraction(space, rule.element);
     const VectorXd w = input.thickness * VectorXd::Map(rule.weights.data(), static_cast<Index>(rule.weights.size()));
     const Eigen::MatrixXd q = extracted(ep, p.value), weighted = (w.asDiagonal() * q).transpose();
-    add_block(divergence, ep.functions, eu.functions, 2, 0, extracted(eu, weighted * u.dx));
+    add_block(divergence, ep.functions, eu.functions, 2, 0, extracted(eu, weighted * volume_strain_of_x(input, rule, u)));
     add_block(divergence, ep.functions, eu.functions, 2, 1, extracted(eu, weighted * u.dy));
     add_block(mass, ep.functions, ep.functions, 1, 0, weighted * q);
+    if (input.free_strain) add_free_volume(input, rule, ep.functions, weighted, prescribed);
 }
 
 /// The work of the pressure's traction p d.n on the difference d.u - value.
@@ -77,8 +98,8 @@ std::shared_ptr<const Dilatation> make_dilatation(const PartInput& input, const 
     d->failure = d->space.failure;
     if (!d->failure.empty()) return d;
     Entries divergence, mass;
-    for_all_cells(input, [&](const CellRule& rule) { add_element(input, d->space, rule, divergence, mass); });
     d->prescribed = VectorXd::Zero(d->space.n_functions);
+    for_all_cells(input, [&](const CellRule& rule) { add_element(input, d->space, rule, divergence, mass, d->prescribed); });
     for (const SupportSet* set : by_nitsche) add_support(input, *set, *d, divergence);
     d->divergence.resize(d->space.n_functions, 2 * input.space.n_functions);
     d->divergence.setFromTriplets(divergence.begin(), divergence.end());

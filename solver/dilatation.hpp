@@ -9,8 +9,8 @@
 //
 //   K = A + lambda B' M^-1 B,   load + lambda B' M^-1 g,   p = lambda M^-1 (B u - g)
 //   A: 2 mu eps and all that Nitsche's method adds for it;   M = int q q'
-//   B u = int q div u - sum over Nitsche's supports int q (d.n) (d.u),   g = - sum int q (d.n) v
-//   stress = 2 mu eps(u) + p I
+//   B u = int q div u - sum over Nitsche's supports int q (d.n) (d.u),   g = - sum int q (d.n) v + int q 3 e  (e the free
+//   strain) stress = 2 mu eps(u) + p I
 //
 // K is symmetric positive definite wherever A is, whatever B is; but full, so it is never made: [A B'; B -M / lambda] is
 // factorised (Factorization's Schur complement), products go through M's own factor. Boundary terms of p belong to the

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/part_system.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "solver/dilatation.hpp"
+#include "solver/free_motions.hpp"
+#include "solver/free_strain.hpp"
+#include "solver/hold_axis.hpp"
 #include "solver/pins.hpp"
 #include "solver/row_hints.hpp"
 #include "solver/stress.hpp"
@@ -74,36 +76,6 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
     s.seconds.springs = seconds_since(begin);
 }
 
-/// Motions that neither supports nor springs resist: the null space of sum w (d.r_k)(d.r_l) over the three unit motions r. A
-/// spring's stiffness does not count: what it resists at all it holds.
-std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, double size) {
-    const RigidMotion unit[3] = {{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1 / size, center}};
-    Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-    const auto resist = [&](const Vec2& x, const Vec2& direction, double weight) {
-        Eigen::Vector3d along;
-        for (int k = 0; k < 3; ++k) along[k] = direction.dot(unit[k].at(x));
-        gram += weight * along * along.transpose();
-    };
-    for (const SupportRecord& record : s.supports)
-        for (const SupportPoint& p : record.set.points) resist(p.x, p.direction, p.weight);
-    for (const SpringSet& set : s.springs)
-        for (const SpringPoint& p : set.points) {
-            if (set.normal > 0) resist(p.x, p.normal, p.weight);
-            if (set.tangential > 0) resist(p.x, {-p.normal.y(), p.normal.x()}, p.weight);
-        }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(gram);
-    std::vector<RigidMotion> motions;
-    for (int k = 0; k < 3; ++k) {
-        if (gram.isZero(0))
-            motions.push_back(unit[k]);
-        else if (eigen.eigenvalues()[k] <= rigid_mode_fraction * eigen.eigenvalues()[2]) {
-            const Eigen::Vector3d v = eigen.eigenvectors().col(k);
-            motions.push_back({v.head<2>(), v[2] / size, center});
-        }
-    }
-    return motions;
-}
-
 void number_unknowns(PartSystem& s) {
     const std::vector<Index> pinned = pins(s);
     s.number.assign(s.dropped.size(), -1);
@@ -136,6 +108,7 @@ void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
         s.stiffness = assemble_stiffness(s.input);
         s.load = s.applied;
     }
+    if (s.input.free_strain) s.load += free_strain_load(s.input);
 }
 
 void set_modes(PartSystem& s) {
@@ -207,11 +180,17 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
         s.failure = "supports by weight functions do not go with a nearly incompressible material; take dirichlet \"nitsche\"";
         return s;
     }
+    if (s.input.structure && (s.input.free_strain || s.input.axis)) {
+        s.failure = std::string("supports by weight functions do not go with ") +
+                    (s.input.axis ? "an axisymmetric analysis" : "a temperature") + "; take dirichlet \"nitsche\"";
+        return s;
+    }
     assemble(s, weighted);
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
     apply_supports(s, std::move(supports));
     if (s.input.is_projected) project_dilatation(s);
+    if (s.input.touches_axis) hold_axis(s);
     if (!s.failure.empty()) return s;
     s.free_motions = free_motions(s, center, size);
     if (s.input.structure && !follow_structure(s, size)) {
@@ -304,6 +283,9 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
     if (system.body) return 0;
     if (system.input.structure) return weighted_strain_energy(system.input, displacement);
+    if (system.input.free_strain || system.input.axis)
+        return elastic_energy(system.input, displacement) +
+               (system.input.is_projected ? volume_energy(*system.input.dilatation, displacement) : 0);
     double twice = displacement.dot(multiply(system.stiffness, displacement));
     for (const SpringSet& set : system.springs) twice -= 2 * spring_answer(system.input, set, displacement).energy;
     for (const SupportRecord& record : system.supports)

@@ -55,11 +55,12 @@ struct PartSystem {
     Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
     std::vector<SupportRecord> supports;
     std::vector<SpringSet> springs;
+    std::string axis_hold;       ///< how u_x is held on the axis that the part touches; empty: it touches none
     Eigen::VectorXd prescribed;  ///< (2n) values of dropped coefficients, 0 elsewhere
     std::vector<int> number;     ///< (2n) row in the factorised matrix; negative: dropped or pinned
     std::vector<char> dropped;   ///< (2n)
     int n_kept = 0;
-    std::vector<RigidMotion> free_motions;  ///< 0 to 3, unit displacement at the part's size
+    std::vector<RigidMotion> free_motions;  ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
     Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
     std::string failure;                   ///< not empty: not solvable, what that means and what to do
@@ -104,7 +105,7 @@ Resultant traction_resultant(const PartInput& input, const SupportSet& set, cons
 /// Resultant of a load vector (2n) on the plain functions.
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
 
-/// Of the part alone, without its springs.
+/// Of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
 
 /// No displacement of the part is larger but for the overshoot of sampling: the largest coefficient, or with a structure the

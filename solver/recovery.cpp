@@ -38,6 +38,7 @@ struct Entry {
 struct NormalEquations {
     std::vector<Entry> entries;
     Eigen::MatrixX3d rhs;
+    Eigen::VectorXd rhs_zz;  // empty: zz follows from the others
 };
 
 /// Values of an element's functions at points (points x functions).
@@ -61,6 +62,11 @@ void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& 
     const auto weight = Eigen::Map<const Eigen::VectorXd>(samples.weights.data(), b.rows()).asDiagonal();
     const Eigen::MatrixXd weighted = weight * b, m = b.transpose() * weighted;
     const Eigen::MatrixX3d r = weighted.transpose() * s;
+    if (eq.rhs_zz.size() > 0) {
+        Eigen::VectorXd zz(b.rows());
+        for (Index k = 0; k < zz.size(); ++k) zz[k] = stress.zz(element, samples.points[static_cast<std::size_t>(k)]);
+        eq.rhs_zz(functions) += weighted.transpose() * zz;
+    }
     for (Index j = 0; j < n; ++j) {
         const int column = functions[static_cast<std::size_t>(j)];
         eq.rhs.row(column) += r.row(j);
@@ -164,7 +170,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
 
     const double cut_weight = low ? weight_in_cut_cells : 1;
     const StressOf stress(input, displacement);
-    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3)};
+    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}};
+    if (has_own_zz(input)) eq.rhs_zz = Eigen::VectorXd::Zero(field.space.n_functions);
     std::vector<Samples> samples(from.fraction.size());
     for (std::size_t element = 0; element < from.fraction.size(); ++element)
         if (from.fraction[element] == 1) samples[element] = full_cell_samples(from, static_cast<int>(element), inside);
@@ -183,13 +190,16 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     }
     field.coefficients.resize(field.space.n_functions, 3);
     for (Index k = 0; k < 3; ++k) field.coefficients.col(k) = factor.solve(eq.rhs.col(k));
+    if (eq.rhs_zz.size() > 0) field.zz = factor.solve(eq.rhs_zz);
     return field;
 }
 
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) {
     if (!field.failure.empty()) return Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
     const Eigen::Vector3d s = local_stress(field, element).value(x);
-    return {s[0], s[1], s[2], field.out_of_plane * (s[0] + s[1])};
+    if (field.zz.size() == 0) return {s[0], s[1], s[2], field.out_of_plane * (s[0] + s[1])};
+    const LocalSpline<1> zz(field.space, element, [&](int function) { return field.zz.segment<1>(function); });
+    return {s[0], s[1], s[2], zz.value(x)[0]};
 }
 
 }  // namespace abut::solver

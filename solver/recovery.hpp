@@ -18,7 +18,8 @@ struct SamplePoint {
 struct StressField {
     SplineSpace space;
     Eigen::MatrixX3d coefficients;  ///< (n_functions x (xx, yy, xy))
-    double out_of_plane = 0;
+    double out_of_plane = 0;        ///< zz = out_of_plane (xx + yy), where it has
+    Eigen::VectorXd zz{};           ///< no coefficients of its own (has_own_zz)
     std::string failure;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stresses of a displacement, whichever way the part's volume strain is made.
+// Stresses of a displacement, whichever way the part's volume strain is made, less those of its free strain.
 #pragma once
 #include <optional>
 
-#include "solver/assembly.hpp"
 #include "solver/local_spline.hpp"
+#include "solver/solution_structure.hpp"
 
 namespace abut::solver {
 
@@ -28,13 +28,23 @@ public:
 
     /// (xx, yy, xy) at a point of an element.
     Eigen::Vector3d operator()(int element, const Vec2& x) const;
-    /// The same where the gradient is at hand.
-    Eigen::Vector3d operator()(int element, const Vec2& x, const Eigen::Matrix2d& gradient) const;
+    /// The same where the displacement there is at hand.
+    Eigen::Vector3d operator()(int element, const Vec2& x, const DisplacementAt& u) const;
+    /// What does not follow from these by out_of_plane alone: zz of a part with an axis, or with a free strain.
+    double zz(int element, const Vec2& x) const;
 
 private:
+    /// Of the projected volume strain.
+    double volume_pressure(int element, const Vec2& x) const;
+
     const PartInput& input_;
     const Eigen::VectorXd& displacement_;
     Eigen::VectorXd pressure_;
 };
+
+/// Is zz more than out_of_plane (xx + yy)?
+inline bool has_own_zz(const PartInput& input) {
+    return input.axis || (input.free_strain && input.elasticity.expansion_zz != 0);
+}
 
 }  // namespace abut::solver

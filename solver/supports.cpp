@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/solution_structure.hpp"
+#include "solver/ring.hpp"
 #include "solver/stress.hpp"
 
 namespace abut::solver {
@@ -36,8 +36,14 @@ PointForms forms(const PartInput& input, const SupportPoint& p) {
         f.traction(i, 0) = traction_along(p, {e.d11 * x.dx[i], e.d12 * x.dx[i], e.d33 * x.dy[i]});
         f.traction(i, 1) = traction_along(p, {e.d12 * y.dy[i], e.d11 * y.dy[i], e.d33 * y.dx[i]});
     }
+    if (input.axis && !is_on_axis(input, p.x))
+        for (Index i = 0; i < x.value.size(); ++i) {
+            const double hoop = e.d12 * x.value[i] / radius(input, p.x);
+            f.traction(i, 0) += traction_along(p, {hoop, hoop, 0});
+        }
     f.displacement_of_data = p.direction.dot(b.data.value);
     f.traction_of_data = traction_along(p, stress_of(e, b.data.gradient));
+    if (input.free_strain) f.traction_of_data -= e.expansion * input.free_strain(p.x) * p.direction.dot(p.normal);
     return f;
 }
 
@@ -82,7 +88,7 @@ namespace {
 
 Vec2 traction_at(const PartInput& input, const SupportPoint& p, const StressOf& stress, const Eigen::VectorXd& displacement) {
     const DisplacementAt u = displacement_at(input, displacement, p.element, p.x);
-    const double t = traction_along(p, stress(p.element, p.x, u.gradient));
+    const double t = traction_along(p, stress(p.element, p.x, u));
     return (t - penalty(input, p.element) * (p.direction.dot(u.value) - p.value)) * p.direction;
 }
 

@@ -73,6 +73,7 @@ LoadedSystem make_system(const Scene& scene, const ResolvedConditions& condition
     if (g.is_rigid) return make_rigid(scene, conditions, g);
     g.input.structure = make_structure(scene, conditions, g);
     if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
+    g.input.free_strain = free_strain(scene, g);
     PartLoad load = load_vector(scene, conditions, g);
     return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
                                      spring_sets(scene, conditions, g), load.weighted),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/axisymmetric.hpp"
 #include "src/load_vector.hpp"
 
 namespace abut {
@@ -81,6 +82,7 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
     for (const Load& l : scene.loads) r.loads.push_back(resolve(l.on));
     append_contradictions(scene, r.supports, problems);
     append_wrong_points(scene, problems);
+    append_axisymmetric_problems(scene, r, problems);
     if (!problems.empty()) throw InputError(problems);
     return r;
 }

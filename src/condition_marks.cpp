@@ -59,10 +59,11 @@ std::vector<LoadMark> load_marks(const Scene& scene, const ResolvedConditions& c
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
         const Load& load = scene.loads[i];
         along_portions(scene, conditions.loads[i], [&](const Vec2& x, const Vec2& n) { add(x, traction_at(load, x, n, 1)); });
-        if (is_edge_load(load)) continue;
+        if (is_edge_load(load) || load.kind == Load::Kind::temperature) continue;
         for (std::size_t p = 0; p < scene.parts.size(); ++p)
             if (acts_on_volume_of(scene, load, static_cast<int>(p))) {
                 const Vec2 c = centroid(scene.parts[p].part);
+                if (load.kind == Load::Kind::spin) add(c, c - load.about);
                 add(c, {load.value[0](c.x(), c.y()), load.value[1](c.x(), c.y())});
             }
     }

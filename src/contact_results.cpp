@@ -183,6 +183,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     integrate_force(c.face, grid, pressure, result);
     if (solved.shear_of[contact] >= 0)
         integrate_force(solved.problem.interfaces[at(solved.shear_of[contact])], grid, shear_of(solved, contact), result);
+    if (grid.input.axis) result.moment = 0;  // moments of a ring's forces balance by themselves
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "geometry/gauss.hpp"
 #include "geometry/monotone.hpp"
+#include "src/axisymmetric.hpp"
 #include "src/plan.hpp"
 
 namespace abut {
@@ -16,8 +17,13 @@ namespace {
 /// Largest relative difference between the area of the cells and that of the part before the grid counts as missing some of it.
 constexpr double area_tolerance = 1e-9;
 
+/// Rules around an axis are those of splines of so many degrees more: one for the factor r, one for 1 / r, which is no
+/// polynomial beyond the first column of cells.
+constexpr int degrees_for_radius = 2;
+
 solver::Elasticity elasticity_of(const Scene& scene, const Material& m) {
-    return scene.analysis == Analysis::plane_strain ? solver::plane_strain(m.E, m.nu) : solver::plane_stress(m.E, m.nu);
+    // around an axis the same law as in plane strain, with a strain of its own along zz
+    return scene.analysis == Analysis::plane_stress ? solver::plane_stress(m.E, m.nu) : solver::plane_strain(m.E, m.nu);
 }
 
 solver::Basis basis_of(const Scene& scene) {
@@ -80,7 +86,9 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
         throw InputError(source.where, "the grid given for part " + source.name + " does not cover it",
                          "extend its knots over the part's bounding box");
 
-    const int p = std::max(degree[0], degree[1]);
+    const bool is_ring = scene.analysis == Analysis::axisymmetric;
+    // the radius takes part in every integral around an axis
+    const int p = std::max(degree[0], degree[1]) + (is_ring ? degrees_for_radius : 0);
     solver::PartInput& input = result.input;
     result.elements = find_elements(result.local, result.cells);
     input.space = make_space(space_input(scene, result, degree));
@@ -92,6 +100,7 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
     input.elasticity = elasticity_of(scene, material);
     input.is_projected = is_nearly_incompressible(scene, material);
     input.thickness = source.thickness;
+    if (is_ring) put_around_axis(scene, result);
     return result;
 }
 

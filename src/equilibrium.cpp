@@ -169,6 +169,14 @@ void warn_of_points(const Scene& scene, Result& result) {
     }
 }
 
+/// How u_x is held on the axis, part by part, beside the plan's word that it is.
+void note_axis(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    for (Effect& effect : result.effects)
+        for (std::size_t k = 0; effect.name == "axisymmetry" && k < solved.grids.size(); ++k)
+            if (const std::string& hold = solved.problem.parts[k].axis_hold; !hold.empty())
+                effect.why += "; " + scene.parts[at(solved.grids[k].part)].name + ": " + hold;
+}
+
 }  // namespace
 
 void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& result) {
@@ -187,7 +195,13 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
         result.reactions.push_back(r);
     }
     warn_of_points(scene, result);
+    note_axis(scene, solved, result);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
+    if (scene.analysis == Analysis::axisymmetric) {
+        // around the axis only forces along it have a resultant: radial ones, and moments, balance by themselves
+        for (Resultant* r : {&t.applied, &reaction}) *r = {{0, r->force.y()}, 0};
+        for (Reaction& r : result.reactions) r.moment = 0;
+    }
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;
     // below what rounding of the displacements amounts to in force there is nothing to balance

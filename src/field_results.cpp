@@ -56,8 +56,10 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
 
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
     if (grid.is_rigid) {
-        const Eigen::Index n = grid.input.space.n_functions;
-        return {grid.input.space, Eigen::MatrixX3d::Zero(n, 3), 0, ""};
+        solver::StressField none;
+        none.space = grid.input.space;
+        none.coefficients = Eigen::MatrixX3d::Zero(grid.input.space.n_functions, 3);
+        return none;
     }
     std::vector<solver::SamplePoint> cut;
     for (const auto& [element, x] : cut_cell_samples(grid)) cut.push_back({element, x});

@@ -82,7 +82,8 @@ void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid&
                   double weight, const GapRule& rule) {
     solver::InterfacePoint p;
     p.s = s;
-    p.weight = weight;
+    // around an axis: the radius midway, the same for both, so that what one presses the other feels
+    p.weight = first.input.axis ? weight * 0.5 * (pair.on1.x.x() + pair.on2.x.x()) : weight;
     p.gap = (rule.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - rule.closing;
     p.element = {element_of(first, pair.on1), element_of(second, pair.on2)};
     p.x = {first.frame.to_local(pair.on1.x), second.frame.to_local(pair.on2.x)};

@@ -19,10 +19,14 @@ struct PartLoad {
 /// Throws InputError where a load has no finite value.
 PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
 
+/// What the temperatures on a part make it expand by where nothing restrains it, in its local frame; empty: none. Refers to the
+/// scene.
+std::function<double(const Vec2&)> free_strain(const Scene& scene, const PartOnGrid& on_grid);
+
 bool is_edge_load(const Load& load);
 /// Name in the plan of the effect that a load belongs to.
 std::string effect_of(const Load& load);
-/// Gravity, or a force in this part or in all.
+/// Gravity, or a force, spin or temperature in this part or in all.
 bool acts_on_volume_of(const Scene& scene, const Load& load, int part);
 /// Traction of an edge load at a point, in the assembly's frame; total_area: over which a force is spread.
 Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area);

@@ -75,6 +75,11 @@ std::vector<std::vector<Screw>> support_wrenches(const Scene& scene, const Resol
         for (const auto& [part, wrenches] : held)
             for (const Screw& w : wrench_space(wrenches, scale)) by_part[at(part)].push_back(w);
     }
+    if (scene.analysis == Analysis::axisymmetric)  // hoops stretch in all motions but that along the axis
+        for (std::vector<Screw>& wrenches : by_part) {
+            wrenches.insert(wrenches.end(), {Screw(1, 0, 0), Screw(0, 0, 1)});
+            wrenches = wrench_space(wrenches, scale);
+        }
     return by_part;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/axisymmetric.hpp"
 #include "src/rigid_parts.hpp"
 #include "src/svg.hpp"
 
@@ -34,10 +35,24 @@ Effect effect(const std::string& name, bool on, const std::string& why_on, const
     return e;
 }
 
+/// Which parts the axis goes through: they are held there by the program.
+std::string why_axisymmetric(const Scene& scene) {
+    std::string parts;
+    for (const ScenePart& part : scene.parts)
+        if (touches_axis(part.part)) parts += (parts.empty() ? "" : ", ") + part.name;
+    const std::string why = "x is the radius, y the axis; hoops stretch by u_x / x";
+    return parts.empty() ? why : why + "; u_x = 0 is held on the axis of " + parts;
+}
+
+std::string kinematics_of(Analysis analysis) {
+    if (analysis == Analysis::axisymmetric) return "around an axis";
+    return analysis == Analysis::plane_strain ? "plane strain" : "plane stress";
+}
+
 }  // namespace
 
 bool is_nearly_incompressible(const Scene& scene, const Material& material) {
-    return scene.analysis == Analysis::plane_strain && material.nu >= projection_from;
+    return scene.analysis != Analysis::plane_stress && material.nu >= projection_from;
 }
 
 std::vector<Effect> plan_effects(const Scene& scene) {
@@ -52,9 +67,8 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                        has_load(scene, Load::Kind::edge_force);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
     const std::string rigid = why_any_rigid(scene);
-    const std::string kinematics = scene.analysis == Analysis::plane_strain ? "plane strain" : "plane stress";
-    return {
-        effect("elasticity", true, kinematics + ", small displacements", ""),
+    std::vector<Effect> effects{
+        effect("elasticity", true, kinematics_of(scene.analysis) + ", small displacements", ""),
         effect("contact", contact, "several parts; every pair is searched",
                "only one part, or detection is off and no pair is given"),
         effect("rigid parts", !rigid.empty(), rigid, "no material \"rigid\", and no part stiffer than its neighbours by 1e6"),
@@ -69,16 +83,19 @@ std::vector<Effect> plan_effects(const Scene& scene) {
         effect("bonding", bonded, "a pair of edges is bonded", "no bonded pair"),
         effect("friction", false, "", "friction is 0"),
         effect("springs", has_support(scene, Support::Kind::spring), "edges rest on springs", "no spring support"),
-        effect("temperature", false, "", "no temperature load"),
-        effect("spin", false, "", "no spin load"),
+        effect("temperature", has_load(scene, Load::Kind::temperature), "a part is warmer or colder than when it was drawn",
+               "no temperature load"),
+        effect("spin", has_load(scene, Load::Kind::spin), "a part turns: centrifugal force", "no spin load"),
         effect("incompressibility", incompressible,
-               "a part in plane strain has a Poisson's ratio of " + number_text(projection_from, 2) +
+               "a part that is not in plane stress has a Poisson's ratio of " + number_text(projection_from, 2) +
                    " or more: its volume strain is projected onto splines of one degree less",
-               scene.analysis == Analysis::plane_strain ? "every Poisson's ratio is below " + number_text(projection_from, 2)
+               scene.analysis != Analysis::plane_stress ? "every Poisson's ratio is below " + number_text(projection_from, 2)
                                                         : "not plane strain"),
         effect("symmetry", false, "", "every part is solved as drawn; --plan says whether the scene is mirror symmetric"),
         effect("large displacement", false, "", "small displacements are assumed; checked after the solution"),
     };
+    if (scene.analysis == Analysis::axisymmetric) effects.push_back(effect("axisymmetry", true, why_axisymmetric(scene), ""));
+    return effects;
 }
 
 std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,

@@ -15,10 +15,22 @@ std::optional<std::array<Expression, 2>> read_total(SceneReading& reading, const
     return std::array<Expression, 2>{Expression(force->x()), Expression(force->y())};
 }
 
-std::optional<std::array<Expression, 2>> read_pressure(SceneReading& reading, const JsonValue& value) {
-    const std::optional<Expression> pressure = read_field(reading, value);
-    if (!pressure) return std::nullopt;
-    return std::array<Expression, 2>{*pressure, Expression()};
+/// One field: a pressure, a temperature.
+std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const JsonValue& value) {
+    const std::optional<Expression> field = read_field(reading, value);
+    if (!field) return std::nullopt;
+    return std::array<Expression, 2>{*field, Expression()};
+}
+
+/// A spin: checked here, its numbers are read by read_spin_numbers.
+std::optional<std::array<Expression, 2>> read_spin(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"about", "omega"}, {}})) return std::nullopt;
+    return std::array<Expression, 2>{};
+}
+
+void read_spin_numbers(SceneReading& reading, const JsonValue& value, Load& load) {
+    load.omega = required_member(reading, value, "omega", read_number).value_or(0);
+    load.about = member_or(reading, value, "about", Vec2(0, 0), read_vector);  // whether it has to be there: read_scene
 }
 
 /// The part of a body force, where "*" stands for all parts.
@@ -35,12 +47,14 @@ struct LoadKind {
     enum class Acts { on_edges, on_part, on_part_or_all, everywhere } acts;
 };
 constexpr LoadKind load_kinds[] = {
-    {"pressure", Load::Kind::pressure, read_pressure, LoadKind::Acts::on_edges},
+    {"pressure", Load::Kind::pressure, read_one, LoadKind::Acts::on_edges},
     {"traction", Load::Kind::traction, read_vector_field, LoadKind::Acts::on_edges},
     {"force", Load::Kind::edge_force, read_total, LoadKind::Acts::on_edges},
     {"force", Load::Kind::part_force, read_total, LoadKind::Acts::on_part},
     {"body_force", Load::Kind::body_force, read_vector_field, LoadKind::Acts::on_part_or_all},
     {"gravity", Load::Kind::gravity, read_total, LoadKind::Acts::everywhere},
+    {"spin", Load::Kind::spin, read_spin, LoadKind::Acts::on_part},
+    {"temperature", Load::Kind::temperature, read_one, LoadKind::Acts::on_part},
 };
 
 /// "force" means one thing with "on" and another with "part".
@@ -70,15 +84,17 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
 
 std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    const Words keys{{"on", "pressure", "traction", "force", "part", "body_force", "gravity"}, {"at", "spin", "temperature"}};
+    const Words keys{{"on", "pressure", "traction", "force", "part", "body_force", "gravity", "spin", "temperature"}, {"at"}};
     if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
-    const JsonValue* what = exactly_one(reading, value, {"pressure", "traction", "force", "body_force", "gravity"});
+    const JsonValue* what =
+        exactly_one(reading, value, {"pressure", "traction", "force", "body_force", "gravity", "spin", "temperature"});
     if (!what) return std::nullopt;
     const LoadKind& kind = kind_of(what->key, find_member(value, "part") != nullptr);
     Load load;
     load.kind = kind.kind;
     load.where = value.pointer;
     load.value = kind.read(reading, *what).value_or(std::array<Expression, 2>{});
+    if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
     read_target(reading, value, kind, load);
     if (reading.problems.size() > before) return std::nullopt;
     return load;

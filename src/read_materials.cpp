@@ -30,7 +30,7 @@ void check_poisson(SceneReading& reading, const JsonValue& value, double nu, Ana
     if (nu > -1 && (nu < 0.5 || (stress && nu == 0.5))) return;
     report(reading, value,
            stress ? "Poisson's ratio must be greater than -1 and at most 0.5 in plane stress"
-                  : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain");
+                  : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain and around an axis");
 }
 
 std::optional<double> read_not_negative(SceneReading& reading, const JsonValue& value) {
@@ -48,7 +48,7 @@ Material read_material(SceneReading& reading, const JsonValue& value, Analysis a
     if (const JsonValue* nu = find_member(value, "nu")) check_poisson(reading, *nu, material.nu, analysis);
     material.density = member_or(reading, value, "density", 0.0, read_not_negative);
     material.has_density = find_member(value, "density") != nullptr;
-    member_or(reading, value, "expansion", 0.0, read_number);  // checked only: without temperatures nothing uses it
+    if (const JsonValue* expansion = find_member(value, "expansion")) material.expansion = read_number(reading, *expansion);
     if (const JsonValue* yield = find_member(value, "yield")) material.yield = read_positive(reading, *yield);
     return material;
 }

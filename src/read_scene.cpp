@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/axisymmetric.hpp"
 #include "src/json_document.hpp"
 #include "src/nearest_name.hpp"
 #include "src/read_accuracy.hpp"
@@ -44,8 +45,9 @@ void read_general(SceneReading& reading, Scene& scene) {
     if (title) scene.title = title->text;
     if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* analysis = find_member(root, "analysis")) {
-        const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain"}, {"axisymmetric"}});
-        scene.analysis = word == "plane_strain" ? Analysis::plane_strain : Analysis::plane_stress;
+        const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain", "axisymmetric"}, {}});
+        if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
+        if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
     if (const JsonValue* symmetry = find_member(root, "symmetry")) read_word(reading, *symmetry, {{"off"}, {"auto"}});
 }
@@ -75,19 +77,68 @@ void read_sections(SceneReading& reading, Scene& scene) {
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
 }
 
-/// Gravity acts on all parts, so all of them need a density (which may be given as 0).
-void check_gravity(SceneReading& reading, const Scene& scene) {
-    const Load* gravity = nullptr;
-    for (const Load& load : scene.loads) gravity = load.kind == Load::Kind::gravity ? &load : gravity;
-    if (!gravity) return;
+/// Thicknesses have no meaning around an axis; the full circle takes their place.
+void check_thickness(SceneReading& reading, Scene& scene) {
+    if (scene.analysis != Analysis::axisymmetric) return;
+    const auto refuse = [&](const JsonValue& in) {
+        if (in.kind != JsonValue::Kind::object) return;
+        if (const JsonValue* thickness = find_member(in, "thickness"))
+            report(reading, *thickness, "parts around an axis have no thickness", "forces are totals over the full circle");
+    };
+    refuse(reading.root);
+    if (const JsonValue* parts = find_member(reading.root, "parts"))
+        for (const JsonValue& part : parts->items) refuse(part);
+    const JsonValue* assembly = find_member(reading.root, "assembly");
+    if (const JsonValue* rules = assembly ? find_member(*assembly, "parts") : nullptr)
+        for (const JsonValue& rule : rules->items) refuse(rule);
+    for (ScenePart& part : scene.parts) part.thickness = full_circle;
+}
+
+/// A rigid ring does not stretch, so that it cannot be displaced along x: nothing of it is computed yet.
+void check_rigid_rings(SceneReading& reading, const Scene& scene) {
+    if (scene.analysis != Analysis::axisymmetric) return;
+    for (const ScenePart& part : scene.parts)
+        if (part.material >= 0 && scene.materials[static_cast<std::size_t>(part.material)].rigid)
+            if (const JsonValue* value = find_pointer(reading.root, part.where))
+                report(reading, *value, "part " + part.name + " is \"rigid\": axisymmetric scenes have no rigid parts",
+                       "give it a material with a large modulus (1e4 times its neighbours' is enough)");
+}
+
+/// A plane part spins about a point, a part around an axis about that.
+void check_spin_about(SceneReading& reading, const Scene& scene, const Load& load) {
+    const JsonValue& spin = *find_member(*find_pointer(reading.root, load.where), "spin");
+    const JsonValue* about = find_member(spin, "about");
+    const bool is_ring = scene.analysis == Analysis::axisymmetric;
+    if (about && is_ring) report(reading, *about, "axisymmetric parts spin about the axis x = 0 alone", "leave 'about' out");
+    if (!about && !is_ring)
+        report(reading, spin, "the key 'about' is missing", "give the point [x, y] that the part spins about");
+}
+
+/// What a load needs of the materials of the parts that it acts on (which may be given as 0).
+void check_needed(SceneReading& reading, const Scene& scene, const Load& load, const std::string& effect,
+                  const std::string& key, bool (*has)(const Material&)) {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         bool used = false;
-        for (const ScenePart& part : scene.parts) used |= part.material == static_cast<int>(m);
-        if (!used || scene.materials[m].has_density) continue;
-        report(reading, *find_pointer(reading.root, gravity->where),
-               "gravity needs the 'density' of the material '" + scene.materials[m].name + "'",
-               "give the material a 'density', or 0 for no weight");
+        for (const ScenePart& part : scene.parts)
+            used |= part.material == static_cast<int>(m) && (load.part.empty() || load.part == part.name);
+        if (!used || has(scene.materials[m])) continue;
+        report(reading, *find_pointer(reading.root, load.where),
+               effect + " needs the '" + key + "' of the material '" + scene.materials[m].name + "'",
+               "give the material " + std::string(key == "density" ? "a" : "an") + " '" + key + "', or 0 for no effect on it");
     }
+}
+
+void check_materials_of_loads(SceneReading& reading, const Scene& scene) {
+    const auto has_density = [](const Material& m) { return m.has_density; };
+    const auto has_expansion = [](const Material& m) { return m.expansion.has_value(); };
+    const Load* gravity = nullptr;
+    for (const Load& load : scene.loads) {
+        if (load.kind == Load::Kind::gravity) gravity = &load;
+        if (load.kind == Load::Kind::spin) check_spin_about(reading, scene, load);
+        if (load.kind == Load::Kind::spin) check_needed(reading, scene, load, "spin", "density", has_density);
+        if (load.kind == Load::Kind::temperature) check_needed(reading, scene, load, "temperature", "expansion", has_expansion);
+    }
+    if (gravity) check_needed(reading, scene, *gravity, "gravity", "density", has_density);
 }
 
 /// Parameters given from outside must be the scene's own.
@@ -128,10 +179,12 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     read_all_parts(reading, scene);
     const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
     if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
+    check_thickness(reading, scene);
+    check_rigid_rings(reading, scene);
     read_sections(reading, scene);
     // Edges can be looked up only where every part has its geometry.
     if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);
-    check_gravity(reading, scene);
+    check_materials_of_loads(reading, scene);
     if (!reading.problems.empty()) throw_problems(std::move(reading.problems));
     return scene;
 }

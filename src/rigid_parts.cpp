@@ -113,6 +113,7 @@ double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidat
 }  // namespace
 
 std::string why_rigid(const Scene& scene, int part) {
+    if (scene.analysis == Analysis::axisymmetric) return "";
     const Material& own = material_of(scene, part);
     if (own.rigid) return "its material is \"rigid\"";
     const auto is_softer = [&](const Material& m) { return own.E > rigid_stiffness_ratio * m.E; };

@@ -19,13 +19,14 @@ namespace abut {
 
 using geometry::Vec2;
 
-enum class Analysis { plane_stress, plane_strain };
+enum class Analysis { plane_stress, plane_strain, axisymmetric };
 
 struct Material {
     std::string name;
     double E = 0, nu = 0;
     double density = 0;  ///< 0: not given
     bool has_density = false;
+    std::optional<double> expansion{};  ///< strain per temperature
     std::optional<double> yield;
     bool rigid = false;  ///< the built-in "rigid"
 };
@@ -33,9 +34,9 @@ struct Material {
 /// Where a part came from, and what it is made of.
 struct ScenePart {
     std::string name;
-    geometry::Part part;  ///< in assembly coordinates and the scene's length unit, named
-    int material = -1;    ///< index into Scene::materials
-    double thickness = 1;
+    geometry::Part part;                      ///< in assembly coordinates and the scene's length unit, named
+    int material = -1;                        ///< index into Scene::materials
+    double thickness = 1;                     ///< axisymmetric: 2 pi, so that all forces are totals over the circle
     std::string where;                        ///< JSON pointer
     std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports
 };
@@ -66,11 +67,13 @@ struct Support {
 };
 
 struct Load {
-    enum class Kind { pressure, traction, edge_force, part_force, body_force, gravity };
+    enum class Kind { pressure, traction, edge_force, part_force, body_force, gravity, spin, temperature };
     Kind kind = Kind::pressure;
     Selection on;
-    std::string part;                 ///< part_force; body_force ("*": all)
-    std::array<Expression, 2> value;  ///< pressure: value[0]; the others x and y
+    std::string part;                 ///< part_force, spin, temperature; body_force ("*": all)
+    std::array<Expression, 2> value;  ///< pressure, temperature (rise): value[0]; the others x and y
+    Vec2 about{0, 0};                 ///< spin: the axis' place
+    double omega = 0;                 ///< spin: angle per time
     std::string where;
 };
 

@@ -18,20 +18,48 @@ double twice_density(const solver::Elasticity& d, const Eigen::Vector3d& s) {
     return (d.d11 * (s[0] * s[0] + s[1] * s[1]) - 2 * d.d12 * s[0] * s[1]) / determinant + s[2] * s[2] / d.d33;
 }
 
+/// The same in three dimensions, zz among the stresses.
+double twice_density_of_ring(const solver::Elasticity& d, const Eigen::Vector4d& s) {
+    const double twice_mu = 2 * d.d33, trace = s[0] + s[1] + s[3];
+    const double squares = s[0] * s[0] + s[1] * s[1] + s[3] * s[3] + 2 * s[2] * s[2];
+    return (squares - d.d12 / (twice_mu + 3 * d.d12) * trace * trace) / twice_mu;
+}
+
+/// Twice the energy of the difference between smoothed stresses and those of a displacement in one cell; of the stresses in the
+/// plane, and around an axis.
+double twice_error(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
+                   const solver::CellRule& cell) {
+    const solver::StressOf::OnElement raw_here(raw, cell.element);
+    const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
+    double twice = 0;
+    for (std::size_t q = 0; q < cell.points.size(); ++q)
+        twice +=
+            cell.weights[q] * twice_density(input.elasticity, smoothed_here.value(cell.points[q]) - raw_here(cell.points[q]));
+    return twice;
+}
+double twice_error_of_ring(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
+                           const solver::CellRule& cell) {
+    const solver::StressOf::OnElement raw_here(raw, cell.element);
+    double twice = 0;
+    for (std::size_t q = 0; q < cell.points.size(); ++q) {
+        const Vec2& x = cell.points[q];
+        Eigen::Vector4d away = solver::stress_at(smoothed, cell.element, x);
+        away.head<3>() -= raw_here(x);
+        away[3] -= raw.zz(cell.element, x);
+        twice += cell.weights[q] * twice_density_of_ring(input.elasticity, away);
+    }
+    return twice;
+}
+
 }  // namespace
 
 std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
                                    const solver::StressField& smoothed) {
     const solver::StressOf raw(input, displacement);
+    const auto error_in = input.axis ? twice_error_of_ring : twice_error;
     std::vector<double> errors(input.space.fraction.size(), 0.0);
     for_all_cells(input, [&](const solver::CellRule& cell) {
-        const solver::StressOf::OnElement raw_here(raw, cell.element);
-        const solver::LocalSpline<3> smoothed_here = local_stress(smoothed, cell.element);
-        double twice = 0;
-        for (std::size_t q = 0; q < cell.points.size(); ++q)
-            twice += cell.weights[q] *
-                     twice_density(input.elasticity, smoothed_here.value(cell.points[q]) - raw_here(cell.points[q]));
-        errors[static_cast<std::size_t>(cell.element)] = 0.5 * input.thickness * twice;
+        errors[static_cast<std::size_t>(cell.element)] = 0.5 * input.thickness * error_in(input, raw, smoothed, cell);
     });
     return errors;
 }

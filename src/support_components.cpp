@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/ring.hpp"
+
 namespace abut {
 
 std::vector<HeldComponent> components_of(const Support& support) {
@@ -25,7 +27,10 @@ std::optional<int> grid_axis(const Vec2& local) {
 
 std::vector<geometry::BoundaryPoint> boundary_points(const PartOnGrid& g, const EdgePortion& portion) {
     const int degree = std::max(g.input.space.x.degree, g.input.space.y.degree);
-    return boundary_rule(g.local, g.cells, g.elements, portion.edge, portion.t0, portion.t1, degree + 2);
+    auto points = boundary_rule(g.local, g.cells, g.elements, portion.edge, portion.t0, portion.t1, degree + 2);
+    if (g.input.axis)
+        for (geometry::BoundaryPoint& p : points) p.weight *= std::max(0.0, solver::radius(g.input, p.x));
+    return points;
 }
 
 }  // namespace abut

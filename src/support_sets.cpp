@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "solver/ring.hpp"
 #include "src/solution_structure.hpp"
 #include "src/support_components.hpp"
 
@@ -187,7 +188,7 @@ std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const P
             c.part = part;
             c.coefficient = {d.x(), d.y(), turn};
             c.value = value;
-            c.area = on_grid.area;
+            c.area = on_grid.input.axis ? solver::measure(on_grid.input) : on_grid.area;
             c.size = on_grid.size;
             c.integrals = solver::integrate_functions(on_grid.input);
             constraints.push_back(std::move(c));

@@ -107,7 +107,7 @@ std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eige
                 d.gradient << f.dx.row(row).transpose(), f.dy.row(row).transpose();
             }
             all.push_back({p, rule.weights[k], d.value, g.frame.vector_to_local(problem.exact.displacement(global)),
-                           raw(rule.element, p, d.gradient), solver::stress_at(stress, rule.element, p).head<3>(),
+                           raw(rule.element, p, d), solver::stress_at(stress, rule.element, p).head<3>(),
                            local_stress(g.frame, problem.exact.stress(global))});
         }
     }
