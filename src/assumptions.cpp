@@ -55,7 +55,7 @@ std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
         const geometry::BoundaryPiece& piece = g.cells.pieces[k];
         if (g.elements.of_piece[k] < 0) continue;
         const geometry::Curve& curve = g.local.edges[at(piece.edge)].curve;
-        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1), piece.t1})
+        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1)})
             places.emplace_back(g.elements.of_piece[k], point(curve, t));
     }
     return places;
