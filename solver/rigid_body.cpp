@@ -31,8 +31,7 @@ std::vector<RigidMotion> split_motions(RigidBody& body) {
         const Eigen::Vector3d row = scaled_row(c, body.size);
         gram += c.weight * row * row.transpose();
     }
-    if (gram.isZero(0))
-        return {motion_of({1, 0, 0}, body), motion_of({0, 1, 0}, body), motion_of({0, 0, 1}, body)};
+    if (gram.isZero(0)) return {motion_of({1, 0, 0}, body), motion_of({0, 1, 0}, body), motion_of({0, 0, 1}, body)};
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(gram);
     std::vector<RigidMotion> free;
     for (Index k = 0; k < 3; ++k) {

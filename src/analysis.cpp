@@ -110,8 +110,13 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     fill_parts(scene, out.solved, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
-    result.solver = {static_cast<int>(out.passes.size()), out.factorizations, out.iterations, largest_condition(out.solved),
-                     out.solved.solution.converged, out.solved.solution.groups, out.solved.solution.contact_problems};
+    result.solver = {static_cast<int>(out.passes.size()),
+                     out.factorizations,
+                     out.iterations,
+                     largest_condition(out.solved),
+                     out.solved.solution.converged,
+                     out.solved.solution.groups,
+                     out.solved.solution.contact_problems};
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
     } else {

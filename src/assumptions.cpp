@@ -55,8 +55,7 @@ std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
         const geometry::BoundaryPiece& piece = g.cells.pieces[k];
         if (g.elements.of_piece[k] < 0) continue;
         const geometry::Curve& curve = g.local.edges[at(piece.edge)].curve;
-        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1), piece.t1})
-            places.emplace_back(g.elements.of_piece[k], point(curve, t));
+        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1)}) places.emplace_back(g.elements.of_piece[k], point(curve, t));
     }
     return places;
 }
@@ -82,18 +81,18 @@ void check_kinematics(const Scene& scene, const SolvedAssembly& solved, std::siz
     const std::string& name = scene.parts[at(g.part)].name;
     const ValueAt& motion = result.parts[at(g.part)].max_displacement;
     if (motion.value > large_motion * g.size)
-        result.warnings.push_back("large displacement would matter: part " + name + " moves by " + number_text(motion.value, 3) +
-                                  " at " + place_text(motion.at) + "; contacts are paired where they are drawn");
+        result.warnings.push_back("large displacement would matter: part " + name + " moves by " +
+                                  number_text(motion.value, 3) + " at " + place_text(motion.at) +
+                                  "; contacts are paired where they are drawn");
     if (largest.rotation.value > large_rotation)
         result.warnings.push_back("large displacement would matter: rotation " +
                                   number_text(largest.rotation.value * 180 / std::numbers::pi, 3) + " degrees at part " + name +
                                   ", near " + place_text(g.frame.to_global(largest.rotation.at)) +
                                   "; the answer is that of small displacements");
     if (largest.strain.value > large_strain)
-        result.warnings.push_back("large strain: part " + name + " strains by up to " +
-                                  number_text(100 * largest.strain.value, 3) + " % near " +
-                                  place_text(g.frame.to_global(largest.strain.at)) +
-                                  "; the answer is that of linear elasticity");
+        result.warnings.push_back(
+            "large strain: part " + name + " strains by up to " + number_text(100 * largest.strain.value, 3) + " % near " +
+            place_text(g.frame.to_global(largest.strain.at)) + "; the answer is that of linear elasticity");
 }
 
 void check_yield(const Scene& scene, std::size_t k, const SolvedAssembly& solved, Result& result) {
@@ -104,7 +103,8 @@ void check_yield(const Scene& scene, std::size_t k, const SolvedAssembly& solved
     result.warnings.push_back("yield exceeded: part " + scene.parts[at(part)].name + " reaches a von Mises stress of " +
                               number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " +
                               number_text(reached.value / *material.yield, 3) + " times the yield of " + material.name + " (" +
-                              number_text(*material.yield, 4) + "); the answer is that of linear elasticity, without plasticity");
+                              number_text(*material.yield, 4) +
+                              "); the answer is that of linear elasticity, without plasticity");
 }
 
 /// A bonded pair that would open if it were a contact.
@@ -173,8 +173,8 @@ void check_rounding(Result& result) {
 void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
-        result.warnings.push_back("contact reaches the end of what was searched" +
-                                  pairs_beyond_search(scene, out.solved) + "; give contacts.search_distance a larger value");
+        result.warnings.push_back("contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
+                                  "; give contacts.search_distance a larger value");
     if (out.solved.limited_grids > 0)
         result.warnings.push_back(
             "grids of " + std::to_string(out.solved.limited_grids) +

@@ -59,8 +59,8 @@ private:
 
     bool supported(int part, Support::Kind kind) const {
         for (std::size_t k = 0; k < scene_.supports.size(); ++k)
-            if (scene_.supports[k].kind == kind && (has_portion(conditions_.supports[k], part) ||
-                                                    scene_.supports[k].part == scene_.parts[at(part)].name))
+            if (scene_.supports[k].kind == kind &&
+                (has_portion(conditions_.supports[k], part) || scene_.supports[k].part == scene_.parts[at(part)].name))
                 return true;
         return false;
     }

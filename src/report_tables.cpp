@@ -113,7 +113,10 @@ std::string part_table(const Result& result, const ResultUnits& u) {
         const auto known = [&](const ValueAt& v) { return p.solved && (result.status == "ok" || v.value != 0); };
         const auto value = [&](const ValueAt& v) { return known(v) ? number_text(v.value, 5) : "–"; };
         const auto at = [&](const ValueAt& v) { return known(v) ? place_text(v.at, size) : "–"; };
-        rows.push_back({p.name, p.material, number_text(p.area, 6), p.rigid ? "rigid" : p.solved ? count_text(p.unknowns) : "not analysed",
+        rows.push_back({p.name, p.material, number_text(p.area, 6),
+                        p.rigid    ? "rigid"
+                        : p.solved ? count_text(p.unknowns)
+                                   : "not analysed",
                         value(p.max_displacement), at(p.max_displacement), value(p.max_von_mises), at(p.max_von_mises)});
     }
     return subsection("Parts", html_table({{"part"},

@@ -52,7 +52,8 @@ void append_edges(const Support& support, int tag, const std::vector<EdgePortion
         for (const EdgePortion& portion : portions) {
             if (portion.part != g.part) continue;
             for (const BoundaryPoint& p : boundary_points(g, portion)) {
-                const Vec2 global = g.frame.to_global(p.x), along = c.direction ? g.frame.vector_to_local(*c.direction) : p.normal;
+                const Vec2 global = g.frame.to_global(p.x),
+                           along = c.direction ? g.frame.vector_to_local(*c.direction) : p.normal;
                 const double value = c.value ? (*c.value)(global.x(), global.y()) : 0.0;
                 conditions.push_back(solver::held_point(tag, p.x, g.center, along, value, p.weight));
             }
@@ -73,8 +74,8 @@ void append_points(const Support& s, int tag, const PartOnGrid& g, std::vector<M
     for (const Vec2& p : s.at)
         for (int c = 0; c < 2; ++c)
             if (c == 0 ? s.x : s.y)
-                conditions.push_back(solver::held_point(tag, g.frame.to_local(p), g.center,
-                                                        g.frame.vector_to_local(Vec2::Unit(c)), 0, g.size));
+                conditions.push_back(
+                    solver::held_point(tag, g.frame.to_local(p), g.center, g.frame.vector_to_local(Vec2::Unit(c)), 0, g.size));
 }
 
 void refuse_springs(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
@@ -126,7 +127,8 @@ std::string why_rigid(const Scene& scene, int part) {
         if (!softer) return "";
         has_neighbour = has_neighbour || can_touch(scene, part, j);
     }
-    return has_neighbour ? "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2) : "";
+    return has_neighbour ? "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2)
+                         : "";
 }
 
 PartOnGrid put_rigid_part(const Scene& scene, int part) {

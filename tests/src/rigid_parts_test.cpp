@@ -107,16 +107,14 @@ TEST(RigidParts, AStiffEnoughPartIsTakenAsOne) {
 }
 
 TEST(RigidParts, FollowWhatIsPrescribed) {
-    const Result r = answer({
-    .hold = R"({"on": "punch/top", "displacement": {"x": 0, "y": "-0.001 - 0.0002*x + 0.0004"}})",
-                             .load = R"({"on": "block/left", "pressure": 0})"
-});
-ASSERT_EQ(r.status, "ok") << r.message;
-EXPECT_NEAR(r.probes[1].displacement.y(), -0.0008, 1e-15);
-EXPECT_NEAR(r.probes[2].displacement.y(), -0.0012, 1e-15);
-ASSERT_EQ(r.reactions.size(), 2U);
-EXPECT_NEAR(r.reactions[1].force.y(), r.contacts[0].force.y(), 1e-9 * std::abs(r.contacts[0].force.y()));
-EXPECT_EQ(r.reactions[1].method, "rigid");
+    const Result r = answer({.hold = R"({"on": "punch/top", "displacement": {"x": 0, "y": "-0.001 - 0.0002*x + 0.0004"}})",
+                             .load = R"({"on": "block/left", "pressure": 0})"});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_NEAR(r.probes[1].displacement.y(), -0.0008, 1e-15);
+    EXPECT_NEAR(r.probes[2].displacement.y(), -0.0012, 1e-15);
+    ASSERT_EQ(r.reactions.size(), 2U);
+    EXPECT_NEAR(r.reactions[1].force.y(), r.contacts[0].force.y(), 1e-9 * std::abs(r.contacts[0].force.y()));
+    EXPECT_EQ(r.reactions[1].method, "rigid");
 }
 
 TEST(RigidParts, SeveralSupportsBalanceTheLoads) {
