@@ -99,9 +99,10 @@ BatchCall read_call(const Arguments& arguments) {
 
 void say_what_is_done(const BatchCall& call, bool quiet) {
     if (quiet) return;
+    std::string left_out;
     for (const auto& [ending, n] : call.source.left_out)
-        std::cerr << "abut: left out, since they are neither scenes nor drawings: " << n << " "
-                  << (ending.empty() ? "files without an ending" : ending) << "\n";
+        left_out += (left_out.empty() ? "" : ", ") + std::to_string(n) + " " + (ending.empty() ? "without an ending" : ending);
+    if (!left_out.empty()) std::cerr << "abut: left out, since they are neither scenes nor drawings: " << left_out << "\n";
     if (call.run.shard.count > 1) std::cerr << "abut: shard " << call.run.shard.index << " of " << call.run.shard.count << "\n";
 }
 

@@ -40,10 +40,13 @@ TEST_F(BatchCommand, OneBadFileIsItsOwnResultAndStopsNothing) {
     write("in/bad.dxf", "0\nSECTION\n");
     write("in/b.json", "{\"some\": \"thing\"}");
     write("in/c.step", "ISO-10303-21;");
+    write("in/read.me", "");
+    write("in/LICENCE", "");
     const Outcome run = abut({"batch", "in", "-o", "o", "-j", "2"});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"5 jobs: 2 ok, 3 refused"})) << run.output;
-    ASSERT_EQ(run.errors.size(), 3U) << joined(run.errors);
+    ASSERT_EQ(run.errors.size(), 4U) << joined(run.errors);
+    EXPECT_TRUE(any_line_has(run.errors, {"left out", "1 without an ending, 1 .me"}));
     EXPECT_TRUE(any_line_has(run.errors, {"b.json", "no scene", "'abut'"}));
     EXPECT_TRUE(any_line_has(run.errors, {"c.step", "'.step' cannot be read"}));
     EXPECT_TRUE(any_line_has(run.errors, {"bad.dxf", "refused"}));
