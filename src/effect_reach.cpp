@@ -43,6 +43,7 @@ private:
     bool concerns(const std::string& effect, int part) const {
         const ScenePart& p = scene_.parts[at(part)];
         if (effect == "elasticity") return why_rigid(scene_, part).empty();
+        if (effect == "axisymmetry") return true;
         if (effect == "rigid parts") return !why_rigid(scene_, part).empty();
         if (effect == "springs") return supported(part, Support::Kind::spring);
         if (effect == "rigid supports") return supported(part, Support::Kind::rigid);

@@ -99,6 +99,7 @@ void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, 
 /// press with, restrained.
 void check_temperature(const Scene& scene, const Load& load, const PartOnGrid& g, PartLoad& result) {
     if (!g.input.free_strain || !acts_on_volume_of(scene, load, g.part)) return;
+    MeteredCall call(result.uses, effect_of(load));
     const double stress = solver::largest_restrained_stress(g.input);
     if (!std::isfinite(stress)) result.vector[0] = stress;
     result.scale = std::max(result.scale, stress * g.size * g.input.thickness);
@@ -133,7 +134,12 @@ bool is_edge_load(const Load& load) {
 
 std::string effect_of(const Load& load) {
     if (is_edge_load(load)) return "edge loads";
-    return load.kind == Load::Kind::gravity ? "gravity" : "body force";
+    switch (load.kind) {
+        case Load::Kind::gravity: return "gravity";
+        case Load::Kind::spin: return "spin";
+        case Load::Kind::temperature: return "temperature";
+        default: return "body force";
+    }
 }
 
 bool acts_on_volume_of(const Scene& scene, const Load& load, int part) {

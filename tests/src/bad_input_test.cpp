@@ -69,7 +69,8 @@ TEST(BadInput, misspelt_keys_and_words) {
              {"\"fix\": [\"x\", \"y\"]", "\"fix\": [\"x\", \"z\"]",
               "s.json:8 /supports/0/fix/1: expected one of \"x\", \"y\", found the text 'z'"},
              {"\"abut\": 1,", "\"abut\": 1, \"analysis\": \"planestrain\",",
-              "s.json:1 /analysis: expected one of \"plane_stress\", \"plane_strain\", found the text 'planestrain'; did you "
+              "s.json:1 /analysis: expected one of \"plane_stress\", \"plane_strain\", \"axisymmetric\", found the text "
+              "'planestrain'; did you "
               "mean \"plane_strain\"?"},
              {"\"R\": 1", "\"R\": 1, \"R\": 2", "s.json:2 /parameters/R: the key 'R' is given twice"},
          }) {
