@@ -12,6 +12,8 @@
 #include "apps/stopwatch.hpp"
 #include "apps/thread_option.hpp"
 #include "src/analysis.hpp"
+#include "src/mirror_symmetry.hpp"
+#include "src/nearest_name.hpp"
 #include "src/plan.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
@@ -19,6 +21,15 @@
 namespace abut {
 
 namespace {
+
+/// Whether the scene is symmetric is looked at here only: it changes no answer, and costs some closest points.
+std::vector<Effect> plan_with_symmetry(const Scene& scene) {
+    const ResolvedConditions conditions = resolve_conditions(scene);
+    std::vector<Effect> plan = plan_effects(scene, conditions);
+    for (Effect& effect : plan)
+        if (effect.name == "symmetry") effect.why = symmetry_text(find_mirror_symmetry(scene, conditions));
+    return plan;
+}
 
 Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);
@@ -61,7 +72,8 @@ int analyze_command(const Arguments& arguments) {
     override_accuracy(scene.accuracy, arguments);
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
-        print_text(has(arguments, "--json") ? plan_json(plan_effects(scene)) : plan_table(plan_effects(scene)));
+        const std::vector<Effect> plan = plan_with_symmetry(scene);
+        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan));
         return exit_done;
     }
     check_formats(scene);

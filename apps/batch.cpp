@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <set>
 
 #include "apps/accuracy_option.hpp"
 #include "apps/batch_end.hpp"
@@ -98,10 +99,24 @@ BatchCall read_call(const Arguments& arguments) {
 
 void say_what_is_done(const BatchCall& call, bool quiet) {
     if (quiet) return;
+    std::string left_out;
     for (const auto& [ending, n] : call.source.left_out)
-        std::cerr << "abut: left out, since they are neither scenes nor drawings: " << n << " "
-                  << (ending.empty() ? "files without an ending" : ending) << "\n";
+        left_out += (left_out.empty() ? "" : ", ") + std::to_string(n) + " " + (ending.empty() ? "without an ending" : ending);
+    if (!left_out.empty()) std::cerr << "abut: left out, since they are neither scenes nor drawings: " << left_out << "\n";
     if (call.run.shard.count > 1) std::cerr << "abut: shard " << call.run.shard.index << " of " << call.run.shard.count << "\n";
+}
+
+/// Files of --expect that no job has: a name written wrong would make detection look better than it is.
+void say_what_is_not_there(const BatchCall& call) {
+    if (!call.job.expectations) return;
+    std::set<const std::vector<ExpectedPair>*> used;
+    for (const BatchJob& job : call.source.jobs) used.insert(expected_for(call.job, job));
+    std::vector<std::string> unused;
+    for (const auto& [file, pairs] : *call.job.expectations)
+        if (!used.contains(&pairs)) unused.push_back(file);
+    if (!unused.empty())
+        std::cerr << "abut: --expect names " << unused.size() << " that are not in the batch, the first of them "
+                  << unused.front() << "\n";
 }
 
 BatchEnd run_call(BatchCall& call, bool quiet) {
@@ -112,7 +127,8 @@ BatchEnd run_call(BatchCall& call, bool quiet) {
     call.run.interrupted = [] { return stopped_by != 0; };
     call.run.progress = [&text](const BatchProgress& progress) { text.show(progress); };
     solver::usable_threads(1);  // before workers are copied: none of them makes threads of its own
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, note_signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, note_signal) == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup means it
     return run_batch(call.source.jobs, call.out, call.run);
 }
 
@@ -152,6 +168,7 @@ int batch_command(const Arguments& arguments) {
     const BatchFile batch = batch_file(arguments.operand, call.run.settings, call.source.jobs);
     write_file(call.out, "batch.json", batch_json(batch));
     say_what_is_done(call, quiet);
+    say_what_is_not_there(call);
     try {
         const BatchEnd end = run_call(call, quiet);
         return end_batch(call.out, batch, end, {watch.seconds(), quiet, static_cast<int>(stopped_by)});

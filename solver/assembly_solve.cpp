@@ -186,6 +186,7 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     const AllRows all = all_rows(problem);
     const Rows& rows = all.rows;
     solution.n_multipliers = rows.n;
+    solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
     solution.seconds.rows = laps.lap();
 
     ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);

@@ -38,6 +38,7 @@ struct AssemblyProblem {
     std::vector<MeanConstraint> constraints;
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
+    std::vector<double> part_load;   ///< the same by part; empty: not known
     /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: what resists a neutral
     /// motion.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
@@ -62,6 +63,7 @@ struct AssemblySolution {
     double driven_work = 0;                     ///< and the balance is off by this fraction of the forces
     std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
+    int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;
     double residual = 0;  ///< of the contact conditions by these displacements and pressures: contact_residual's
     SolveSeconds seconds;

@@ -60,6 +60,7 @@ struct PartShare {
 
 PartShare share_of(const PartSystem& part, const std::vector<RowEntry>& entries, int n_rows) {
     if (entries.empty()) return {};
+    if (part.body) return {{}, {}, rows_times(entries, part.prescribed, n_rows)};
     PartColumns c = columns_of(part, entries);
     PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), rows_times(entries, part.prescribed, n_rows)};
     if (c.is_loaded)
@@ -69,8 +70,7 @@ PartShare share_of(const PartSystem& part, const std::vector<RowEntry>& entries,
 }
 
 void add_share(const PartShare& share, ContactQp& qp) {
-    if (share.row.empty()) return;
-    qp.gap += share.opening;
+    if (share.opening.size() > 0) qp.gap += share.opening;
     const auto n = static_cast<Index>(share.row.size());
     for (Index b = 0; b < n; ++b)
         for (Index a = 0; a < n; ++a)

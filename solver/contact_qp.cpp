@@ -106,10 +106,6 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-bool has_unilateral_rows(const ContactQp& qp) {
-    return std::find_if(qp.unilateral.begin(), qp.unilateral.end(), [](char u) { return u != 0; }) != qp.unilateral.end();
-}
-
 void conclude(const ContactQp& qp, const VectorXd& settled, VectorXd gap, ContactState& state, ContactQpResult& result) {
     result.gap = std::move(gap);
     result.residual =
@@ -119,13 +115,16 @@ void conclude(const ContactQp& qp, const VectorXd& settled, VectorXd gap, Contac
     result.motion = std::move(state.amplitudes);
 }
 
-/// One linear solution. False: a motion is not held; nothing is changed but the count of iterations.
-bool solve_two_sided(const ContactQp& qp, ContactQpResult& result) {
+/// Without unilateral rows there is one linear system. False: it does not answer (a motion is free, or C singular).
+bool solve_linear(const ContactQp& qp, ContactQpResult& result) {
+    const auto is_unilateral = [](char c) { return c != 0; };
+    if (qp.gap.size() == 0 || std::any_of(qp.unilateral.begin(), qp.unilateral.end(), is_unilateral)) return false;
     ContactState state;
-    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
-    result.converged = solve_exactly(qp, factor, state, result) == SetSearch::found;
-    if (result.converged) conclude(qp, VectorXd::Zero(qp.modes.cols()), gap_of(qp, state), state, result);
-    return result.converged;
+    if (!solve_on_set(qp, result.active, state.multipliers, state.amplitudes) || !is_balanced(qp, state.multipliers))
+        return false;
+    conclude(qp, VectorXd::Zero(qp.modes.cols()), gap_of(qp, state), state, result);
+    result.converged = true;
+    return true;
 }
 
 }  // namespace
@@ -138,7 +137,7 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         result.converged = true;
         return result;
     }
-    if (!has_unilateral_rows(qp) && solve_two_sided(qp, result)) return result;
+    if (solve_linear(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     if (!start.balanced && find_mechanism(qp, result)) return result;
 

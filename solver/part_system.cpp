@@ -21,6 +21,10 @@ namespace {
 
 using Eigen::Index;
 
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 /// Drops the functions of an aligned set. What stands against it: the basis, an earlier set with another value, or a weight.
 /// Empty: done.
 std::string drop_aligned(PartSystem& s, SupportRecord& record) {
@@ -66,7 +70,10 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
         s.supports.push_back({std::move(set), SupportMethod::nitsche, {}, {}});
         apply_support(s, s.supports.back());
     }
+    if (s.springs.empty()) return;
+    const auto begin = std::chrono::steady_clock::now();
     for (const SpringSet& set : s.springs) add_springs(s.input, set, s.stiffness, s.load);
+    s.seconds.springs = seconds_since(begin);
 }
 
 void number_unknowns(PartSystem& s) {
@@ -115,22 +122,20 @@ void set_modes(PartSystem& s) {
 
 /// The projection of the volume strain, which Nitsche's supports have a share in.
 void project_dilatation(PartSystem& s) {
+    const auto begin = std::chrono::steady_clock::now();
     std::vector<const SupportSet*> by_nitsche;
     for (const SupportRecord& record : s.supports)
         if (record.method == SupportMethod::nitsche) by_nitsche.push_back(&record.set);
     s.input.dilatation = make_dilatation(s.input, by_nitsche);
     s.failure = s.input.dilatation->failure;
     if (s.failure.empty()) s.load += volume_load(*s.input.dilatation);
+    s.seconds.dilatation = seconds_since(begin);
 }
 
 Factorization factorized(const PartSystem& s) {
     SparseSymmetric a = restricted(s.stiffness, s.number, s.n_kept);
     if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number));
     return Factorization(with_pressures(a, *s.input.dilatation, s.number), s.input.dilatation->space.n_functions);
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// What a pivot that is not positive means here, and what to do about it.
@@ -208,6 +213,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
 }
 
 Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    if (system.body) return Eigen::VectorXd::Zero(displacement.size());
     Eigen::VectorXd forces = multiply(system.stiffness, displacement);
     if (system.input.is_projected) forces += volume_forces(*system.input.dilatation, displacement);
     return forces;
@@ -223,6 +229,7 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
 }
 
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
+    if (system.body) return system.prescribed;
     const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
     Eigen::VectorXd u = system.prescribed;
     for (std::size_t i = 0; i < system.number.size(); ++i)
@@ -274,6 +281,7 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
 }
 
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    if (system.body) return 0;
     if (system.input.structure) return weighted_strain_energy(system.input, displacement);
     if (system.input.free_strain || system.input.axis)
         return elastic_energy(system.input, displacement) +

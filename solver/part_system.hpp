@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One part ready to be solved: stiffness with supports, its free rigid motions, its factor.
 #pragma once
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,8 +44,11 @@ struct FailedPivot {
 /// scaled to a unit diagonal; measured: the balance of forces is off by 1e-16 to 1e-18 times the condition number.)
 inline constexpr double largest_spring_condition = 1e12;
 
+struct RigidBody;
+
 struct PartSystem {
     PartInput input;
+    std::shared_ptr<const RigidBody> body{};  ///< of a rigid part (rigid_body.hpp): no stiffness, no factor, no unknowns
     /// With Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has that, too.
     BlockMatrix stiffness;
     Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
@@ -62,8 +66,8 @@ struct PartSystem {
     std::string failure;                   ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
     struct {
-        double all = 0, factorisation = 0;
-    } seconds;  ///< of make_part_system, and of the factorisation in it
+        double all = 0, factorisation = 0, springs = 0, dilatation = 0;
+    } seconds;  ///< of make_part_system, and of steps in it
 
     int n() const { return input.space.n_functions; }
 };

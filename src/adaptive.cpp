@@ -5,12 +5,14 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "solver/blas_threads.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
 #include "src/next_candidates.hpp"
 #include "src/next_grids.hpp"
+#include "src/part_groups.hpp"
 #include "src/plan.hpp"
 #include "src/stress_error.hpp"
 #include "src/stress_raisers.hpp"
@@ -47,10 +49,23 @@ bool is_solved(const SolvedAssembly& s) {
     return s.failure.empty() && s.solution.mechanism.empty();
 }
 
+/// Nothing where there is nothing to search.
+std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatches& seconds, EffectUses& uses) {
+    if (scene.parts.size() < 2 || (!scene.contacts.detect && scene.contacts.pairs.empty())) return {};
+    const auto begin = std::chrono::steady_clock::now();
+    const MeteredCall call(uses, "contact");
+    std::vector<Candidate> candidates = find_candidates(scene, factor);
+    seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return candidates;
+}
+
 class Path {
 public:
-    Path(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds)
-        : scene_(scene),
+    /// candidates: of the first search, all of them.
+    Path(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds,
+         const PartGroup& group, const std::vector<Candidate>& candidates)
+        : group_(group),
+          scene_(scene),
           conditions_(conditions),
           options_(options),
           seconds_(seconds),
@@ -58,20 +73,27 @@ public:
         out_.target = target_of(scene.accuracy);
         next_ = {out_.target, 1, 1};
         raisers_.resize(scene.parts.size());
+        take_own(candidates);
     }
 
-    Outcome walk() {
-        search();
+    /// Nothing where a wider search met parts of other groups: these are one problem.
+    std::optional<Outcome> walk() {
         start_over();
-        while (!step()) continue;
+        while (!meets_others_ && !step()) continue;
+        if (meets_others_) return std::nullopt;
         return std::move(out_);
     }
 
 private:
-    void search() {
-        const auto begin = std::chrono::steady_clock::now();
-        out_.candidates = find_candidates(scene_, factor_);
-        seconds_["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    void search() { take_own(search_scene(scene_, factor_, seconds_, out_.uses)); }
+
+    void take_own(const std::vector<Candidate>& candidates) {
+        const auto is_own = [&](int part) { return group_[static_cast<std::size_t>(part)]; };
+        out_.candidates.clear();
+        for (const Candidate& c : candidates) {
+            if (is_own(c.first) && is_own(c.second)) out_.candidates.push_back(c);
+            meets_others_ = meets_others_ || is_own(c.first) != is_own(c.second);
+        }
     }
 
     /// Nothing is known of the contacts.
@@ -86,12 +108,14 @@ private:
     SolvedAssembly solve() {
         out_.stress.clear();
         if (options_.progress) options_.progress("pass " + std::to_string(out_.passes.size() + 1));
-        const std::vector<bool> parts = parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates));
+        std::vector<bool> parts = parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates));
+        for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
         SolvedAssembly now =
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
-        out_.factorizations += static_cast<int>(now.problem.parts.size());
+        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
+        add_uses(out_.uses, now.uses);
         return now;
     }
 
@@ -260,6 +284,7 @@ private:
 
     double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }
 
+    const PartGroup& group_;
     const Scene& scene_;
     const ResolvedConditions& conditions_;
     const AnalyzeOptions& options_;
@@ -271,6 +296,7 @@ private:
     WantedSizes raisers_;  // where stresses turned out to be worst
     double factor_ = 1;
     int widenings_ = 0;
+    bool meets_others_ = false;
     std::size_t comparable_from_ = 0;  // passes before have other candidates
 };
 
@@ -278,7 +304,23 @@ private:
 
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds) {
-    return Path(scene, conditions, options, seconds).walk();
+    EffectUses uses;
+    const std::vector<Candidate> candidates = search_scene(scene, 1, seconds, uses);
+    std::vector<Outcome> outcomes;
+    for (const PartGroup& group : part_groups(scene, conditions, candidates)) {
+        std::optional<Outcome> own = Path(scene, conditions, options, seconds, group, candidates).walk();
+        if (own) add_uses(uses, own->uses);
+        if (own) outcomes.push_back(std::move(*own));
+        if (own) continue;
+        const PartGroup all(scene.parts.size(), true);
+        outcomes.clear();
+        outcomes.push_back(*Path(scene, conditions, options, seconds, all, candidates).walk());
+        add_uses(uses, outcomes[0].uses);
+        break;
+    }
+    Outcome out = merged(std::move(outcomes));
+    out.uses = std::move(uses);
+    return out;
 }
 
 }  // namespace abut

@@ -25,6 +25,7 @@ struct Outcome {
     SolvedAssembly solved;                    ///< on the last grids
     std::vector<solver::StressField> stress;  ///< smoothed, of its parts; none where it is not solved
     int factorizations = 0, iterations = 0;
+    EffectUses uses;  ///< of all passes and searches
     PathEnd end = PathEnd::no_need;
     double target = 0;                  ///< estimated relative error aimed at
     bool search_too_short = false;      ///< contact reaches the end of what was searched

@@ -10,6 +10,7 @@
 #include "src/assumptions.hpp"
 #include "src/contact_measures.hpp"
 #include "src/contact_results.hpp"
+#include "src/effect_answers.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
 #include "src/mobility.hpp"
@@ -17,6 +18,7 @@
 #include "src/part_results.hpp"
 #include "src/plan.hpp"
 #include "src/probes.hpp"
+#include "src/rigid_parts.hpp"
 #include "src/self_contact.hpp"
 #include "src/svg.hpp"
 
@@ -97,10 +99,10 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     result.length_unit = scene.length_unit;
     result.force_unit = scene.force_unit;
     result.degree = scene.accuracy.degree;
-    result.effects = plan_effects(scene);
     result.warnings = scene.warnings;
     check_probes(scene);
     const ResolvedConditions conditions = resolve_conditions(scene);
+    result.effects = plan_effects(scene, conditions);
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
 
@@ -108,8 +110,13 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     fill_parts(scene, out.solved, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
-    result.solver = {static_cast<int>(out.passes.size()), out.factorizations, out.iterations, largest_condition(out.solved),
-                     out.solved.solution.converged};
+    result.solver = {static_cast<int>(out.passes.size()),
+                     out.factorizations,
+                     out.iterations,
+                     largest_condition(out.solved),
+                     out.solved.solution.converged,
+                     out.solved.solution.groups,
+                     out.solved.solution.contact_problems};
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
     } else {
@@ -129,11 +136,14 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
                 "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
                 ". Add a support, or a part that it can rest on";
         }
+        if (const std::string pressed = rigid_pair_failure(scene, out); !pressed.empty()) {
+            result.status = "failed";
+            result.message = pressed;
+        }
         fill_answers(scene, conditions, out, seconds, result);
     }
-    for (Effect& e : result.effects)
-        if (e.on && e.name == "contact") e.seconds = seconds["solve"];
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    fill_effects(out, total, result);
     for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
         result.timing.emplace_back(stage, seconds[stage]);
     result.stages = fine_stages(seconds);

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <chrono>
 
+#include "solver/dilatation.hpp"
+#include "solver/independent_groups.hpp"
 #include "solver/parallel_for.hpp"
 #include "src/load_vector.hpp"
 #include "src/part_grid.hpp"
+#include "src/rigid_parts.hpp"
 #include "src/solution_structure.hpp"
 #include "src/support_sets.hpp"
 #include "src/svg.hpp"
@@ -37,6 +40,7 @@ private:
 
 PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
                        SolvedAssembly& solved) {
+    if (!why_rigid(scene, part).empty()) return put_rigid_part(scene, part);
     bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
@@ -54,15 +58,26 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
 struct LoadedSystem {
     solver::PartSystem system;
     double load_scale = 0;
+    EffectUses uses{};
 };
+LoadedSystem make_rigid(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
+    PartLoad load = load_vector(scene, conditions, g);
+    LoadedSystem made{{}, load.scale, std::move(load.uses)};
+    MeteredCall call(made.uses, "rigid parts");
+    made.system = rigid_system(scene, conditions, g, load);
+    call.count(1);
+    return made;
+}
+
 LoadedSystem make_system(const Scene& scene, const ResolvedConditions& conditions, PartOnGrid& g) {
+    if (g.is_rigid) return make_rigid(scene, conditions, g);
     g.input.structure = make_structure(scene, conditions, g);
     if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
     g.input.free_strain = free_strain(scene, g);
     PartLoad load = load_vector(scene, conditions, g);
     return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
                                      spring_sets(scene, conditions, g), load.weighted),
-            load.scale};
+            load.scale, std::move(load.uses)};
 }
 
 /// With dirichlet "aligned" every support of edges has to be imposed that way.
@@ -85,6 +100,32 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
     return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
 }
 
+/// What the system's own code spent on its effects.
+EffectUses uses_of(const solver::PartSystem& system) {
+    EffectUses uses;
+    if (system.body) return uses;
+    const auto& s = system.seconds;
+    uses["elasticity"] = {s.all - s.springs - s.dilatation, 1, 2L * system.n()};
+    long points = 0;
+    for (const solver::SpringSet& set : system.springs) points += static_cast<long>(set.points.size());
+    if (points > 0) uses["springs"] = {s.springs, static_cast<long>(system.springs.size()), points};
+    if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, 1, system.input.dilatation->space.n_functions};
+    return uses;
+}
+
+/// Rigid supports of one part.
+void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& solved) {
+    const auto is_held = [&](const Support& s) {
+        return s.kind == Support::Kind::rigid && s.part == scene.parts[at(solved.grids[part].part)].name;
+    };
+    if (solved.grids[part].is_rigid || std::none_of(scene.supports.begin(), scene.supports.end(), is_held)) return;
+    MeteredCall call(solved.uses, "rigid supports");
+    for (solver::MeanConstraint& c : mean_constraints(scene, solved.grids[part], static_cast<int>(part))) {
+        solved.problem.constraints.push_back(std::move(c));
+        call.count(1);
+    }
+}
+
 /// Solver's input, supports and loads of every part on its grid.
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
     std::vector<LoadedSystem> made(solved.grids.size());
@@ -93,13 +134,15 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, int 
     for (std::size_t i = 0; i < made.size(); ++i) {
         PartOnGrid& g = solved.grids[i];
         solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
+        solved.problem.part_load.push_back(made[i].load_scale);
         solved.problem.parts.push_back(std::move(made[i].system));
         const solver::PartSystem& system = solved.problem.parts.back();
+        add_uses(solved.uses, made[i].uses);
+        add_uses(solved.uses, uses_of(system));
         g.input.dilatation = system.input.dilatation;
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
-        for (solver::MeanConstraint& c : mean_constraints(scene, g, static_cast<int>(i)))
-            solved.problem.constraints.push_back(std::move(c));
+        append_constraints(scene, i, solved);
     }
 }
 
@@ -143,6 +186,21 @@ ContactInterface turned_along(ContactInterface contact) {
     return contact;
 }
 
+/// Is the gap closed by an interference, or by a drawn overlap that counts as one?
+bool closes(const Scene& scene, const Candidate& c) {
+    return !c.bonded && (c.closing != 0 || (scene.contacts.overlap == "press_fit" && c.zone.gap_min < 0));
+}
+
+/// Rigid parts have no pressure between them, and nothing to hold them together by: the pair is looked at after the solution.
+bool are_rigid(const Scene& scene, const Candidate& c, const PartOnGrid& first, const PartOnGrid& second) {
+    if (!first.is_rigid || !second.is_rigid) return false;
+    if (!c.bonded) return true;
+    throw InputError(scene.contacts.pairs[at(c.rule)].where,
+                     "parts " + scene.parts[at(c.first)].name + " and " + scene.parts[at(c.second)].name +
+                         " are both rigid: they cannot be bonded",
+                     "draw them as one part, or make one of them elastic");
+}
+
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
     for (const Candidate& c : candidates) {
         const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
@@ -150,10 +208,13 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         solved.shear_of.push_back(-1);
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
-        if (a < 0 || b < 0) continue;
+        if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
+        MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
         solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b});
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
+        call.count(contact.face.points.size());
+        if (closes(scene, c)) solved.uses["interference"].items += static_cast<long>(contact.face.points.size());
         if (c.bonded) bond(contact);
         solved.interface_of.back() = append_interface(contact, solved);
         if (c.bonded) solved.shear_of.back() = append_interface(turned_along(contact), solved);
@@ -177,11 +238,32 @@ std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contac
     return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 
+/// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
+void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
+    long contact = 0, bonding = 0;
+    for (const solver::Interface& face : solved.problem.interfaces)
+        (face.bilateral ? bonding : contact) += solver::n_rows(face);
+    const auto rigid = static_cast<long>(solved.problem.constraints.size()), rows = contact + bonding + rigid;
+    const double on_rows = s.rows + s.condensation + s.contact;
+    const auto add = [&](const std::string& effect, long n) {
+        if (n == 0) return;
+        EffectUse& use = solved.uses[effect];
+        ++use.calls;
+        use.items += n;
+        use.seconds += on_rows * static_cast<double>(n) / static_cast<double>(rows);
+    };
+    add("contact", contact);
+    add("bonding", bonding);
+    add("rigid supports", rigid);
+    solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
+}
+
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
 void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     const Timed timed(seconds, "solve");
-    solved.solution = solve_assembly(solved.problem, threads);
+    solved.solution = solve_groups(solved.problem, threads);
     add_steps(solved.solution.seconds, seconds);
+    add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
     if (!solved.solution.mechanism.empty()) return;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
@@ -237,7 +319,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
 double largest_condition(const SolvedAssembly& solved) {
     double largest = 0;
     for (const solver::PartSystem& system : solved.problem.parts)
-        if (system.failure.empty()) largest = std::max(largest, system.factor.condition_estimate());
+        if (!system.body && system.failure.empty()) largest = std::max(largest, system.factor.condition_estimate());
     return largest;
 }
 

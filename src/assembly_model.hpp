@@ -12,6 +12,7 @@
 #include "src/candidates.hpp"
 #include "src/contact_interface.hpp"
 #include "src/contact_runs.hpp"
+#include "src/effect_meter.hpp"
 #include "src/grid_design.hpp"
 
 namespace abut {
@@ -32,6 +33,7 @@ struct SolvedAssembly {
     std::vector<std::vector<ContactRun>> runs;  ///< by contact
     std::string failure;                        ///< not empty: not solvable, and why
     int refined_for_walls = 0;                  ///< parts whose grid had to be refined to hold the basis
+    EffectUses uses;                            ///< of the effects' code in this pass
     int limited_grids = 0;                      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 

@@ -18,6 +18,8 @@ namespace {
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
 constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;  // of the part's size
+/// Tension of a bonded pair, over its largest traction, that is more than the fit of the spline.
+constexpr double noted_tension = 1e-3;
 /// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
 constexpr double noted_rounding = 1e-3;
 
@@ -25,35 +27,116 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-struct LargestChange {
-    double rotation = 0, strain = 0;
+struct PlacedValue {
+    double value = 0;
+    Vec2 at{0, 0};  // in the part's frame
+
+    void take(double other, const Vec2& x) {
+        if (other <= value) return;
+        value = other;
+        at = x;
+    }
 };
+struct LargestChange {
+    PlacedValue rotation, strain;
+};
+
+/// Where a part is looked at: all along its boundary, in its cut cells, and in the middle of the others.
+std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
+    std::vector<std::pair<int, Vec2>> places = cut_cell_samples(g);
+    const geometry::Grid& grid = g.cells.grid;
+    for (std::size_t c = 0; c < g.cells.cell_class.size(); ++c) {
+        if (g.cells.cell_class[c] != geometry::CellClass::inner) continue;
+        const int cell = static_cast<int>(c);
+        const std::size_t i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
+        places.emplace_back(cell, 0.5 * Vec2(grid.x[i] + grid.x[i + 1], grid.y[j] + grid.y[j + 1]));
+    }
+    for (std::size_t k = 0; k < g.cells.pieces.size(); ++k) {
+        const geometry::BoundaryPiece& piece = g.cells.pieces[k];
+        if (g.elements.of_piece[k] < 0) continue;
+        const geometry::Curve& curve = g.local.edges[at(piece.edge)].curve;
+        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1)}) places.emplace_back(g.elements.of_piece[k], point(curve, t));
+    }
+    return places;
+}
 
 LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
     LargestChange largest;
-    for (const auto& [element, x] : cut_cell_samples(g)) {
+    for (const auto& [element, x] : places_of(g)) {
         const auto u = solver::displacement_at(g.input, displacement, element, x);
-        largest.rotation = std::max(largest.rotation, 0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)));
-        largest.strain = std::max(largest.strain, (0.5 * (u.gradient + u.gradient.transpose())).norm());
+        largest.rotation.take(0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)), x);
+        largest.strain.take((0.5 * (u.gradient + u.gradient.transpose())).norm(), x);
     }
     return largest;
 }
 
+std::string place_text(const Vec2& p) {
+    return "(" + number_text(p.x(), 4) + ", " + number_text(p.y(), 4) + ")";
+}
+
+/// What would treat it is an effect of the plan that is off: there is no key for it.
 void check_kinematics(const Scene& scene, const SolvedAssembly& solved, std::size_t k, Result& result) {
     const PartOnGrid& g = solved.grids[k];
     const LargestChange largest = largest_change(g, solved.solution.displacement[k]);
     const std::string& name = scene.parts[at(g.part)].name;
-    const double motion = result.parts[at(g.part)].max_displacement.value;
-    if (motion > large_motion * g.size)
-        result.warnings.push_back("large displacement: part " + name + " moves by " + number_text(motion, 3) +
+    const ValueAt& motion = result.parts[at(g.part)].max_displacement;
+    if (motion.value > large_motion * g.size)
+        result.warnings.push_back("large displacement would matter: part " + name + " moves by " +
+                                  number_text(motion.value, 3) + " at " + place_text(motion.at) +
                                   "; contacts are paired where they are drawn");
-    if (largest.rotation > large_rotation)
-        result.warnings.push_back("large displacement: part " + name + " turns by up to " +
-                                  number_text(largest.rotation * 180 / std::numbers::pi, 3) +
-                                  " degrees; the answer is that of small displacements");
-    if (largest.strain > large_strain)
-        result.warnings.push_back("large strain: part " + name + " strains by up to " + number_text(100 * largest.strain, 3) +
-                                  " %; the answer is that of linear elasticity");
+    if (largest.rotation.value > large_rotation)
+        result.warnings.push_back("large displacement would matter: rotation " +
+                                  number_text(largest.rotation.value * 180 / std::numbers::pi, 3) + " degrees at part " + name +
+                                  ", near " + place_text(g.frame.to_global(largest.rotation.at)) +
+                                  "; the answer is that of small displacements");
+    if (largest.strain.value > large_strain)
+        result.warnings.push_back(
+            "large strain: part " + name + " strains by up to " + number_text(100 * largest.strain.value, 3) + " % near " +
+            place_text(g.frame.to_global(largest.strain.at)) + "; the answer is that of linear elasticity");
+}
+
+void check_yield(const Scene& scene, std::size_t k, const SolvedAssembly& solved, Result& result) {
+    const int part = solved.grids[k].part;
+    const Material& material = scene.materials[at(scene.parts[at(part)].material)];
+    const ValueAt& reached = result.parts[at(part)].max_von_mises;
+    if (!material.yield || !(reached.value > *material.yield)) return;
+    result.warnings.push_back("yield exceeded: part " + scene.parts[at(part)].name + " reaches a von Mises stress of " +
+                              number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " +
+                              number_text(reached.value / *material.yield, 3) + " times the yield of " + material.name + " (" +
+                              number_text(*material.yield, 4) +
+                              "); the answer is that of linear elasticity, without plasticity");
+}
+
+/// A bonded pair that would open if it were a contact.
+void check_bonds(Result& result) {
+    for (const ContactResult& c : result.contacts) {
+        if (c.kind != "bonded") continue;
+        const std::vector<double>& p = c.profile.pressure;
+        double most = 0;
+        for (double v : p) most = std::max(most, std::abs(v));
+        const auto least = std::min_element(p.begin(), p.end());
+        if (p.empty() || *least >= -noted_tension * most) continue;
+        const auto k = static_cast<std::size_t>(least - p.begin());
+        result.warnings.push_back("bonded pair in tension: " + c.between[0] + " and " + c.between[1] +
+                                  " are pulled apart with up to " + number_text(-*least, 4) + " at " +
+                                  place_text({c.profile.x[k], c.profile.y[k]}) +
+                                  "; a contact (kind \"contact\" in contacts.pairs) would open there");
+    }
+}
+
+/// Parts whose contact reaches the end of what was searched: "a and b".
+std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
+    std::string names;
+    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+        const geometry::FacingZone& zone = s.contacts[k].zone;
+        const auto ends_there = [&](const ContactRun& run) {
+            return (run.from_start && zone.begin_is_limit) || (run.to_end && zone.end_is_limit);
+        };
+        if (s.contacts[k].face.bilateral || std::none_of(s.runs[k].begin(), s.runs[k].end(), ends_there)) continue;
+        const auto& [a, b] = s.contacts[k].part;
+        names += (names.empty() ? ": " : ", ") + scene.parts[at(a)].name + " and " + scene.parts[at(b)].name;
+    }
+    return names;
 }
 
 void check_rules(const Scene& scene, const Outcome& out, Result& result) {
@@ -72,7 +155,7 @@ void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& r
     for (const PartOnGrid& g : solved.grids) {
         const ScenePart& part = scene.parts[at(g.part)];
         const Material& material = scene.materials[at(part.material)];
-        if (!g.input.is_projected && is_nearly_incompressible(scene, material))
+        if (!g.is_rigid && !g.input.is_projected && is_nearly_incompressible(scene, material))
             result.warnings.push_back(
                 "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
                 ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\"");
@@ -87,10 +170,11 @@ void check_rounding(Result& result) {
                                   "): a part is very slender, or runs out in a very sharp tip");
 }
 
-void check_grids(const Outcome& out, Result& result) {
+void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
     if (out.search_too_short)
-        result.warnings.push_back("contact reaches the end of what was searched; give contacts.search_distance a larger value");
+        result.warnings.push_back("contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
+                                  "; give contacts.search_distance a larger value");
     if (out.solved.limited_grids > 0)
         result.warnings.push_back(
             "grids of " + std::to_string(out.solved.limited_grids) +
@@ -103,9 +187,13 @@ void check_grids(const Outcome& out, Result& result) {
 }  // namespace
 
 void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
-    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) check_kinematics(scene, out.solved, k, result);
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
+        check_kinematics(scene, out.solved, k, result);
+        check_yield(scene, k, out.solved, result);
+    }
+    check_bonds(result);
     check_rules(scene, out, result);
-    check_grids(out, result);
+    check_grids(scene, out, result);
     check_rounding(result);
     warn_of_locking(scene, out.solved, result);
 }

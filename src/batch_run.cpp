@@ -59,6 +59,8 @@ std::string store(const JobStore& place, const BatchJob& job, const std::string&
     record.file = job.file;
     record.parameters = job.parameters;
     record.files = files_in(folder);
+    record.sizes.clear();
+    for (const std::string& file : record.files) record.sizes.push_back(std::filesystem::file_size(folder + "/" + file));
     const std::string text = job_json(record);
     try {
         write_file(folder, "job.json", text);

@@ -12,8 +12,10 @@
 
 #include "geometry/input_error.hpp"
 #include "src/csv_table.hpp"
+#include "src/job_key.hpp"
 #include "src/nearest_name.hpp"
 #include "src/read_drawing.hpp"
+#include "src/utf8.hpp"
 #include "src/whole_file.hpp"
 
 namespace abut {
@@ -27,16 +29,36 @@ const std::set<std::string> foreign_cad{".step",   ".stp",  ".iges", ".igs",    
                                         ".sldasm", ".ipt",  ".iam",  ".catpart", ".x_t", ".x_b",
                                         ".sat",    ".brep", ".prt",  ".fcstd",   ".dgn", ".catproduct"};
 
-constexpr std::size_t row_digits = 4;  // of the number in a job's name: names sort like rows up to 9999 of them
+constexpr std::size_t longest_name = 160;  // bytes; file systems take 255, and "~2" may be added
+constexpr std::size_t row_digits = 4;      // of the number in a job's name: names sort like rows up to 9999 of them
+
+/// Bytes that are no text would not come back from job.json as they were.
+std::string as_text(const std::string& bytes) {
+    std::string text;
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t n = utf8_length(bytes, at);
+        text += n == 0 ? "_" : bytes.substr(at, n);
+        at += std::max<std::size_t>(n, 1);
+    }
+    return text;
+}
+
+/// Long names keep their end, and begin with a hash of the whole.
+std::string shortened_name(const std::string& name) {
+    if (name.size() <= longest_name) return name;
+    ContentHash hash;
+    hash.add(name);
+    return hash.text() + "-" + as_text(name.substr(name.size() - longest_name / 2));
+}
 
 /// A name that is one folder on every file system.
 std::string folder_name(const std::string& path) {
-    std::string name = fs::path(path).lexically_normal().generic_string();
+    std::string name = as_text(fs::path(path).lexically_normal().generic_string());
     while (name.starts_with("../")) name.erase(0, 3);
     for (char& c : name)
-        if (c == '/' || c == '\\' || c == ':' || c == '\n' || c == '\r' || c == '\0') c = '-';
+        if (c == '/' || c == '\\' || c == ':' || static_cast<unsigned char>(c) < ' ') c = '-';
     while (!name.empty() && (name.front() == '.' || name.front() == '-')) name.erase(0, 1);
-    return name.empty() ? "job" : name;
+    return name.empty() ? "job" : shortened_name(name);
 }
 
 /// Jobs of the same name get numbers, in their order.
@@ -54,20 +76,26 @@ bool belongs(const fs::path& file, const SourceOptions& options) {
     return is_importable(file.string()) || foreign_cad.contains(ending);
 }
 
-/// Files below the folder, as paths that begin with it; nothing hidden, nothing excluded.
+/// Hidden, the OUT of this batch, or that of another one.
+bool is_passed_over(const fs::path& folder, const SourceOptions& options) {
+    std::error_code error;
+    if (folder.filename().string().starts_with(".")) return true;
+    if (!options.excluded.empty() && fs::equivalent(folder, options.excluded, error)) return true;
+    return fs::exists(folder / "batch.json", error) && fs::is_directory(folder / "jobs", error);
+}
+
+/// Files below the folder, as paths that begin with it; nothing hidden, nothing that a batch wrote.
 std::vector<fs::path> files_below(const std::string& folder, const SourceOptions& options) {
     std::vector<fs::path> files;
     std::error_code error;
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
     if (error) throw InputError(folder, "the folder cannot be read: " + error.message(), "check its permissions");
     for (const fs::recursive_directory_iterator end; entry != end; entry.increment(error)) {
-        const bool hidden = entry->path().filename().string().starts_with(".");
         std::error_code ignored;
-        if (entry->is_directory(ignored)) {
-            if (hidden || (!options.excluded.empty() && fs::equivalent(entry->path(), options.excluded, ignored)))
-                entry.disable_recursion_pending();
-        } else if (!hidden) {
-            files.push_back(entry->path());
+        if (!entry->is_directory(ignored)) {
+            if (!entry->path().filename().string().starts_with(".")) files.push_back(entry->path());
+        } else if (is_passed_over(entry->path(), options)) {
+            entry.disable_recursion_pending();
         }
     }
     return files;

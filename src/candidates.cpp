@@ -48,6 +48,13 @@ void check_containment(const Scene& scene, int i, int j, double allowed, std::ve
 
 }  // namespace
 
+double search_distance(const Scene& scene, int first, int second, double factor) {
+    if (scene.contacts.search_distance) return *scene.contacts.search_distance;
+    const double size =
+        std::min(bounding_box(part_of(scene, first)).diagonal(), bounding_box(part_of(scene, second)).diagonal());
+    return factor * first_search_fraction * size;
+}
+
 std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
     std::vector<Candidate> candidates;
     std::vector<Problem> problems;
@@ -57,8 +64,7 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
         for (int j = i + 1; j < n; ++j) {
             const auto box_i = bounding_box(part_of(scene, i)), box_j = bounding_box(part_of(scene, j));
             const double size = std::min(box_i.diagonal(), box_j.diagonal());
-            const double distance =
-                scene.contacts.search_distance ? *scene.contacts.search_distance : factor * first_search_fraction * size;
+            const double distance = search_distance(scene, i, j, factor);
             if (!box_i.overlaps(box_j, distance)) continue;
             if (factor == 1 && scene.contacts.overlap == "report")
                 check_containment(scene, i, j, overlap_fraction * size, problems);

@@ -38,6 +38,9 @@ inline constexpr double overlap_fraction = 1e-6;
 /// reaches the end of a zone.
 inline constexpr double first_search_fraction = 0.05;
 
+/// Distance up to which two parts are searched.
+double search_distance(const Scene& scene, int first, int second, double factor);
+
 /// factor: widens the search distance. Throws InputError for drawn overlaps that the scene does not allow, naming edges and
 /// place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);

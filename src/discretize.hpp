@@ -12,7 +12,8 @@
 namespace abut {
 
 struct PartOnGrid {
-    int part;  ///< index into Scene::parts
+    int part;               ///< index into Scene::parts
+    bool is_rigid = false;  ///< one cell of bilinear functions, which hold its motions; no stiffness
     Frame frame;
     geometry::Part local;  ///< in the grid's frame; edges and parameters as in the scene's part
     geometry::CutCells cells;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "solver/rigid_body.hpp"
+
 namespace abut {
 
 namespace {
@@ -105,6 +107,15 @@ void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Ve
     const solver::PartSystem& system = solved.problem.parts[part];
     const Frame& frame = solved.grids[part].frame;
     const Eigen::VectorXd& u = solved.solution.displacement[part];
+    if (system.body) {
+        for (const auto& [tag, force] : solver::rigid_reactions(system, solved.solution.load[part])) {
+            Reaction& r = t.reactions[tag];
+            add(r, to_assembly(force, frame, about));
+            add_words(r.method, "rigid", ", ");
+            add_words(r.why, "the part is rigid: its supports balance its loads, shared as equally stiff points would", "; ");
+        }
+        return;
+    }
     const Eigen::VectorXd plain = system.input.structure ? plain_load(solved, part) : Eigen::VectorXd();
     const auto reactions = solver::support_reactions(system, u, solved.solution.load[part], plain);
     for (std::size_t k = 0; k < reactions.size(); ++k) {

@@ -55,6 +55,12 @@ void add_cell(PartFieldResult& r, const PartOnGrid& grid, int cell, int n, Sampl
 }  // namespace
 
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
+    if (grid.is_rigid) {
+        solver::StressField none;
+        none.space = grid.input.space;
+        none.coefficients = Eigen::MatrixX3d::Zero(grid.input.space.n_functions, 3);
+        return none;
+    }
     std::vector<solver::SamplePoint> cut;
     for (const auto& [element, x] : cut_cell_samples(grid)) cut.push_back({element, x});
     const int degree = std::max(grid.input.space.x.degree, grid.input.space.y.degree);

@@ -74,6 +74,7 @@ double size_along(const PartOnGrid& g, const geometry::ChainPoint& p) {
 }
 
 double compliance(const Scene& scene, const PartOnGrid& g) {
+    if (g.is_rigid) return 0;
     return 1 / scene.materials[at(scene.parts[at(g.part)].material)].E;
 }
 

@@ -65,6 +65,7 @@ JobRecord record_of(const Json& j) {
     r.warnings = j.at("warnings").get<std::vector<std::string>>();
     if (!j.at("expectation").is_null()) r.expectation = expectation_of(j.at("expectation"));
     r.files = j.at("files").get<std::vector<std::string>>();
+    r.sizes = j.at("sizes").get<std::vector<std::uintmax_t>>();
     r.seconds = j.at("seconds");
     return r;
 }
@@ -98,6 +99,7 @@ std::string job_json(const JobRecord& r) {
                     {"warnings", r.warnings},
                     {"expectation", r.expectation ? to_json(*r.expectation) : Json(nullptr)},
                     {"files", r.files},
+                    {"sizes", r.sizes},
                     {"key", r.key},
                     {"seconds", r.seconds}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

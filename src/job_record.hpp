@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept of one job of a batch: job.json of its folder, and its line in the summary.
 #pragma once
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -36,8 +37,9 @@ struct JobRecord {
     std::optional<double> error_estimate;  ///< the worst of the contacts, of stress where there are none; relative
     std::vector<std::string> warnings;
     std::optional<ExpectationCount> expectation;
-    std::vector<std::string> files;  ///< beside job.json
-    double seconds = 0;              ///< wall time; the only thing in it that a repetition changes
+    std::vector<std::string> files;     ///< beside job.json
+    std::vector<std::uintmax_t> sizes;  ///< of those, in bytes: after a power failure a file may be shorter, or empty
+    double seconds = 0;                 ///< wall time; with `sizes` the only thing in it that a repetition changes
 };
 
 /// "ok", "differs", "failed", "refused", "broken"

@@ -70,22 +70,6 @@ void remove_left_overs(const std::string& out) {
     }
 }
 
-/// To the disk: after a power failure a folder that has its name has its files, too.
-void sync(const fs::path& path, int flags) {
-    const int file = ::open(path.c_str(), flags | O_CLOEXEC);
-    if (file < 0) give_up(path, std::strerror(errno));
-    const int failed = ::fsync(file);
-    const int reason = errno;
-    ::close(file);
-    if (failed != 0 && reason != EINVAL) give_up(path, std::strerror(reason));  // EINVAL: this file system cannot
-}
-
-void sync_folder(const fs::path& folder) {
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) sync(entry.path(), O_RDONLY);
-    sync(folder, O_RDONLY | O_DIRECTORY);
-}
-
 /// Two folders change names in one step; false where the file system cannot do that.
 bool exchange(const fs::path& a, const fs::path& b) {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
@@ -118,7 +102,6 @@ std::string JobStore::begin(const std::string& name) const {
 
 void JobStore::finish(const std::string& name) const {
     const fs::path made = fs::path(run_) / name, place = job_folder(out_, name);
-    sync_folder(made);
     std::error_code error;
     fs::rename(made, place, error);
     if (!error) return;
@@ -146,8 +129,9 @@ std::optional<JobRecord> stored_job(const std::string& out, const std::string& n
     std::optional<JobRecord> record = text ? parse_job_json(*text) : std::nullopt;
     if (!record || record->name != name) return std::nullopt;
     std::error_code error;
-    for (const std::string& file : record->files)
-        if (!fs::exists(folder / file, error)) return std::nullopt;
+    if (record->files.size() != record->sizes.size()) return std::nullopt;
+    for (std::size_t i = 0; i < record->files.size(); ++i)
+        if (fs::file_size(folder / record->files[i], error) != record->sizes[i] || error) return std::nullopt;
     return record;
 }
 

@@ -62,8 +62,11 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
     const double total = selected_area(scene, portions);
     std::vector<solver::TractionPoint> points;
     double magnitude = 0;
+    const auto is_here = [&](const EdgePortion& portion) { return portion.part == g.part; };
+    if (std::none_of(portions.begin(), portions.end(), is_here)) return;
+    MeteredCall call(result.uses, effect_of(load));
     for (const EdgePortion& portion : portions) {
-        if (portion.part != g.part) continue;
+        if (!is_here(portion)) continue;
         for (const BoundaryPoint& p : boundary_points(g, portion)) {
             const Vec2 t = traction_at(load, g.frame.to_global(p.x), g.frame.vector_to_global(p.normal), total);
             points.push_back({p.element, p.x, p.weight, g.frame.vector_to_local(t)});
@@ -71,6 +74,7 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
         }
     }
     if (points.empty()) return;
+    call.count(points.size());
     result.vector += boundary_load(g.input, points);
     if (g.input.structure) result.weighted += weighted_boundary_load(g.input, points);
     result.scale = std::max(result.scale, magnitude);
@@ -79,7 +83,9 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
 void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, PartLoad& result) {
     const double volume = g.input.axis ? solver::measure(g.input) : g.area;
     double largest = 0;
+    MeteredCall call(result.uses, effect_of(load));
     const auto at_point = [&](const Vec2& local) -> Vec2 {
+        call.count(1);
         const Vec2 force = volume_force(scene, load, g, volume, g.frame.to_global(local));
         largest = std::max(largest, force.norm());
         return g.frame.vector_to_local(force);
@@ -123,6 +129,11 @@ std::function<double(const Vec2&)> free_strain(const Scene& scene, const PartOnG
 
 bool is_edge_load(const Load& load) {
     return load.kind == Load::Kind::pressure || load.kind == Load::Kind::traction || load.kind == Load::Kind::edge_force;
+}
+
+std::string effect_of(const Load& load) {
+    if (is_edge_load(load)) return "edge loads";
+    return load.kind == Load::Kind::gravity ? "gravity" : "body force";
 }
 
 bool acts_on_volume_of(const Scene& scene, const Load& load, int part) {

@@ -5,6 +5,7 @@
 
 #include "src/boundary_conditions.hpp"
 #include "src/discretize.hpp"
+#include "src/effect_meter.hpp"
 
 namespace abut {
 
@@ -13,6 +14,7 @@ struct PartLoad {
     Eigen::VectorXd vector;
     Eigen::VectorXd weighted;  ///< the same loads on the weighted functions; empty without a structure
     double scale = 0;
+    EffectUses uses;
 };
 /// Throws InputError where a load has no finite value.
 PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
@@ -22,6 +24,8 @@ PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, c
 std::function<double(const Vec2&)> free_strain(const Scene& scene, const PartOnGrid& on_grid);
 
 bool is_edge_load(const Load& load);
+/// Name in the plan of the effect that a load belongs to.
+std::string effect_of(const Load& load);
 /// Gravity, or a force, spin or temperature in this part or in all.
 bool acts_on_volume_of(const Scene& scene, const Load& load, int part);
 /// Traction of an edge load at a point, in the assembly's frame; total_area: over which a force is spread.

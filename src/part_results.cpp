@@ -38,7 +38,8 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
         part.material = scene.materials[at(scene.parts[i].material)].name;
         part.area = area(scene.parts[i].part);
         part.solved = !solved.solver_part.empty() && solved.solver_part[i] >= 0;
-        if (part.solved) fill_grid(solved.grids[at(solved.solver_part[i])], part);
+        part.rigid = part.solved && solved.grids[at(solved.solver_part[i])].is_rigid;
+        if (part.solved && !part.rigid) fill_grid(solved.grids[at(solved.solver_part[i])], part);
         result.unknowns += part.unknowns;
         result.cells[0] += part.cells_inner;
         result.cells[1] += part.cells_boundary;

@@ -53,7 +53,7 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
     record.energy = energy_of(solved);
     record.multipliers = solved.solution.n_multipliers;
     record.seconds = seconds;
-    for (const PartOnGrid& g : solved.grids) record.unknowns += 2 * g.input.space.n_functions;
+    for (const PartOnGrid& g : solved.grids) record.unknowns += g.is_rigid ? 0 : 2 * g.input.space.n_functions;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         record.contacts.emplace_back();
         if (solved.interface_of[k] < 0) continue;

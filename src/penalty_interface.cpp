@@ -16,7 +16,13 @@ const geometry::Part& part_of(const Scene& scene, int part) {
 /// Pressure per penetration at a point of the first part.
 double stiffness_at(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second, const geometry::ChainPoint& p) {
     const PenaltyOptions& penalty = *scene.contacts.penalty;
-    const double stiffer = 1 / std::min(compliance(scene, first), compliance(scene, second));
+    const double c1 = compliance(scene, first), c2 = compliance(scene, second);
+    const double stiffer = 1 / (first.is_rigid || second.is_rigid ? std::max(c1, c2) : std::min(c1, c2));
+    if (first.is_rigid && !penalty.length)
+        throw InputError("/contacts",
+                         "part " + scene.parts[static_cast<std::size_t>(first.part)].name +
+                             " is rigid: it has no cells to take the penalty's length from",
+                         "give contacts.penalty_length");
     return penalty.factor * stiffer / (penalty.length ? *penalty.length : size_along(first, p));
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "src/axisymmetric.hpp"
+#include "src/rigid_parts.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -18,13 +19,21 @@ bool has_support(const Scene& scene, Support::Kind kind) {
     return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) { return s.kind == kind; });
 }
 
-Effect effect(const std::string& name, bool on, const std::string& why_on, const std::string& why_off) {
-    return {name, on, on ? why_on : why_off, 0};
+/// The first rigid part's reason stands for all.
+std::string why_any_rigid(const Scene& scene) {
+    for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i)
+        if (const std::string why = why_rigid(scene, i); !why.empty())
+            return "a part moves as one body: " + why + " (" + scene.parts[static_cast<std::size_t>(i)].name + ")";
+    return "";
 }
 
-}  // namespace
-
-namespace {
+Effect effect(const std::string& name, bool on, const std::string& why_on, const std::string& why_off) {
+    Effect e;
+    e.name = name;
+    e.on = on;
+    e.why = on ? why_on : why_off;
+    return e;
+}
 
 /// Which parts the axis goes through: they are held there by the program.
 std::string why_axisymmetric(const Scene& scene) {
@@ -33,6 +42,11 @@ std::string why_axisymmetric(const Scene& scene) {
         if (touches_axis(part.part)) parts += (parts.empty() ? "" : ", ") + part.name;
     const std::string why = "x is the radius, y the axis; hoops stretch by u_x / x";
     return parts.empty() ? why : why + "; u_x = 0 is held on the axis of " + parts;
+}
+
+std::string kinematics_of(Analysis analysis) {
+    if (analysis == Analysis::axisymmetric) return "around an axis";
+    return analysis == Analysis::plane_strain ? "plane strain" : "plane stress";
 }
 
 }  // namespace
@@ -52,9 +66,12 @@ std::vector<Effect> plan_effects(const Scene& scene) {
     const bool edges = has_load(scene, Load::Kind::pressure) || has_load(scene, Load::Kind::traction) ||
                        has_load(scene, Load::Kind::edge_force);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
+    const std::string rigid = why_any_rigid(scene);
     std::vector<Effect> effects{
+        effect("elasticity", true, kinematics_of(scene.analysis) + ", small displacements", ""),
         effect("contact", contact, "several parts; every pair is searched",
                "only one part, or detection is off and no pair is given"),
+        effect("rigid parts", !rigid.empty(), rigid, "no material \"rigid\", and no part stiffer than its neighbours by 1e6"),
         effect("edge loads", edges, "pressure, traction or force on edges", "no load on an edge"),
         effect("body force", has_load(scene, Load::Kind::body_force) || has_load(scene, Load::Kind::part_force),
                "a force per volume or on a whole part", "no body force"),
@@ -74,9 +91,10 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                    " or more: its volume strain is projected onto splines of one degree less",
                scene.analysis != Analysis::plane_stress ? "every Poisson's ratio is below " + number_text(projection_from, 2)
                                                         : "not plane strain"),
+        effect("symmetry", false, "", "every part is solved as drawn; --plan says whether the scene is mirror symmetric"),
         effect("large displacement", false, "", "small displacements are assumed; checked after the solution"),
     };
-    if (scene.analysis == Analysis::axisymmetric) effects.push_back({"axisymmetry", true, why_axisymmetric(scene), 0});
+    if (scene.analysis == Analysis::axisymmetric) effects.push_back(effect("axisymmetry", true, why_axisymmetric(scene), ""));
     return effects;
 }
 

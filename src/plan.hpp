@@ -17,6 +17,8 @@ bool is_nearly_incompressible(const Scene& scene, const Material& material);
 
 /// Every effect that abut knows, on or off, and why. An effect that is off runs no code.
 std::vector<Effect> plan_effects(const Scene& scene);
+/// The same with the parts that each effect concerns, and the pairs of parts: those that will be searched (effect_reach.cpp).
+std::vector<Effect> plan_effects(const Scene& scene, const ResolvedConditions& conditions);
 
 /// Parts that need no solution: they carry no load, and touch nothing that does. touching: pairs of part indices.
 std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <utility>
 
 #include "src/nearest_name.hpp"
@@ -76,6 +77,15 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
     }
 }
 
+Material built_in_rigid() {
+    Material rigid;
+    rigid.name = "rigid";
+    rigid.rigid = true;
+    rigid.E = std::numeric_limits<double>::infinity();
+    rigid.has_density = true;  // weightless: it has none to give
+    return rigid;
+}
+
 std::vector<Material> read_materials(SceneReading& reading, const JsonValue& materials, Analysis analysis) {
     std::vector<Material> result;
     if (materials.kind != JsonValue::Kind::object) {
@@ -94,17 +104,12 @@ std::optional<int> read_material_name(SceneReading& reading, const JsonValue& va
     const std::optional<std::string> name = read_text(reading, value);
     if (!name) return std::nullopt;
     std::vector<std::string> known;
-    for (const Material& material : materials) {
-        if (material.name == *name) return static_cast<int>(known.size());
-        known.push_back(material.name);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        if (materials[i].name == *name) return static_cast<int>(i);
+        if (!materials[i].rigid) known.push_back(materials[i].name);
     }
-    if (*name == "rigid") {
-        report(reading, value, "parts of the material 'rigid' are not supported yet",
-               "use an E that is much greater than the others'");
-    } else {
-        report(reading, value, "there is no material '" + shortened(*name) + "'",
-               known.empty() ? "the scene has no 'materials'" : nearest_name_hint(*name, known));
-    }
+    report(reading, value, "there is no material '" + shortened(*name) + "'",
+           known.empty() ? "the scene has no 'materials'" : nearest_name_hint(*name, known));
     return std::nullopt;
 }
 

@@ -113,7 +113,10 @@ std::string part_table(const Result& result, const ResultUnits& u) {
         const auto known = [&](const ValueAt& v) { return p.solved && (result.status == "ok" || v.value != 0); };
         const auto value = [&](const ValueAt& v) { return known(v) ? number_text(v.value, 5) : "–"; };
         const auto at = [&](const ValueAt& v) { return known(v) ? place_text(v.at, size) : "–"; };
-        rows.push_back({p.name, p.material, number_text(p.area, 6), p.solved ? count_text(p.unknowns) : "not analysed",
+        rows.push_back({p.name, p.material, number_text(p.area, 6),
+                        p.rigid    ? "rigid"
+                        : p.solved ? count_text(p.unknowns)
+                                   : "not analysed",
                         value(p.max_displacement), at(p.max_displacement), value(p.max_von_mises), at(p.max_von_mises)});
     }
     return subsection("Parts", html_table({{"part"},
@@ -209,11 +212,30 @@ std::string quality_table(const Result& result) {
                                                              rows));
 }
 
+/// Pairs of an effect, or else its parts.
+std::string concerned(const Effect& e) {
+    std::string text;
+    const auto append = [&](const std::string& name) { text += (text.empty() ? "" : ", ") + name; };
+    for (const auto& pair : e.pairs) append(pair[0] + " - " + pair[1]);
+    if (e.pairs.empty())
+        for (const std::string& part : e.parts) append(part);
+    return text;
+}
+
 std::string effect_table(const Result& result) {
     if (result.effects.empty()) return "";
     Rows rows;
-    for (const Effect& e : result.effects) rows.push_back({e.on ? "on" : "off", e.name, e.why, seconds_text(e.seconds)});
-    return subsection("Plan of effects", html_table({{""}, {"effect"}, {"why"}, {"time", true}}, rows));
+    for (const Effect& e : result.effects)
+        rows.push_back({e.on ? "on" : "off", e.name, e.why, concerned(e), seconds_text(e.seconds),
+                        e.on ? number_text(100 * e.share, 2) + " %" : "", std::to_string(e.items)});
+    return subsection("Plan of effects", html_table({{""},
+                                                     {"effect"},
+                                                     {"why"},
+                                                     {"parts or pairs"},
+                                                     {"time", true},
+                                                     {"of the run", true},
+                                                     {"points, rows, unknowns", true}},
+                                                    rows));
 }
 
 std::string timing_bars(const Result& result) {

@@ -30,6 +30,10 @@ struct Effect {
     bool on = false;
     std::string why;
     double seconds = 0;
+    double share = 0;                                 ///< of the run's seconds
+    long calls = 0, items = 0;                        ///< entries into its code; points, rows or unknowns that it worked on
+    std::vector<std::string> parts{};                 ///< that it concerns
+    std::vector<std::array<std::string, 2>> pairs{};  ///< of parts; before the run those that are searched
 };
 
 /// What the grid makes of a part, and whether its quadrature knows the part.
@@ -51,6 +55,7 @@ struct PartResult {
     double area = 0;
     int unknowns = 0;
     bool solved = true;  ///< false: carries nothing and was not analysed
+    bool rigid = false;  ///< moves as one body: no unknowns, no stress
     ValueAt max_displacement, max_von_mises;
     double grid_angle = 0;               ///< radians
     std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
@@ -172,6 +177,7 @@ struct Result {
         int grids = 0, factorizations = 0, contact_iterations = 0;
         double condition_estimate = 0;
         bool converged = true;
+        int groups = 0, contact_problems = 0;  ///< of parts that do not interact; those that have contact
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)

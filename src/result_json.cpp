@@ -42,11 +42,19 @@ Json list_of(const std::vector<T>& items, ToJson to_json) {
 }
 
 Json effect(const Effect& e) {
-    return {{"name", e.name}, {"on", e.on}, {"why", e.why}, {"seconds", number(e.seconds)}};
+    return {{"name", e.name},
+            {"on", e.on},
+            {"why", e.why},
+            {"parts", names(e.parts)},
+            {"pairs", list_of(e.pairs, [](const auto& pair) { return Json(pair); })},
+            {"seconds", number(e.seconds)},
+            {"share", number(e.share)},
+            {"calls", e.calls},
+            {"items", e.items}};
 }
 
 Json cells_of(const PartResult& p) {
-    if (!p.solved) return nullptr;
+    if (!p.solved || p.rigid) return nullptr;
     return {{"inner", p.cells_inner},
             {"boundary", p.cells_boundary},
             {"outer", p.cells_outer},
@@ -57,7 +65,7 @@ Json cells_of(const PartResult& p) {
 }
 
 Json self_check_of(const PartResult& p) {
-    if (!p.solved) return nullptr;
+    if (!p.solved || p.rigid) return nullptr;
     const auto& c = p.quality.self_check;
     return {{"area", number(c.area)}, {"centroid", number(c.centroid)},         {"divergence", number(c.divergence)},
             {"points", c.points},     {"negative_weights", c.negative_weights}, {"outside_cell", c.outside_cell}};
@@ -67,6 +75,7 @@ Json part(const PartResult& p) {
     return {{"name", p.name},
             {"area", number(p.area)},
             {"unknowns", p.unknowns},
+            {"rigid", p.rigid},
             {"max_displacement", value_at(p.max_displacement)},
             {"max_von_mises", value_at(p.max_von_mises)},
             {"cells", cells_of(p)},
@@ -137,7 +146,9 @@ Json solver(const Result& r) {
             {"factorizations", r.solver.factorizations},
             {"contact_iterations", r.solver.contact_iterations},
             {"condition_estimate", number(r.solver.condition_estimate)},
-            {"converged", r.solver.converged}};
+            {"converged", r.solver.converged},
+            {"groups", r.solver.groups},
+            {"contact_problems", r.solver.contact_problems}};
 }
 
 Json timing(const Result& r) {

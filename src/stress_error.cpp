@@ -76,6 +76,7 @@ std::optional<double> energy_error(const SolvedAssembly& solved, const std::vect
     if (!(energy > 0)) return std::nullopt;
     double error = 0;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (solved.grids[k].is_rigid) continue;
         if (!stress[k].failure.empty()) return std::nullopt;
         const std::vector<double> errors = element_errors(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
         error += std::accumulate(errors.begin(), errors.end(), 0.0);

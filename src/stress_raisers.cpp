@@ -25,6 +25,7 @@ struct CellError {
 std::vector<CellError> largest_first(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress) {
     std::vector<CellError> all;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (solved.grids[k].is_rigid) continue;
         const std::vector<double> errors = element_errors(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
         for (std::size_t e = 0; e < errors.size(); ++e)
             if (solved.grids[k].input.space.fraction[e] > 0) all.push_back({k, static_cast<int>(e), errors[e]});

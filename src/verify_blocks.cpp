@@ -72,19 +72,23 @@ Quantity pressure_of_mean(double x, double mean, double reference, double tolera
 /// Sadowsky's rigid punch; and converged numbers, four digits, of an elastic one six half widths high. a = 1, q = 100. Towards
 /// the corner the pressure has no limit: the tolerance follows, and at 0.9 a it is recorded.
 std::vector<VerifyProblem> punches() {
-    constexpr double q = 100, inner = 0.02, near_corner = 0.05;
+    constexpr double q = 100, inner = 0.02, near_corner = 0.05, taken_as_rigid = 1e12;
     VerifyProblem rigid{
         "C4-rigid", "a punch 1e4 times as stiff as the half-plane", {{"verification/punch.json", {{"E1", 1e9}}}}, {}};
     for (double x : {0.0, 0.2, 0.4, 0.6, 0.8})
         rigid.quantities.push_back(
             pressure_of_mean(x, q, 2 / (std::numbers::pi * std::sqrt(1 - x * x)), x > 0.7 ? near_corner : inner));
+    VerifyProblem body = rigid;
+    body.name = "C4-body";
+    body.about = "a rigid punch";
+    body.runs = {{"verification/punch.json", {{"E1", taken_as_rigid}}}};
     VerifyProblem elastic{"C4-elastic", "a punch of the half-plane's material", {{"verification/punch.json"}}, {}};
     const std::vector<std::pair<double, double>> converged{
         {0, 0.84824}, {0.2, 0.85604}, {0.4, 0.88235}, {0.6, 0.93973}, {0.8, 1.0757}};
     for (const auto& [x, p] : converged) elastic.quantities.push_back(pressure_of_mean(x, q, p, x > 0.7 ? near_corner : inner));
     elastic.quantities.push_back(pressure_of_mean(0.9, q, 1.2523, 0));
     elastic.quantities.back().tolerance.reset();
-    return {std::move(rigid), std::move(elastic)};
+    return {std::move(rigid), std::move(body), std::move(elastic)};
 }
 
 /// Converged numbers, three to four digits.

@@ -58,7 +58,8 @@ std::vector<VerifyProblem> c1_variants() {
          "verification/cylinder_on_plane.json",
          {{"E1", rigid * E}},
          1,
-         1 + 1 / rigid}};
+         1 + 1 / rigid},
+        {"C1-body", "a rigid cylinder on a plane", "verification/rigid_cylinder.json", {}, 1, 1}};
     std::vector<VerifyProblem> problems;
     for (const Variant& v : variants)
         for (const bool strain : {false, true}) {

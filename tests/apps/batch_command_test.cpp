@@ -40,10 +40,13 @@ TEST_F(BatchCommand, OneBadFileIsItsOwnResultAndStopsNothing) {
     write("in/bad.dxf", "0\nSECTION\n");
     write("in/b.json", "{\"some\": \"thing\"}");
     write("in/c.step", "ISO-10303-21;");
+    write("in/read.me", "");
+    write("in/LICENCE", "");
     const Outcome run = abut({"batch", "in", "-o", "o", "-j", "2"});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"5 jobs: 2 ok, 3 refused"})) << run.output;
-    ASSERT_EQ(run.errors.size(), 3U) << joined(run.errors);
+    ASSERT_EQ(run.errors.size(), 4U) << joined(run.errors);
+    EXPECT_TRUE(any_line_has(run.errors, {"left out", "1 without an ending, 1 .me"}));
     EXPECT_TRUE(any_line_has(run.errors, {"b.json", "no scene", "'abut'"}));
     EXPECT_TRUE(any_line_has(run.errors, {"c.step", "'.step' cannot be read"}));
     EXPECT_TRUE(any_line_has(run.errors, {"bad.dxf", "refused"}));
@@ -106,11 +109,12 @@ TEST_F(BatchCommand, IsAShardInASlurmArray) {
 
 TEST_F(BatchCommand, ComparesDetectionWithATable) {
     write_sketches(3);
-    write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\ns1.dxf,,\n");
+    write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\ns1.dxf,,\ns7.dxf,,\n");
     const Outcome run = abut({"batch", "in", "-o", "o", "--only", "contacts", "--expect", "e.csv"});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"precision 0.5 (1 of 2", "recall 1 (1 of 1"})) << run.output;
     EXPECT_TRUE(any_line_has(run.errors, {"s1.dxf", "differs", "1 difference"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"--expect names 1 ", "s7.dxf"}));
     EXPECT_TRUE(any_line_has(lines_of(read(folder_ / "o/summary.csv")), {"s1.dxf", ",differs,"}));
     write("e.csv", "file,part_1,part_2\ns0.dxf,BODY,PIN\n");
     EXPECT_EQ(abut({"batch", "in", "-o", "o", "--only", "contacts", "--expect", "e.csv"}).status, 0);

@@ -60,7 +60,7 @@ protected:
 
     static nlohmann::json without_times(nlohmann::json json) {
         if (json.is_object())
-            for (const char* key : {"seconds", "timing"}) json.erase(key);
+            for (const char* key : {"seconds", "timing", "sizes"}) json.erase(key);
         if (json.is_structured())
             for (auto& item : json) item = without_times(item);
         return json;

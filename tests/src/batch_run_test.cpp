@@ -78,12 +78,13 @@ TEST_F(BatchRunTest, KeepsWhatIsFinishedAndRedoesWhatHasChanged) {
 }
 
 TEST_F(BatchRunTest, AFolderThatLostAFileIsDoneAgain) {
-    const auto all = jobs(2);
+    const auto all = jobs(3);
     run_batch(all, out_, run_);
     fs::remove(fs::path(job_folder(out_, "a")) / "answer");
     std::ofstream(fs::path(job_folder(out_, "b")) / "job.json") << "{\"abut\": 1, \"na";  // as after a power failure
+    std::ofstream(fs::path(job_folder(out_, "c")) / "answer") << "";
     EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 0U);
-    EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 2U);
+    EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 3U);
 }
 
 TEST_F(BatchRunTest, OneBadJobStopsNoOther) {

@@ -25,7 +25,7 @@ protected:
 
 TEST_F(BatchSourceTest, TakesScenesDrawingsMeshesAndForeignCadOfAFolder) {
     for (const char* file : {"in/b.dxf", "in/a.json", "in/deep/c.STL", "in/d.step", "in/notes.md", "in/.hidden.dxf",
-                             "in/.git/x.dxf", "in/out/jobs/a/result.json"})
+                             "in/.git/x.dxf", "in/out/jobs/a/result.json", "in/old/batch.json", "in/old/jobs/a/job.json"})
         write(file, "");
     const SourceOptions options{(folder_ / "in/out").string(), false};
     EXPECT_EQ(names("in", options), (std::vector<std::string>{"a.json", "b.dxf", "d.step", "deep-c.STL"}));
@@ -42,6 +42,21 @@ TEST_F(BatchSourceTest, GivesNamesThatAreFoldersAndUnique) {
     const BatchSource list = read_batch_source((folder_ / "list.txt").string(), {});
     EXPECT_EQ(list.jobs[1].file, (folder_ / "in/a/b.dxf").string());
     EXPECT_EQ(list.jobs[1].where, (folder_ / "list.txt").string() + ":4");
+}
+
+TEST_F(BatchSourceTest, NamesAreTextOfBoundedLengthAndStayApart) {
+    const std::string far = std::string(150, 'd') + "/" + std::string(150, 'e') + "/";
+    write("list.txt",
+          "a\xFF"
+          "b.dxf\n" +
+              far + "x.dxf\n" + far + "x.dxf\n" + "d/" + far + "x.dxf\n../..\n");
+    const auto all = names("list.txt");
+    ASSERT_EQ(all.size(), 5U);
+    EXPECT_EQ(all[0], "a_b.dxf");
+    EXPECT_EQ(all[2], all[1] + "~2");
+    EXPECT_NE(all[3].substr(0, 16), all[1].substr(0, 16));
+    for (const std::string& name : all) EXPECT_LE(name.size(), 200U) << name;
+    EXPECT_EQ(all[4], "job");
 }
 
 TEST_F(BatchSourceTest, ReadsTablesWithParameters) {

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include "geometry/input_error.hpp"
 
 namespace abut {
@@ -60,6 +63,29 @@ TEST(CsvTable, NamesFaultsOfJsonLines) {
     EXPECT_EQ(faults[0].where, "t.csv:1 /a");
     EXPECT_EQ(faults[1].where, "t.csv:2");
     EXPECT_EQ(faults[2].where, "t.csv:3");
+}
+
+/// Texts of the characters that mean something, 10 000 of them: refused in words, or rows whose cells have a column.
+TEST(CsvTable, AnyTextIsATableOrRefused) {
+    std::mt19937 random(7);
+    const std::string letters = "a1,\"\"\n\r# \t{}:[]";
+    int tables = 0, refused = 0;
+    for (int k = 0; k < 10000; ++k) {
+        std::string text;
+        for (auto n = random() % 40; n > 0; --n) text += letters[random() % letters.size()];
+        try {
+            const Table table = k % 2 == 0 ? parse_csv(text, "t") : parse_json_lines(text, "t");
+            ++tables;
+            for (const TableRow& row : table.rows)
+                for (const auto& [column, value] : row.cells)
+                    ASSERT_TRUE(std::count(table.columns.begin(), table.columns.end(), column) == 1 && !value.empty()) << text;
+        } catch (const InputError& error) {
+            ++refused;
+            for (const Problem& problem : error.problems()) ASSERT_FALSE(problem.where.empty() || problem.what.empty()) << text;
+        }
+    }
+    EXPECT_GT(tables, 300);
+    EXPECT_GT(refused, 300);
 }
 
 }  // namespace
