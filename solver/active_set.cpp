@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 constexpr int max_primal_dual_steps = 24;    // with the few steps of what follows, thirty in all
 constexpr double singular_fraction = 1e-15;  // of the largest pivot: the closed rows leave a motion free
 constexpr double free_fraction = 1e-10;      // of the largest stiffness against a motion: below, it counts as free
+constexpr double closed_fraction = 1e-8;     // of the largest elastic closing: gaps of redundant rows, by rounding
 constexpr double term_rounding = 1e-14;      // of the terms of a gap
 
 std::vector<Index> members(const ActiveSet& set) {
@@ -38,7 +39,7 @@ struct Condensed {
     VectorXd z;          // L^-1 g
 };
 
-/// False where C is singular on the set.
+/// False where C is indefinite on the set.
 bool condense(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor, Condensed& c) {
     if (!factor.move_to(active)) return false;
     const std::vector<Index>& closed = factor.rows();
@@ -60,6 +61,13 @@ VectorXd multipliers_of(const ContactQp& qp, const Condensed& c, const ClosedFac
     VectorXd l = VectorXd::Zero(qp.gap.size());
     l(factor.rows()) = forces.col(0);
     return l;
+}
+
+/// Rows that are closed with the others: the gaps there, too, must not ask for more.
+bool closes_what_is_left_out(const ContactQp& qp, const ClosedFactor& factor, const ContactState& state) {
+    if (factor.left_out().empty()) return true;
+    const double length = VectorXd(qp.compliance * state.multipliers).cwiseAbs().maxCoeff();
+    return gap_of(qp, state)(factor.left_out()).cwiseAbs().maxCoeff() <= closed_fraction * length;
 }
 
 /// What `descend` lowers: 1/2 l'Cl + g'l + anchor'(G'l + h) + 1/2 (G'l + h)' E^-1 (G'l + h).
@@ -139,7 +147,7 @@ bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& ac
         motion = held.solve(c.load);
     }
     state = {multipliers_of(qp, c, factor, motion), proximal.anchor + motion};
-    return true;
+    return closes_what_is_left_out(qp, factor, state);
 }
 
 bool solve_least_motion(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
@@ -154,7 +162,7 @@ bool solve_least_motion(const ContactQp& qp, const VectorXd& anchor, const Activ
     for (Index k = 0; k < n; ++k) motion[k] = stiffness[k] > free_fraction * stiffness[n - 1] ? motion[k] / stiffness[k] : 0.0;
     motion = eigen.eigenvectors() * motion;
     state = {multipliers_of(qp, c, factor, motion), anchor + motion};
-    return true;
+    return closes_what_is_left_out(qp, factor, state);
 }
 
 VectorXd gap_of(const ContactQp& qp, const ContactState& s) {

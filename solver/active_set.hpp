@@ -25,13 +25,14 @@ struct ContactState {
 /// The rows that are always closed.
 ActiveSet bilateral_rows(const ContactQp& qp);
 
-/// Stationary point with the gaps of `active` closed and all other multipliers zero; false where C, or with it the amplitudes'
-/// Schur complement, is singular on the set. factor: of the problem's compliance, on any set before; so for all that follows.
+/// Stationary point with the gaps of `active` closed and all other multipliers zero, those of redundant rows too; false where C
+/// is indefinite on the set, redundant rows ask for other gaps than the rest, or the amplitudes' Schur complement is singular.
+/// factor: of the problem's compliance, on any set before; so for all that follows.
 bool solve_on(const ContactQp& qp, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
               ContactState& state);
 
 /// The same of the problem itself, where the set leaves a motion free: that motion stays at the anchor, its balance as it is.
-/// False where C is singular on the set, or no closed row resists any motion.
+/// False for the same reasons of C and its redundant rows, or where no closed row resists any motion.
 bool solve_least_motion(const ContactQp& qp, const Eigen::VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
                         ContactState& state);
 

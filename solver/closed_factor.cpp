@@ -13,6 +13,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Of a row's own compliance: what is left of it once the rows before are closed is rounding, or (the splines' own coupling) a
+/// hundredth and more.
+constexpr double redundant_fraction = 1e-11;
+
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
@@ -39,11 +43,23 @@ bool ClosedFactor::move_to(const std::vector<char>& closed) {
     std::vector<Index> more;
     for (Index row : preferred_)
         if (closed[at(row)] && !kept[at(row)]) more.push_back(row);
+    left_out_.clear();
     return more.empty() || append(more);
 }
 
-/// [C11 C21'; C21 C22]: L21 = C21 L11'^-1, L22 L22' = C22 - L21 L21'.
 bool ClosedFactor::append(const std::vector<Index>& more) {
+    if (append_all(more)) return true;
+    for (Index row : more) {
+        if (append_all({row})) continue;
+        const auto n = static_cast<Index>(rows_.size());
+        if (l_(n, n) < -redundant_fraction * compliance_(row, row)) return false;
+        left_out_.push_back(row);
+    }
+    return true;
+}
+
+/// [C11 C21'; C21 C22]: L21 = C21 L11'^-1, L22 L22' = C22 - L21 L21'.
+bool ClosedFactor::append_all(const std::vector<Index>& more) {
     const int n = static_cast<int>(rows_.size()), k = static_cast<int>(more.size()), ld = static_cast<int>(l_.rows());
     double *below = l_.data() + n, *corner = below + static_cast<Index>(n) * ld;
     for (int i = 0; i < k; ++i) {
@@ -58,6 +74,10 @@ bool ClosedFactor::append(const std::vector<Index>& more) {
     int info = 0;
     dpotrf_("L", &k, corner, &ld, &info);
     if (info != 0) return false;
+    for (int i = 0; i < k; ++i) {
+        const double pivot = l_(n + i, n + i) * l_(n + i, n + i);
+        if (pivot <= redundant_fraction * compliance_(more[at(i)], more[at(i)])) return false;
+    }
     rows_.insert(rows_.end(), more.begin(), more.end());
     return true;
 }

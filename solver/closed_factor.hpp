@@ -13,10 +13,13 @@ public:
     /// The compliance (m x m) is looked at, not copied; pressure: by row, of the start.
     ClosedFactor(const Eigen::MatrixXd& compliance, const Eigen::VectorXd& pressure);
 
-    /// False: C is singular on the set. Cost: a^3 / 3 of a first set of a rows, a^2 for each row that comes last.
+    /// False: C is indefinite on the set. Rows that the others already close are left out: where an interface ends on a
+    /// support, its pressures can have more coefficients than there are displacements to press on. Cost: a^3 / 3 of a first set
+    /// of a rows, a^2 for each row that comes last.
     bool move_to(const std::vector<char>& closed);
+    const std::vector<Eigen::Index>& left_out() const { return left_out_; }
 
-    /// The closed rows in the factor's order.
+    /// The closed rows in the factor's order, without those left out.
     const std::vector<Eigen::Index>& rows() const { return rows_; }
     /// x = L^-1 x, x = L'^-1 x; rows as in rows().
     void solve_lower(Eigen::MatrixXd& x) const;
@@ -24,10 +27,11 @@ public:
 
 private:
     bool append(const std::vector<Eigen::Index>& more);
+    bool append_all(const std::vector<Eigen::Index>& more);  // false: no row is taken, some pivot is rounding or negative
 
     const Eigen::MatrixXd& compliance_;
     std::vector<Eigen::Index> preferred_;  ///< all rows
-    std::vector<Eigen::Index> rows_;
+    std::vector<Eigen::Index> rows_, left_out_;
     Eigen::MatrixXd l_;  ///< (m x m) of which the leading rows().size() are used, the lower triangle
 };
 

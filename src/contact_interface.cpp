@@ -127,6 +127,13 @@ struct Knots {
     std::vector<int> multiplicity;
 };
 
+/// A short zone gets a few knots more, but no more intervals than it has cells: a pressure with more coefficients than there
+/// are displacements to press on is not determined.
+int intervals_for(double share, bool is_whole_zone) {
+    const int cells = static_cast<int>(multiplier_spacing * share * (1 + 1e-9));
+    return std::max({1, static_cast<int>(std::lround(share)), is_whole_zone ? std::min(min_intervals, cells) : 1});
+}
+
 /// Knots on the middle curve, at equal shares of the count between the double ones.
 Knots place_knots(const std::vector<double>& count, const ContactInterface& c, const std::vector<double>& doubled) {
     std::vector<double> stops{0};
@@ -135,7 +142,7 @@ Knots place_knots(const std::vector<double>& count, const ContactInterface& c, c
     Knots knots;
     for (std::size_t e = 0; e + 1 < stops.size(); ++e) {
         const double share = stops[e + 1] - stops[e];
-        const int n = std::max(doubled.empty() ? min_intervals : 1, static_cast<int>(std::lround(share)));
+        const int n = intervals_for(share, doubled.empty());
         for (int k = 0; k < n; ++k) {
             knots.places.push_back(interpolate(count, c.s, stops[e] + share * k / n));
             knots.multiplicity.push_back(k == 0 && e > 0 ? 2 : 1);

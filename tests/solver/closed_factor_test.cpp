@@ -86,5 +86,30 @@ TEST(ClosedFactor, TellsSingularSetsAndGoesOnFromThem) {
     EXPECT_LT(error_of(factor, compliance, some, random_vector(random, 6)), 1e-12);
 }
 
+TEST(ClosedFactor, LeavesOutWhatTheOthersAlreadyClose) {
+    std::mt19937 random(5);
+    MatrixXd compliance = random_compliance(random, 7);
+    // rows 2 and 6 are combinations of 0, 1 and 3
+    MatrixXd combine = MatrixXd::Identity(7, 7);
+    combine.row(2) << 0.3, 0.5, 0, 1, 0, 0, 0;
+    combine.row(6) << 1, -2, 0, 0.1, 0, 0, 0;
+    compliance = (combine * compliance * combine.transpose()).eval();
+    ClosedFactor factor(compliance, VectorXd::LinSpaced(7, 7, 1));
+    ASSERT_TRUE(factor.move_to(std::vector<char>(7, 1)));
+    EXPECT_EQ(factor.rows().size(), 5u);
+    EXPECT_EQ(factor.left_out().size(), 2u);
+    const std::vector<Index>& rows = factor.rows();
+    MatrixXd x = compliance(rows, Eigen::all) * VectorXd::Ones(7);
+    factor.solve_lower(x);
+    factor.solve_transposed(x);
+    // what closes these rows gives the others the gaps that they have, too
+    const VectorXd all = compliance(Eigen::all, rows) * x;
+    EXPECT_LT((all - compliance * VectorXd::Ones(7)).norm(), 1e-12 * all.norm());
+    // and without the rows that they depend on they count
+    ASSERT_TRUE(factor.move_to({0, 0, 1, 0, 0, 0, 1}));
+    EXPECT_TRUE(factor.left_out().empty());
+    EXPECT_EQ(factor.rows().size(), 2u);
+}
+
 }  // namespace
 }  // namespace abut::solver
