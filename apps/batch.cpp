@@ -68,6 +68,10 @@ std::string expectation_setting(const JobSettings& settings, const BatchJob& job
 JobSettings job_settings(const Arguments& arguments) {
     JobSettings job;
     job.template_file = value_or(arguments, "--template", "");
+    if (has(arguments, "--template"))
+        for (const OptionSpec& option : drawing_option_specs())
+            if (has(arguments, option.name))
+                throw InputError(option.name, "the template says how drawings are read", "set it in the template instead");
     job.arguments = arguments;
     job.import_options = import_options(arguments);
     job.distance = positive_number(arguments, "--distance");

@@ -16,7 +16,8 @@ namespace abut {
 namespace {
 
 constexpr double most_workers = 4096, longest_timeout = 1e8;
-constexpr double least_memory = 64e6;  // below this not even the program itself gets along
+constexpr double least_memory =
+    256e6;  // the linear algebra library alone may ask for 128 MiB at once, and asks until it gets them
 
 std::string variable(const char* name) {
     const char* value = std::getenv(name);
@@ -63,7 +64,7 @@ double memory_of(const Arguments& arguments) {
     if (!number || *number <= 0)
         throw InputError("--memory", "'" + shortened(text) + "' is no amount of memory", "write it as in 500M or 2G");
     if (*number * unit < least_memory)
-        throw InputError("--memory", "'" + shortened(text) + "' is too little for any job", "give at least 64M");
+        throw InputError("--memory", "'" + shortened(text) + "' is too little for any job", "give at least 256M");
     return *number * unit;
 }
 

@@ -38,8 +38,21 @@ LengthTable length_table(const Curve& curve) {
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
         append_pieces(curve, cuts[i], cuts[i + 1], length_by_gauss(curve, cuts[i], cuts[i + 1]), total, most_length_halvings,
                       table);
+    for (const double t : table.t) table.rate.push_back(1 / general_values(curve, t)[1].norm());
     return table;
 }
+
+namespace {
+
+/// Cubic through two entries with their rates, inside of them; where rates have no limit (a cusp), the straight line.
+double first_guess(const LengthTable& table, std::size_t k, double s) {
+    const double ds = table.s[k + 1] - table.s[k], dt = table.t[k + 1] - table.t[k], u = (s - table.s[k]) / ds;
+    const double a = table.rate[k] * ds - dt, b = dt - table.rate[k + 1] * ds;
+    const double t = table.t[k] + u * dt + u * (1 - u) * ((1 - u) * a + u * b);
+    return table.t[k] < t && t < table.t[k + 1] ? t : table.t[k] + u * dt;
+}
+
+}  // namespace
 
 double parameter_at_length(const Curve& curve, const LengthTable& table, double s) {
     if (!(s > 0)) return 0;
@@ -47,7 +60,7 @@ double parameter_at_length(const Curve& curve, const LengthTable& table, double 
     const auto after = std::upper_bound(table.s.begin(), table.s.end(), s) - table.s.begin();
     const auto k = static_cast<std::size_t>(after) - 1;
     const double t0 = table.t[k], s0 = table.s[k];
-    double lo = t0, hi = table.t[k + 1], t = lo + (s - s0) / (table.s[k + 1] - s0) * (hi - lo);
+    double lo = t0, hi = table.t[k + 1], t = first_guess(table, k, s);
     for (;;) {
         const double reached = s0 + length_by_gauss(curve, t0, t);
         if (reached == s) return t;

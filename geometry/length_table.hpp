@@ -10,6 +10,7 @@ namespace abut::geometry {
 /// Parameters from 0 to 1 and the arc lengths up to them, so close that one Gauss rule between neighbours is exact to rounding.
 struct LengthTable {
     std::vector<double> t, s;
+    std::vector<double> rate{};  ///< dt/ds there: for the first guess
 };
 
 /// For ellipses and splines.

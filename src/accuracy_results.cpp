@@ -33,7 +33,8 @@ void fill_contact(const ContactError& e, std::size_t k, Result& result) {
 
 std::string why_it_ended(PathEnd end) {
     if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
-    if (end == PathEnd::fixed_grids) return "the scene gives the grids; \"adapt\": true lets them follow the target";
+    if (end == PathEnd::fixed_grids)
+        return "the scene gives the grids; \"adapt\": true lets those of a cell_size follow the target";
     if (end == PathEnd::out_of_digits) return "rounding hides what finer grids would change";
     return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
 }

@@ -35,14 +35,9 @@ constexpr double rounding_share = 0.1;
 
 /// Are all grids given, so that there is nothing to adapt?
 bool grids_are_fixed(const Scene& scene) {
+    if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
     return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
-
-std::vector<std::pair<int, int>> touching_pairs(const std::vector<Candidate>& candidates) {
-    std::vector<std::pair<int, int>> pairs;
-    for (const Candidate& c : candidates) pairs.emplace_back(c.first, c.second);
-    return pairs;
 }
 
 bool is_solved(const SolvedAssembly& s) {
@@ -108,7 +103,8 @@ private:
     SolvedAssembly solve() {
         out_.stress.clear();
         if (options_.progress) options_.progress("pass " + std::to_string(out_.passes.size() + 1));
-        std::vector<bool> parts = parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates));
+        std::vector<bool> parts =
+            parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates), closing_pairs(scene_, out_.candidates));
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
         SolvedAssembly now =
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
@@ -202,6 +198,7 @@ private:
             if (is_low && !has_raisers) return end(std::move(now), PathEnd::reached);
             if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
+            if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
             if (!has_raisers) next_.coarseness /= coarsening_step;
         }
         coarsen_less(next_);

@@ -231,9 +231,20 @@ void note_contact_elements(SolvedAssembly& solved) {
         }
 }
 
+/// Of the loads: contact forces below are their rounding.
+constexpr double open_force_fraction = 1e-10;
+
+bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
+    const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
+    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
+}
+
 /// Bonded edges hold wherever they face each other.
 std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
     const solver::Interface& face = solved.contacts[contact].face;
+    if (!face.bilateral && is_rounding(solved, contact)) return {};
     if (!face.bilateral) return contact_runs(face.pressure, pressure_of(solved, contact));
     return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }

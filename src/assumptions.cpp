@@ -6,9 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/ring.hpp"
 #include "src/contact_measures.hpp"
 #include "src/field_results.hpp"
 #include "src/plan.hpp"
+#include "src/rigid_parts.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -65,7 +67,8 @@ LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displac
     for (const auto& [element, x] : places_of(g)) {
         const auto u = solver::displacement_at(g.input, displacement, element, x);
         largest.rotation.take(0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)), x);
-        largest.strain.take((0.5 * (u.gradient + u.gradient.transpose())).norm(), x);
+        const double hoop = g.input.axis ? solver::hoop_strain(g.input, x, u) : 0.0;
+        largest.strain.take(std::hypot((0.5 * (u.gradient + u.gradient.transpose())).norm(), hoop), x);
     }
     return largest;
 }
@@ -184,6 +187,24 @@ void check_grids(const Scene& scene, const Outcome& out, Result& result) {
                                   " part(s) were refined because a wall was thinner than a cell");
 }
 
+/// What a user did not ask for, or may expect, of parts that are rigid.
+void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    const bool has_weights = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& l) {
+        return l.kind == Load::Kind::gravity || l.kind == Load::Kind::spin;
+    });
+    for (const PartOnGrid& g : solved.grids) {
+        if (!g.is_rigid) continue;
+        const ScenePart& part = scene.parts[at(g.part)];
+        const bool is_asked_for = scene.materials[at(part.material)].rigid;
+        if (!is_asked_for)
+            result.warnings.push_back("part " + part.name + " is computed as a rigid body (" + why_rigid(scene, g.part) +
+                                      "): it has no stress");
+        if (is_asked_for && has_weights)
+            result.warnings.push_back("part " + part.name +
+                                      " is rigid and weightless, gravity and spin do nothing to it: give it a force");
+    }
+}
+
 }  // namespace
 
 void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
@@ -196,6 +217,7 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
     check_grids(scene, out, result);
     check_rounding(result);
     warn_of_locking(scene, out.solved, result);
+    warn_of_rigid_parts(scene, out.solved, result);
 }
 
 }  // namespace abut

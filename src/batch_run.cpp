@@ -75,10 +75,11 @@ std::string do_job(const JobStore& place, const BatchJob& job, const BatchRun& r
     try {
         const std::string folder = place.begin(job.name);
         JobRecord record;
+        const std::string key = key_of(job, run);  // of what is about to be read: an edit from here on is computed next time
         try {
             record = run.work(job, folder);
         } catch (const InputError& error) { record = refused(job, error.problems()); }
-        record.key = key_of(job, run);
+        record.key = key;
         record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
         return record_mark + store(place, job, folder, std::move(record));
     } catch (const StoreError& error) { return fault_mark + std::string(error.what()); }

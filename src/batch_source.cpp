@@ -101,10 +101,21 @@ std::vector<fs::path> files_below(const std::string& folder, const SourceOptions
     return files;
 }
 
+/// What abut itself writes beside a scene is none.
+bool is_answer(const fs::path& file) {
+    static const std::set<std::string> names{"result.json",  "contacts.json", "study.json",
+                                             "summary.json", "job.json",      "batch.json"};
+    return names.contains(file.filename().string());
+}
+
 BatchSource from_folder(const std::string& folder, const SourceOptions& options) {
+    std::error_code error;
+    if (!options.excluded.empty() && fs::equivalent(folder, options.excluded, error))
+        throw InputError(folder, "the results would go into the folder that the jobs are read from",
+                         "give another folder with -o");
     BatchSource source;
     for (const fs::path& file : files_below(folder, options)) {
-        if (belongs(file, options))
+        if (belongs(file, options) && !is_answer(file))
             source.jobs.push_back({folder_name(file.lexically_relative(folder).generic_string()), file.string(), {}, ""});
         else
             ++source.left_out[ending_of(file.string())];

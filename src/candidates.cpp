@@ -90,4 +90,17 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
     return candidates;
 }
 
+PartPairs touching_pairs(const std::vector<Candidate>& candidates) {
+    PartPairs pairs;
+    for (const Candidate& c : candidates) pairs.emplace_back(c.first, c.second);
+    return pairs;
+}
+
+PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates) {
+    PartPairs pairs;
+    for (const Candidate& c : candidates)
+        if (c.closing != 0 || scene.contacts.overlap == "press_fit") pairs.emplace_back(c.first, c.second);
+    return pairs;
+}
+
 }  // namespace abut

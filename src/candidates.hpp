@@ -41,6 +41,11 @@ inline constexpr double first_search_fraction = 0.05;
 /// Distance up to which two parts are searched.
 double search_distance(const Scene& scene, int first, int second, double factor);
 
+using PartPairs = std::vector<std::pair<int, int>>;
+/// The parts of every candidate; those that an interference presses together, or with "press_fit" a drawn overlap.
+PartPairs touching_pairs(const std::vector<Candidate>& candidates);
+PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates);
+
 /// factor: widens the search distance. Throws InputError for drawn overlaps that the scene does not allow, naming edges and
 /// place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);

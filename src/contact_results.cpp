@@ -111,10 +111,10 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
 void name_edges(const std::vector<std::string>& edge, const std::vector<double>& pressure, std::vector<std::string>& all,
                 std::string& main) {
     std::map<std::string, double> share;
-    const bool loaded = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p > 0; });
+    const bool loaded = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
     for (std::size_t i = 0; i < edge.size(); ++i) {
         if (std::find(all.begin(), all.end(), edge[i]) == all.end()) all.push_back(edge[i]);
-        share[edge[i]] += loaded ? pressure[i] : 1;
+        share[edge[i]] += loaded ? std::abs(pressure[i]) : 1;
     }
     double most = -1;
     for (const std::string& name : all)

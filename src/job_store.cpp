@@ -42,6 +42,9 @@ std::string host_name() {
     return name.data();
 }
 
+constexpr int lock_attempts = 200;
+constexpr useconds_t lock_pause = 5000;  // microseconds
+
 /// The file with this name, locked, or -1: someone else has the lock, or has just removed the file.
 int locked_file(const std::string& path, int flags) {
     const int file = ::open(path.c_str(), flags | O_RDWR | O_CLOEXEC, 0666);
@@ -81,7 +84,13 @@ JobStore::JobStore(std::string out) : out_(std::move(out)) {
     make_folders(fs::path(out_) / "jobs");
     remove_left_overs(out_);
     run_ = (fs::path(out_) / (run_prefix + host_name() + "-" + std::to_string(::getpid()))).string();
-    lock_ = locked_file(run_ + lock_ending, O_CREAT);
+    // another process that tidies up may take the new file for a left over: then it is made again
+    for (int attempt = 0; attempt < lock_attempts; ++attempt) {
+        errno = 0;
+        lock_ = locked_file(run_ + lock_ending, O_CREAT);
+        if (lock_ >= 0 || errno == EACCES || errno == ENOSPC || errno == EROFS || errno == ENOLCK) break;
+        ::usleep(lock_pause);
+    }
     if (lock_ < 0) give_up(run_ + lock_ending, errno != 0 ? std::strerror(errno) : "it is locked");
     make_folders(run_);
 }

@@ -164,9 +164,8 @@ PathEnd worse(PathEnd a, PathEnd b) {
 
 std::vector<PartGroup> part_groups(const Scene& scene, const ResolvedConditions& conditions,
                                    const std::vector<Candidate>& candidates) {
-    std::vector<std::pair<int, int>> touching;
-    for (const Candidate& c : candidates) touching.emplace_back(c.first, c.second);
-    const std::vector<bool> solved = parts_to_solve(scene, conditions, touching);
+    const std::vector<bool> solved =
+        parts_to_solve(scene, conditions, touching_pairs(candidates), closing_pairs(scene, candidates));
     const std::vector<int> first = first_of_group(scene, candidates);
     std::vector<PartGroup> groups;
     std::vector<int> group_of(scene.parts.size(), -1);

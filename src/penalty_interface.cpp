@@ -13,17 +13,15 @@ const geometry::Part& part_of(const Scene& scene, int part) {
     return scene.parts[static_cast<std::size_t>(part)].part;
 }
 
-/// Pressure per penetration at a point of the first part.
-double stiffness_at(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second, const geometry::ChainPoint& p) {
+/// Pressure per penetration at a pair of points.
+double stiffness_at(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second, const geometry::FacingPair& pair) {
     const PenaltyOptions& penalty = *scene.contacts.penalty;
     const double c1 = compliance(scene, first), c2 = compliance(scene, second);
     const double stiffer = 1 / (first.is_rigid || second.is_rigid ? std::max(c1, c2) : std::min(c1, c2));
-    if (first.is_rigid && !penalty.length)
-        throw InputError("/contacts",
-                         "part " + scene.parts[static_cast<std::size_t>(first.part)].name +
-                             " is rigid: it has no cells to take the penalty's length from",
-                         "give contacts.penalty_length");
-    return penalty.factor * stiffer / (penalty.length ? *penalty.length : size_along(first, p));
+    if (penalty.length) return penalty.factor * stiffer / *penalty.length;
+    // a rigid part has no cells to take the length from
+    const double length = first.is_rigid ? size_along(second, pair.on2) : size_along(first, pair.on1);
+    return penalty.factor * stiffer / length;
 }
 
 /// Pairs along the zone, one call for every place in ascending order.
@@ -86,7 +84,7 @@ ContactInterface make_penalty_interface(const Scene& scene, const geometry::Faci
             const geometry::FacingPair pair = partners.at(s1);
             if (!pair.found) continue;
             append_point(c, pair, first, second, s1 - zone.begin1, gauss.weights[q] * length * pair.stretch, rule);
-            c.face.penalty.push_back(stiffness_at(scene, first, second, pair.on1));
+            c.face.penalty.push_back(stiffness_at(scene, first, second, pair));
         }
     }
     c.face.pressure = solver::polyline_knots(c.face.points, 0, c.s.back());

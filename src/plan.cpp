@@ -71,7 +71,10 @@ std::vector<Effect> plan_effects(const Scene& scene) {
         effect("elasticity", true, kinematics_of(scene.analysis) + ", small displacements", ""),
         effect("contact", contact, "several parts; every pair is searched",
                "only one part, or detection is off and no pair is given"),
-        effect("rigid parts", !rigid.empty(), rigid, "no material \"rigid\", and no part stiffer than its neighbours by 1e6"),
+        effect("rigid parts", !rigid.empty(), rigid,
+               scene.analysis == Analysis::axisymmetric
+                   ? "not around an axis"
+                   : "no material \"rigid\", and no part stiffer than its neighbours by 1e6 that its own loads do not deform"),
         effect("edge loads", edges, "pressure, traction or force on edges", "no load on an edge"),
         effect("body force", has_load(scene, Load::Kind::body_force) || has_load(scene, Load::Kind::part_force),
                "a force per volume or on a whole part", "no body force"),
@@ -99,14 +102,11 @@ std::vector<Effect> plan_effects(const Scene& scene) {
 }
 
 std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,
-                                 const std::vector<std::pair<int, int>>& touching) {
+                                 const std::vector<std::pair<int, int>>& touching,
+                                 const std::vector<std::pair<int, int>>& closing) {
     std::vector<bool> solve(scene.parts.size());
     for (std::size_t i = 0; i < solve.size(); ++i) solve[i] = is_driven(scene, conditions, static_cast<int>(i));
-    const bool closes =
-        scene.contacts.overlap == "press_fit" || std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
-                                                             [](const PairRule& r) { return r.interference != 0; });
-    for (const auto& [a, b] : touching)
-        if (closes) solve[static_cast<std::size_t>(a)] = solve[static_cast<std::size_t>(b)] = true;
+    for (const auto& [a, b] : closing) solve[static_cast<std::size_t>(a)] = solve[static_cast<std::size_t>(b)] = true;
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& [a, b] : touching)

@@ -20,8 +20,10 @@ std::vector<Effect> plan_effects(const Scene& scene);
 /// The same with the parts that each effect concerns, and the pairs of parts: those that will be searched (effect_reach.cpp).
 std::vector<Effect> plan_effects(const Scene& scene, const ResolvedConditions& conditions);
 
-/// Parts that need no solution: they carry no load, and touch nothing that does. touching: pairs of part indices.
+/// Parts that need no solution: they carry no load, and touch nothing that does. touching: pairs of part indices; closing:
+/// those of them that an interference or a drawn overlap presses together.
 std::vector<bool> parts_to_solve(const Scene& scene, const ResolvedConditions& conditions,
-                                 const std::vector<std::pair<int, int>>& touching);
+                                 const std::vector<std::pair<int, int>>& touching,
+                                 const std::vector<std::pair<int, int>>& closing = {});
 
 }  // namespace abut

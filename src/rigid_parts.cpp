@@ -6,6 +6,8 @@
 
 #include "geometry/gauss.hpp"
 #include "src/contact_pairing.hpp"
+#include "src/load_vector.hpp"
+#include "src/selection.hpp"
 #include "src/support_components.hpp"
 #include "src/svg.hpp"
 
@@ -111,6 +113,28 @@ double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidat
     return deepest;
 }
 
+bool is_on(const Scene& scene, const Selection& selection, int part) {
+    const std::vector<EdgePortion> portions = select(scene, selection);
+    return std::any_of(portions.begin(), portions.end(), [&](const EdgePortion& p) { return p.part == part; });
+}
+
+/// Would a part's own deformation show, however stiff it is? It does where it grows by temperature, rests on springs or has
+/// displacements given, and where its own loads bend it between its supports.
+bool deforms_by_itself(const Scene& scene, int part) {
+    bool held = false, loaded = false;
+    for (const Support& s : scene.supports) {
+        if (s.part != scene.parts[at(part)].name && !is_on(scene, s.on, part)) continue;
+        if (s.kind == Support::Kind::spring || s.kind == Support::Kind::displacement) return true;
+        held = held || s.kind == Support::Kind::fix || s.kind == Support::Kind::points;  // the others are guides
+    }
+    for (const Load& load : scene.loads) {
+        if (is_edge_load(load) ? !is_on(scene, load.on, part) : !acts_on_volume_of(scene, load, part)) continue;
+        if (load.kind == Load::Kind::temperature) return true;
+        loaded = true;
+    }
+    return held && loaded;
+}
+
 }  // namespace
 
 std::string why_rigid(const Scene& scene, int part) {
@@ -127,8 +151,8 @@ std::string why_rigid(const Scene& scene, int part) {
         if (!softer) return "";
         has_neighbour = has_neighbour || can_touch(scene, part, j);
     }
-    return has_neighbour ? "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2)
-                         : "";
+    if (!has_neighbour || deforms_by_itself(scene, part)) return "";
+    return "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2);
 }
 
 PartOnGrid put_rigid_part(const Scene& scene, int part) {

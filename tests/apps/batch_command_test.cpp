@@ -176,11 +176,11 @@ TEST_F(BatchCommand, TheExamplesOfDataRun) {
 
 TEST_F(BatchCommand, AJobBeyondItsMemoryFailsAlone) {
     write_sketches(1);
-    write("in/large.json", SceneText{.more = R"(, "accuracy": {"cell_size": 0.02})"}.text());
+    write("in/large.json", SceneText{.more = R"(, "accuracy": {"cell_size": 0.01})"}.text());
     std::string text = read(folder_ / "in/large.json");
     text = std::regex_replace(text, std::regex("  \"accuracy\": \\{\"level\": \"draft\"\\},\n"), "");
     write("in/large.json", text);
-    const Outcome run = abut({"batch", "in", "-o", "o", "--memory", "128M"});
+    const Outcome run = abut({"batch", "in", "-o", "o", "--memory", "256M"});
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"2 jobs: 1 ok, 1 broken"})) << run.output;
     EXPECT_TRUE(any_line_has(run.errors, {"large.json", "memory"})) << joined(run.errors);

@@ -10,6 +10,7 @@
 #include "geometry/input_error.hpp"
 #include "src/analysis.hpp"
 #include "src/plan.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut {
 namespace {
@@ -104,6 +105,27 @@ TEST(RigidParts, AStiffEnoughPartIsTakenAsOne) {
     EXPECT_FALSE(softer.parts[1].rigid);
     EXPECT_EQ(stiff.probes[0].displacement, rigid.probes[0].displacement);
     EXPECT_EQ(stiff.contacts[0].max_pressure.value, rigid.contacts[0].max_pressure.value);
+}
+
+/// Stiff enough, but its own loads bend it between its supports, or its temperature makes it grow.
+TEST(RigidParts, APartThatDeformsByItselfIsNotTakenAsOne) {
+    const auto strip = [](const std::string& held, const std::string& loads) {
+        return test::answer(
+            R"({"abut": 1, "materials": {"steel": {"E": 2e5, "nu": 0.3, "expansion": 1e-5}, "foam": {"E": 0.1, "nu": 0.3}},
+            "parts": [{"name": "strip", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [40, 2]}}},
+                      {"name": "pad", "material": "foam", "geometry": {"rectangle": {"min": [10, -5], "max": [30, 0]}}}],
+            "supports": [{"on": "pad/bottom", "fix": ["x", "y"]}, )" +
+            held + R"(], "loads": [)" + loads + R"(], "accuracy": {"level": "draft"}})");
+    };
+    const std::string ends = R"({"on": ["strip/left", "strip/right"], "fix": ["x", "y"]})";
+    EXPECT_FALSE(strip(ends, R"({"on": "strip/top", "pressure": 1})").parts[0].rigid);
+    EXPECT_FALSE(strip(R"({"on": "strip/left", "symmetry": true})", R"({"part": "strip", "temperature": 100})").parts[0].rigid);
+    const Result pushed = strip(R"({"part": "strip", "rigid": {"translation": [0, null], "rotation": 0}})",
+                                R"({"on": "strip/top", "pressure": 1e-4})");
+    ASSERT_EQ(pushed.status, "ok") << pushed.message;
+    EXPECT_TRUE(pushed.parts[0].rigid);
+    EXPECT_TRUE(std::any_of(pushed.warnings.begin(), pushed.warnings.end(),
+                            [](const std::string& w) { return w.find("computed as a rigid body") != std::string::npos; }));
 }
 
 TEST(RigidParts, FollowWhatIsPrescribed) {
