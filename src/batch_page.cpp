@@ -24,7 +24,8 @@ th[aria-sort=descending] button::after { content: " \25BC"; font-size: 9px; }
 tbody td { vertical-align: middle; }
 td.picture { width: 136px; padding-right: 12px; }
 td.picture img { display: block; }
-td.message { min-width: 380px; max-width: 560px; font-size: 12px; }
+td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
+.table td a { display: inline-block; min-width: 6em; }
 th { white-space: normal; }
 .status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
 .status.differs { background: #fff6e5; color: #8a5200; }

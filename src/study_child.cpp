@@ -13,8 +13,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <exception>
-#include <new>
+
+#include "src/child_text.hpp"
 
 namespace abut {
 
@@ -24,25 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double longest_limit = 1e6;  // seconds: clocks count in nanoseconds, and not for ever
 
-constexpr char done = '+', thrown = '-';  // the first byte that a child sends
-
-void send(int pipe, const std::string& text) {
-    for (std::size_t sent = 0; sent < text.size();) {
-        const ssize_t n = ::write(pipe, text.data() + sent, text.size() - sent);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return;  // the parent sees that something is missing
-        sent += static_cast<std::size_t>(n);
-    }
-}
-
-[[noreturn]] void work_and_end(const std::function<std::string()>& work, int pipe) {
-    try {
-        send(pipe, done + work() + done);
-    } catch (const std::bad_alloc&) {
-        send(pipe, std::string(1, thrown) + "there is not enough memory");
-    } catch (const std::exception& error) { send(pipe, thrown + std::string(error.what())); }
-    ::_exit(0);  // no destructors, no flushing: all that is the parent's
-}
+using child::done, child::thrown, child::work_and_end;
 
 int milliseconds_until(Clock::time_point end) {
     const double left = std::chrono::duration<double, std::milli>(end - Clock::now()).count();

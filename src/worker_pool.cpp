@@ -11,25 +11,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <exception>
-#include <new>
+
+#include "src/child_text.hpp"
 
 namespace abut {
 
 namespace {
 
-constexpr char done = '+', thrown = '-';  // the first byte that a worker sends
+using child::done, child::thrown, child::work_and_end;
 
-void send(int pipe, const std::string& text) {
-    for (std::size_t sent = 0; sent < text.size();) {
-        const ssize_t n = ::write(pipe, text.data() + sent, text.size() - sent);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) return;  // the parent sees that something is missing
-        sent += static_cast<std::size_t>(n);
-    }
-}
-
-/// The hard limit stays as it is, so that a worker that ran out of memory can lift its own and say so.
 void limit_memory(double bytes) {
     rlimit limit{};
     if (bytes <= 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
@@ -45,15 +35,6 @@ void prepare(const WorkerLimits& limits, pid_t parent) {
     std::signal(SIGPIPE, SIG_IGN);
     limit_memory(limits.memory_bytes);
     ::alarm(limits.seconds);
-}
-
-[[noreturn]] void work_and_end(const std::function<std::string()>& work, int pipe) {
-    try {
-        send(pipe, done + work() + done);
-    } catch (const std::bad_alloc&) {
-        send(pipe, std::string(1, thrown) + "there is not enough memory");
-    } catch (const std::exception& error) { send(pipe, thrown + std::string(error.what())); }
-    ::_exit(0);  // no destructors, no flushing: all that is the parent's
 }
 
 std::string death_of(const std::string& sent, int status, unsigned seconds) {
