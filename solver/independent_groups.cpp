@@ -115,13 +115,7 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     append_motions(from.neutral, members, to.neutral);
     append_motions(from.driven, members, to.driven);
     append_motions(from.mechanism, members, to.mechanism);
-    to.driven_work = std::max(to.driven_work, from.driven_work);
-    to.n_multipliers += from.n_multipliers;
-    to.iterations += from.iterations;
-    to.contact_problems += from.contact_problems;
-    to.converged = to.converged && from.converged;
-    to.used_fallback = to.used_fallback || from.used_fallback;
-    to.residual = std::max(to.residual, from.residual);
+    add_outcome(from, to);
     add_seconds(from.seconds, to.seconds);
 }
 
@@ -146,6 +140,16 @@ std::vector<std::vector<int>> independent_groups(const AssemblyProblem& problem)
         groups[at(group)].push_back(i);
     }
     return groups;
+}
+
+void add_outcome(const AssemblySolution& from, AssemblySolution& to) {
+    to.driven_work = std::max(to.driven_work, from.driven_work);
+    to.n_multipliers += from.n_multipliers;
+    to.iterations += from.iterations;
+    to.contact_problems += from.contact_problems;
+    to.converged = to.converged && from.converged;
+    to.used_fallback = to.used_fallback || from.used_fallback;
+    to.residual = std::max(to.residual, from.residual);
 }
 
 AssemblySolution solve_groups(AssemblyProblem& problem, int threads) {

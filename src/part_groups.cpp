@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/independent_groups.hpp"
 #include "src/plan.hpp"
 
 namespace abut {
@@ -50,14 +51,8 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     append_motions(to.neutral, from.neutral, parts_before);
     append_motions(to.driven, from.driven, parts_before);
     append_motions(to.mechanism, from.mechanism, parts_before);
-    to.driven_work = std::max(to.driven_work, from.driven_work);
-    to.n_multipliers += from.n_multipliers;
-    to.iterations += from.iterations;
     to.groups += from.groups;
-    to.contact_problems += from.contact_problems;
-    to.converged = to.converged && from.converged;
-    to.used_fallback = to.used_fallback || from.used_fallback;
-    to.residual = std::max(to.residual, from.residual);
+    add_outcome(from, to);
 }
 
 void append_problem(solver::AssemblyProblem& to, solver::AssemblyProblem& from, int parts_before) {
