@@ -27,7 +27,11 @@ std::vector<Effect> plan_with_symmetry(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
     for (Effect& effect : plan)
-        if (effect.name == "symmetry") effect.why = symmetry_text(find_mirror_symmetry(scene, conditions));
+        if (effect.name == "symmetry") {
+            const MirrorSymmetry symmetry = find_mirror_symmetry(scene, conditions);
+            effect.on = symmetry.found && scene.fold_symmetry;
+            effect.why = symmetry_text(symmetry, scene.fold_symmetry);
+        }
     return plan;
 }
 

@@ -22,6 +22,7 @@ struct CellRule {
 
 struct SolutionStructure;
 struct Dilatation;
+struct PartMirror;
 
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
 struct PartInput {
@@ -42,6 +43,8 @@ struct PartInput {
     /// Place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2 pi.
     std::optional<double> axis{};
     bool touches_axis = false;  ///< an edge of the part lies on the axis, which is the first grid line
+    /// In a mirror symmetric assembly, where half of it is solved (fold.hpp); none: all of it.
+    std::shared_ptr<const PartMirror> mirror{};
 };
 
 /// What the stresses of a displacement's own gradient follow from; with a projection all but lambda's.

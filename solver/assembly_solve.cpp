@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "solver/assembly_rows.hpp"
 #include "solver/condensation.hpp"
 #include "solver/neutral_motions.hpp"
 #include "solver/parallel_for.hpp"
@@ -36,33 +37,22 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-struct AllRows {
-    Rows rows;
-    std::vector<int> first_row;  // by interface
-};
-AllRows all_rows(const AssemblyProblem& problem) {
-    AllRows all;
-    all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row);
-    for (const MeanConstraint& c : problem.constraints)
-        append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
-                               c.coefficient, c.size, c.value);
-    return all;
-}
-
-void add_foundation(ContactQp& qp, const AssemblyProblem& problem, const AllRows& all) {
+VectorXd foundation_of(const AssemblyProblem& problem, const AssemblyRows& all) {
+    VectorXd foundation = VectorXd::Zero(all.rows.n);
     double stiffest = 0;
     for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
         for (int k = 0; k < n_rows(problem.interfaces[i]); ++k) {
             const Index row = all.first_row[i] + k;
-            qp.foundation[row] = problem.foundation[i] * all.rows.weight[row];
-            stiffest = std::max(stiffest, qp.foundation[row]);
+            foundation[row] = problem.foundation[i] * all.rows.weight[row];
+            stiffest = std::max(stiffest, foundation[row]);
         }
-    for (Index row = 0; row < qp.foundation.size(); ++row)
-        if (!qp.unilateral[static_cast<std::size_t>(row)]) qp.foundation[row] = stiffest > 0 ? stiffest : 1.0;
+    for (Index row = 0; row < foundation.size(); ++row)
+        if (!all.rows.unilateral[static_cast<std::size_t>(row)]) foundation[row] = stiffest > 0 ? stiffest : 1.0;
+    return foundation;
 }
 
 /// What is known of the multipliers, where something is.
-VectorXd expected_multipliers(const AssemblyProblem& problem, const AllRows& all) {
+VectorXd expected_multipliers(const AssemblyProblem& problem, const AssemblyRows& all) {
     const auto knows = [](const Interface& face) { return !face.expected.empty(); };
     if (std::none_of(problem.interfaces.begin(), problem.interfaces.end(), knows)) return VectorXd(0);
     VectorXd expected = VectorXd::Zero(all.rows.n);
@@ -169,7 +159,55 @@ HeldAnswer solve_held(const AssemblyProblem& problem, ContactQp qp, const Motion
     return answer;
 }
 
-void split_multipliers(const AssemblyProblem& problem, const AllRows& all, const VectorXd& multipliers,
+}  // namespace
+
+AssemblyRows assembly_rows(const AssemblyProblem& problem) {
+    AssemblyRows all;
+    all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row);
+    for (const MeanConstraint& c : problem.constraints)
+        append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
+                               c.coefficient, c.size, c.value);
+    all.foundation = foundation_of(problem, all);
+    all.expected = expected_multipliers(problem, all);
+    return all;
+}
+
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, int threads) {
+    RowsSolution answered;
+    AssemblySolution& solution = answered.solution;
+    Laps laps;
+    const Rows& rows = all.rows;
+    solution.n_multipliers = rows.n;
+    solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
+
+    ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
+    scale_rows(qp, rows.weight);
+    qp.foundation = all.foundation;
+    qp.expected = all.expected;
+    solution.seconds.condensation = laps.lap();
+
+    const MotionSplit split = split_motions(problem, qp.modes);
+    find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
+    if (!solution.mechanism.empty()) return answered;
+    const HeldAnswer held = solve_held(problem, std::move(qp), split, solution);
+    solution.iterations = held.result.iterations;
+    solution.converged = held.result.converged;
+    solution.used_fallback = held.result.used_fallback;
+    solution.seconds.contact = laps.lap();
+    if (!held.result.feasible) {
+        solution.mechanism = part_motions(problem.parts, split.resisted * held.result.mechanism);
+        return answered;
+    }
+    ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
+    recover_refined(problem, rows, held, threads, answer, solution);
+    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
+    take_least_motion(problem, split.neutral, solution);
+    answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
+    solution.seconds.displacements = laps.lap();
+    return answered;
+}
+
+void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
                        AssemblySolution& solution) {
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(
@@ -178,42 +216,14 @@ void split_multipliers(const AssemblyProblem& problem, const AllRows& all, const
     solution.constraint_force.assign(multipliers.end() - n, multipliers.end());
 }
 
-}  // namespace
-
 AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
-    AssemblySolution solution;
     Laps laps;
-    const AllRows all = all_rows(problem);
-    const Rows& rows = all.rows;
-    solution.n_multipliers = rows.n;
-    solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
-    solution.seconds.rows = laps.lap();
-
-    ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
-    scale_rows(qp, rows.weight);
-    add_foundation(qp, problem, all);
-    qp.expected = expected_multipliers(problem, all);
-    solution.seconds.condensation = laps.lap();
-
-    const MotionSplit split = split_motions(problem, qp.modes);
-    find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
-    if (!solution.mechanism.empty()) return solution;
-    const HeldAnswer held = solve_held(problem, std::move(qp), split, solution);
-    solution.iterations = held.result.iterations;
-    solution.converged = held.result.converged;
-    solution.used_fallback = held.result.used_fallback;
-    solution.seconds.contact = laps.lap();
-    if (!held.result.feasible) {
-        solution.mechanism = part_motions(problem.parts, split.resisted * held.result.mechanism);
-        return solution;
-    }
-    ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
-    recover_refined(problem, rows, held, threads, answer, solution);
-    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
-    take_least_motion(problem, split.neutral, solution);
-    split_multipliers(problem, all, answer.forces.cwiseQuotient(rows.weight), solution);
-    solution.seconds.displacements = laps.lap();
-    return solution;
+    const AssemblyRows all = assembly_rows(problem);
+    const double seconds = laps.lap();
+    auto [solution, multipliers] = solve_rows(problem, all, threads);
+    solution.seconds.rows = seconds;
+    if (solution.mechanism.empty()) split_multipliers(problem, all, multipliers, solution);
+    return std::move(solution);
 }
 
 }  // namespace abut::solver

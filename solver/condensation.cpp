@@ -2,6 +2,8 @@
 #include "solver/condensation.hpp"
 
 #include <algorithm>
+#include <map>
+#include <span>
 
 #include "solver/parallel_for.hpp"
 
@@ -27,6 +29,20 @@ std::vector<int> rows_of(const std::vector<RowEntry>& entries) {
     return rows;
 }
 
+/// One row's entries, ascending.
+void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Index column, Eigen::SparseMatrix<double>& to) {
+    const auto unknown = [&](const RowEntry& e) { return part.number[static_cast<std::size_t>(e.coefficient)]; };
+    if (part.share.empty()) {
+        for (const RowEntry& e : entries)
+            if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
+        return;
+    }
+    std::map<int, double> sum;  // folded rows: coefficients share unknowns
+    for (const RowEntry& e : entries)
+        if (unknown(e) >= 0) sum[unknown(e)] += part.share[static_cast<std::size_t>(e.coefficient)] * e.value;
+    for (const auto& [row, value] : sum) to.insertBack(row, column) = value;
+}
+
 /// entries: by row, then coefficient.
 PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries) {
     PartColumns c{rows_of(entries), {}, false};
@@ -37,10 +53,9 @@ PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entr
     std::size_t next = 0;
     for (Index column = 0; column < static_cast<Index>(c.row.size()); ++column) {
         c.columns.startVec(column);
-        for (; next < entries.size() && entries[next].row == c.row[static_cast<std::size_t>(column)]; ++next) {
-            const int unknown = part.number[static_cast<std::size_t>(entries[next].coefficient)];
-            if (unknown >= 0) c.columns.insertBack(unknown, column) = entries[next].value;
-        }
+        const std::size_t begin = next;
+        while (next < entries.size() && entries[next].row == c.row[static_cast<std::size_t>(column)]) ++next;
+        fill_column(part, std::span(entries).subspan(begin, next - begin), column, c.columns);
     }
     if (c.is_loaded) {
         const Index last = c.columns.cols() - 1;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/dilatation.hpp"
+#include "solver/fold.hpp"
 #include "solver/free_motions.hpp"
 #include "solver/free_strain.hpp"
 #include "solver/hold_axis.hpp"
@@ -78,6 +79,7 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
 
 void number_unknowns(PartSystem& s) {
     const std::vector<Index> pinned = pins(s);
+    if (is_folded(s.input)) return fold_unknowns(s, pinned);
     s.number.assign(s.dropped.size(), -1);
     for (std::size_t i = 0; i < s.dropped.size(); ++i) {
         const bool is_pin = std::find(pinned.begin(), pinned.end(), static_cast<Index>(i)) != pinned.end();
@@ -133,9 +135,10 @@ void project_dilatation(PartSystem& s) {
 }
 
 Factorization factorized(const PartSystem& s) {
-    SparseSymmetric a = restricted(s.stiffness, s.number, s.n_kept);
+    SparseSymmetric a =
+        s.share.empty() ? restricted(s.stiffness, s.number, s.n_kept) : folded(s.stiffness, s.number, s.share, s.n_kept);
     if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number));
-    return Factorization(with_pressures(a, *s.input.dilatation, s.number), s.input.dilatation->space.n_functions);
+    return Factorization(with_pressures(a, *s.input.dilatation, s.number, s.share), s.input.dilatation->space.n_functions);
 }
 
 /// What a pivot that is not positive means here, and what to do about it.
@@ -199,7 +202,13 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
             "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
         return s;
     }
+    keep_symmetric_motions(s);
     set_modes(s);
+    if (is_follower(s.input)) {
+        s.number.assign(s.dropped.size(), -1);
+        s.seconds.all = seconds_since(begin);
+        return s;
+    }
     number_unknowns(s);
     const double before = seconds_since(begin);
     s.factor = factorized(s);
@@ -223,15 +232,20 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
     Eigen::VectorXd rest = load;
     if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
     Eigen::VectorXd b(system.n_kept);
+    if (!system.share.empty()) return folded_load(system, rest);
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
     return b;
 }
 
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
-    if (system.body) return system.prescribed;
+    if (system.body || is_follower(system.input)) return system.prescribed;
     const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
     Eigen::VectorXd u = system.prescribed;
+    if (!system.share.empty()) {
+        add_unfolded(system, x, u);
+        return u;
+    }
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
     return u;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "solver/fold.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -74,6 +76,7 @@ PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> condi
     s.load = s.applied = std::move(applied);
     RigidBody body{center, size, std::move(conditions)};
     s.free_motions = split_motions(body);
+    keep_symmetric_motions(s);
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.number.assign(s.dropped.size(), -1);

@@ -8,8 +8,10 @@
 #include <optional>
 
 #include "solver/blas_threads.hpp"
+#include "solver/fold.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
+#include "src/mirrored_grids.hpp"
 #include "src/next_candidates.hpp"
 #include "src/next_grids.hpp"
 #include "src/part_groups.hpp"
@@ -89,6 +91,7 @@ private:
             if (is_own(c.first) && is_own(c.second)) out_.candidates.push_back(c);
             meets_others_ = meets_others_ || is_own(c.first) != is_own(c.second);
         }
+        if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
     }
 
     /// Nothing is known of the contacts.
@@ -108,7 +111,7 @@ private:
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
         SolvedAssembly now =
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
-        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
+        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid || solver::is_follower(g.input) ? 0 : 1;
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         add_uses(out_.uses, now.uses);
@@ -122,7 +125,7 @@ private:
         for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
             expect_ends(scene_, now, out_.candidates);
             expect_pressures(now, out_.candidates);
-            solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
+            solve_contacts_again(scene_, conditions_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
         }
         return moved > 0;
@@ -275,6 +278,7 @@ private:
         }
         wanted_ = sizes_from(scene_, now, next_.resolution);
         move_seams(scene_, now, out_.candidates);
+        if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
         expect_ends(scene_, now, out_.candidates);
         expect_pressures(now, out_.candidates);
     }

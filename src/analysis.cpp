@@ -13,6 +13,7 @@
 #include "src/effect_answers.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
+#include "src/mirror_symmetry.hpp"
 #include "src/mobility.hpp"
 #include "src/motion_text.hpp"
 #include "src/part_results.hpp"
@@ -91,6 +92,19 @@ std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
             {"recovery", seconds["recovery"]}};
 }
 
+/// Whether half of the scene is to be solved.
+void plan_symmetry(const Scene& scene, ResolvedConditions& conditions, Result& result) {
+    const MirrorSymmetry symmetry = find_mirror_symmetry(scene, conditions);
+    if (symmetry.found) conditions.mirror = symmetry.line;
+    for (Effect& e : result.effects)
+        if (e.name == "symmetry") {
+            e.on = symmetry.found;
+            e.why = symmetry_text(symmetry, symmetry.found);
+        }
+    if (!symmetry.found)
+        result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
+}
+
 Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
@@ -101,13 +115,17 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     result.degree = scene.accuracy.degree;
     result.warnings = scene.warnings;
     check_probes(scene);
-    const ResolvedConditions conditions = resolve_conditions(scene);
+    ResolvedConditions conditions = resolve_conditions(scene);
     result.effects = plan_effects(scene, conditions);
+    if (scene.fold_symmetry) plan_symmetry(scene, conditions, result);
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
 
     const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
+    if (!out.solved.not_folded.empty())
+        result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn, because the grids are not symmetric: " +
+                                  out.solved.not_folded);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),

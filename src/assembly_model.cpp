@@ -5,9 +5,12 @@
 #include <chrono>
 
 #include "solver/dilatation.hpp"
+#include "solver/fold.hpp"
 #include "solver/independent_groups.hpp"
+#include "solver/mirrored_solution.hpp"
 #include "solver/parallel_for.hpp"
 #include "src/load_vector.hpp"
+#include "src/mirrored_grids.hpp"
 #include "src/part_grid.hpp"
 #include "src/rigid_parts.hpp"
 #include "src/solution_structure.hpp"
@@ -38,13 +41,26 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// The part's image, if that is on a grid that the part's can be the image of.
+const PartOnGrid* image_on_grid(const Scene& scene, int part, const std::optional<MirrorLine>& mirror,
+                                const SolvedAssembly& solved) {
+    if (!mirror || mirror->image[at(part)] >= part || scene.accuracy.grids.contains(scene.parts[at(part)].name)) return nullptr;
+    const int k = solved.solver_part[at(mirror->image[at(part)])];
+    return k < 0 ? nullptr : &solved.grids[at(k)];
+}
+
 PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
-                       SolvedAssembly& solved) {
+                       const std::optional<MirrorLine>& mirror, SolvedAssembly& solved) {
     if (!why_rigid(scene, part).empty()) return put_rigid_part(scene, part);
+    if (const PartOnGrid* image = image_on_grid(scene, part, mirror, solved)) {
+        const PartGrid grid = mirrored_grid(scene, part, *image, *mirror);
+        return discretize(scene, part, grid.frame, grid.grid, grid.degree);
+    }
     bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
-        const PartGrid chosen = grid_of_part(scene, part, wanted, coarseness, refinement);
+        PartGrid chosen = grid_of_part(scene, part, wanted, coarseness, refinement);
+        if (mirror && mirror->image[at(part)] == part && !chosen.given) make_symmetric(*mirror, chosen);
         limited = limited || chosen.limited;
         PartOnGrid g = discretize(scene, part, chosen.frame, chosen.grid, chosen.degree);
         const bool is_final = chosen.given || attempt == max_wall_refinements || scene.accuracy.cell_size;
@@ -269,10 +285,54 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
     solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
 }
 
+/// Items: unknowns that were not solved for.
+void add_symmetry_use(double seconds, SolvedAssembly& solved) {
+    EffectUse& use = solved.uses["symmetry"];
+    use.seconds += seconds;
+    ++use.calls;
+    for (const solver::PartSystem& s : solved.problem.parts) use.items += 2L * s.n() - s.n_kept;
+}
+
+/// On the half where the systems are folded. False: the interfaces are not symmetric.
+bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
+    if (!solved.is_folded) {
+        solved.solution = solve_groups(solved.problem, threads);
+        return true;
+    }
+    solver::MirroredSolution half = solve_mirrored(solved.problem, threads);
+    if (!half.failure.empty())
+        solved.not_folded = "part " + scene.parts[at(solved.grids[at(half.part)].part)].name + ": " + half.failure;
+    solved.solution = std::move(half.solution);
+    add_symmetry_use(half.seconds, solved);
+    return solved.not_folded.empty();
+}
+
+/// Systems of all unknowns.
+void unfold(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, int threads,
+            SolvedAssembly& solved) {
+    const Timed timed(seconds, "assembly");
+    solved.is_folded = false;
+    for (PartOnGrid& g : solved.grids) g.input.mirror.reset();
+    solved.problem.parts.clear();
+    solved.problem.part_load.clear();
+    solved.problem.constraints.clear();
+    make_systems(scene, conditions, threads, solved);
+    seconds["factorisation"] += factorisation_seconds(solved, timed.seconds());
+}
+
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
-void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
-    const Timed timed(seconds, "solve");
-    solved.solution = solve_groups(solved.problem, threads);
+void solve_contacts(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved, Stopwatches& seconds,
+                    int threads) {
+    bool is_done = false;
+    {
+        const Timed timed(seconds, "solve");
+        is_done = solve_systems(scene, solved, threads);
+    }
+    if (!is_done) {
+        unfold(scene, conditions, seconds, threads, solved);
+        const Timed timed(seconds, "solve");
+        solve_systems(scene, solved, threads);
+    }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
@@ -293,12 +353,16 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             if (!solve_part[i]) continue;
             solved.solver_part[i] = static_cast<int>(solved.grids.size());
-            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
+            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, conditions.mirror, solved));
             if (!solved.grids.back().input.space.failure.empty())
                 solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
         }
     }
     if (!solved.failure.empty()) return solved;
+    if (conditions.mirror) {
+        solved.not_folded = set_mirrors(scene, *conditions.mirror, solved);
+        solved.is_folded = solved.not_folded.empty();
+    }
     {
         const Timed timed(seconds, "assembly");
         make_interfaces(scene, candidates, solved);
@@ -308,12 +372,12 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
         if (!solved.failure.empty()) return solved;
     }
-    solve_contacts(solved, seconds, threads);
+    solve_contacts(scene, conditions, solved, seconds, threads);
     return solved;
 }
 
-void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
-                          Stopwatches& seconds, int threads) {
+void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "assembly");
         solved.contacts.clear();
@@ -324,13 +388,14 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.own_normals.clear();
         make_interfaces(scene, candidates, solved);
     }
-    solve_contacts(solved, seconds, threads);
+    solve_contacts(scene, conditions, solved, seconds, threads);
 }
 
 double largest_condition(const SolvedAssembly& solved) {
     double largest = 0;
     for (const solver::PartSystem& system : solved.problem.parts)
-        if (!system.body && system.failure.empty()) largest = std::max(largest, system.factor.condition_estimate());
+        if (!system.body && !solver::is_follower(system.input) && system.failure.empty())
+            largest = std::max(largest, system.factor.condition_estimate());
     return largest;
 }
 

@@ -34,6 +34,8 @@ struct SolvedAssembly {
     std::string failure;                        ///< not empty: not solvable, and why
     int refined_for_walls = 0;                  ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;                            ///< of the effects' code in this pass
+    bool is_folded = false;                     ///< half of it was solved (solver/fold.hpp)
+    std::string not_folded;                     ///< not empty: a mirror symmetric scene that was solved as drawn, and why
     int limited_grids = 0;                      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
@@ -52,8 +54,8 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
 
 /// The same grids and factorisations with interfaces made anew, where the candidates expect other ends of contact. Costs the
 /// contact solution alone.
-void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
-                          Stopwatches& seconds, int threads);
+void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          SolvedAssembly& solved, Stopwatches& seconds, int threads);
 
 /// Largest condition number of the parts' scaled matrices; costs about ten solves each.
 double largest_condition(const SolvedAssembly& solved);

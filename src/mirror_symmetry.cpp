@@ -28,8 +28,8 @@ class Mirror {
 public:
     Mirror(const Scene& scene, const ResolvedConditions& conditions, const Vec2& point, const Vec2& along)
         : scene_(scene), conditions_(conditions) {
-        found_.point = point;
-        found_.along = along;
+        found_.line.point = point;
+        found_.line.along = along;
         geometry::Box2 box;
         for (const ScenePart& p : scene.parts) box.extend(bounding_box(p.part));
         near_ = place_fraction * box.diagonal();
@@ -41,8 +41,8 @@ public:
     }
 
 private:
-    Vec2 turned(const Vec2& v) const { return 2 * v.dot(found_.along) * found_.along - v; }
-    Vec2 image(const Vec2& p) const { return found_.point + turned(p - found_.point); }
+    Vec2 turned(const Vec2& v) const { return found_.line.turned(v); }
+    Vec2 image(const Vec2& p) const { return found_.line.image_of(p); }
     bool fails(const std::string& why) {
         found_.why_not = why;
         return false;
@@ -78,7 +78,7 @@ private:
             const auto b = std::find_if(scene_.parts.begin(), scene_.parts.end(),
                                         [&](const ScenePart& other) { return is_image(a, other); });
             if (b == scene_.parts.end()) return fails("part " + a.name + " has no mirror image");
-            found_.image.push_back(static_cast<int>(b - scene_.parts.begin()));
+            found_.line.image.push_back(static_cast<int>(b - scene_.parts.begin()));
         }
         return true;
     }
@@ -137,7 +137,7 @@ private:
             const auto opposite = [](const std::optional<double>& a, const std::optional<double>& b, double sign) {
                 return a.has_value() == b.has_value() && (!a || *a == sign * *b);
             };
-            const bool upright = found_.along.x() == 0;
+            const bool upright = found_.line.reversed() == 0;
             return other.kind == Support::Kind::rigid && other.part == image_name(s.part) &&
                    opposite(s.rigid_x, other.rigid_x, upright ? -1 : 1) &&
                    opposite(s.rigid_y, other.rigid_y, upright ? 1 : -1) && opposite(s.rigid_rotation, other.rigid_rotation, -1);
@@ -158,7 +158,7 @@ private:
 
     std::string image_name(const std::string& part) const {
         for (std::size_t i = 0; i < scene_.parts.size(); ++i)
-            if (scene_.parts[i].name == part) return scene_.parts[at(found_.image[i])].name;
+            if (scene_.parts[i].name == part) return scene_.parts[at(found_.line.image[i])].name;
         return "";
     }
 
@@ -171,7 +171,7 @@ private:
             for (const EdgePortion& portion : conditions_.supports[k])
                 for (double t : samples) {
                     const Vec2 p = on(portion, t);
-                    if (!has_image(held_at(portion.part, p), held_at(found_.image[at(portion.part)], image(p))))
+                    if (!has_image(held_at(portion.part, p), held_at(found_.line.image[at(portion.part)], image(p))))
                         return fails(label + " has no mirror image at " + place(image(p)));
                 }
         }
@@ -207,7 +207,13 @@ private:
         const ScenePart& own = scene_.parts[at(part)];
         Vec2 sum(0, 0);
         for (const Load& load : scene_.loads) {
-            if (is_edge_load(load) || !acts_on_volume_of(scene_, load, part)) continue;
+            if (is_edge_load(load) || load.kind == Load::Kind::temperature || !acts_on_volume_of(scene_, load, part)) continue;
+            if (load.kind == Load::Kind::spin) {
+                const bool on_axis = scene_.analysis == Analysis::axisymmetric;
+                sum += scene_.materials[at(own.material)].density * load.omega * load.omega *
+                       (on_axis ? Vec2(p.x(), 0) : Vec2(p - load.about));
+                continue;
+            }
             const Vec2 value(load.value[0](p.x(), p.y()), load.value[1](p.x(), p.y()));
             const double factor = load.kind == Load::Kind::gravity      ? scene_.materials[at(own.material)].density
                                   : load.kind == Load::Kind::part_force ? 1 / (area(own.part) * own.thickness)
@@ -221,31 +227,67 @@ private:
         return (turned(a) - b).norm() <= value_fraction * std::max(a.norm(), b.norm());
     }
 
-    static bool is_known(const Load& load) {
-        return is_edge_load(load) || load.kind == Load::Kind::part_force || load.kind == Load::Kind::body_force ||
-               load.kind == Load::Kind::gravity;
+    double temperature(int part, const Vec2& p) const {
+        double sum = 0;
+        for (const Load& load : scene_.loads)
+            if (load.kind == Load::Kind::temperature && acts_on_volume_of(scene_, load, part))
+                sum += load.value[0](p.x(), p.y());
+        return sum;
+    }
+
+    bool same_temperature(int part, const Vec2& p) const {
+        const double here = temperature(part, p), there = temperature(found_.line.image[at(part)], image(p));
+        return std::abs(here - there) <= value_fraction * std::max(std::abs(here), std::abs(there));
     }
 
     bool loads_match() {
         for (std::size_t k = 0; k < scene_.loads.size(); ++k)
-            if (!is_known(scene_.loads[k])) return fails("load " + std::to_string(k) + " is of a kind that is not compared");
-        for (std::size_t k = 0; k < scene_.loads.size(); ++k)
             for (const EdgePortion& portion : conditions_.loads[k])
                 for (double t : samples) {
                     const Vec2 p = on(portion, t);
-                    if (!same(traction(portion.part, p), traction(found_.image[at(portion.part)], image(p))))
+                    if (!same(traction(portion.part, p), traction(found_.line.image[at(portion.part)], image(p))))
                         return fails("load " + std::to_string(k) + " has no mirror image at " + place(image(p)));
                 }
         for (std::size_t i = 0; i < scene_.parts.size(); ++i)
             for (const geometry::Edge& e : scene_.parts[i].part.edges) {
                 const Vec2 p = point(e.curve, samples[1]);
-                if (!same(volume_force(static_cast<int>(i), p), volume_force(found_.image[i], image(p))))
+                if (!same(volume_force(static_cast<int>(i), p), volume_force(found_.line.image[i], image(p))))
                     return fails("the forces in part " + scene_.parts[i].name + " have no mirror image");
+                if (!same_temperature(static_cast<int>(i), p))
+                    return fails("the temperature of part " + scene_.parts[i].name + " has no mirror image");
             }
         return true;
     }
 
-    bool rules_match() { return scene_.contacts.pairs.empty() || fails("rules for pairs of edges are not compared"); }
+    // Rules for pairs
+
+    using Portions = std::vector<EdgePortion>;
+    bool covered(const Portions& portions, const Portions& by) const {
+        return std::all_of(portions.begin(), portions.end(), [&](const EdgePortion& p) {
+            return std::all_of(samples.begin(), samples.end(), [&](double t) {
+                return std::any_of(by.begin(), by.end(), [&](const EdgePortion& q) {
+                    return covers(q, found_.line.image[at(p.part)], image(on(p, t)));
+                });
+            });
+        });
+    }
+
+    bool rules_match() {
+        std::vector<std::array<Portions, 2>> sides;
+        for (const PairRule& rule : scene_.contacts.pairs)
+            sides.push_back({select(scene_, {rule.between[0]}), select(scene_, {rule.between[1]})});
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            bool has_image = false;
+            for (std::size_t j = 0; j < sides.size() && !has_image; ++j) {
+                const PairRule &own = scene_.contacts.pairs[k], &other = scene_.contacts.pairs[j];
+                if (own.kind != other.kind || own.interference != other.interference) continue;
+                has_image = (covered(sides[k][0], sides[j][0]) && covered(sides[k][1], sides[j][1])) ||
+                            (covered(sides[k][0], sides[j][1]) && covered(sides[k][1], sides[j][0]));
+            }
+            if (!has_image) return fails("rule " + std::to_string(k) + " of contacts.pairs has no mirror image");
+        }
+        return true;
+    }
 
     const Scene& scene_;
     const ResolvedConditions& conditions_;
@@ -268,21 +310,26 @@ Vec2 common_centroid(const Scene& scene) {
 
 MirrorSymmetry find_mirror_symmetry(const Scene& scene, const ResolvedConditions& conditions) {
     const Vec2 center = common_centroid(scene);
-    MirrorSymmetry upright = Mirror(scene, conditions, center, {0, 1}).result();
+    const bool around_axis = scene.analysis == Analysis::axisymmetric;
+    MirrorSymmetry upright = around_axis ? MirrorSymmetry{} : Mirror(scene, conditions, center, {0, 1}).result();
     if (upright.found) return upright;
     MirrorSymmetry level = Mirror(scene, conditions, center, {1, 0}).result();
     if (level.found) return level;
+    if (around_axis) {
+        level.why_not = "about y = " + number_text(center.y(), 6) + ": " + level.why_not;
+        return level;
+    }
     upright.why_not = "about x = " + number_text(center.x(), 6) + ": " + upright.why_not +
                       "; about y = " + number_text(center.y(), 6) + ": " + level.why_not;
     return upright;
 }
 
-std::string symmetry_text(const MirrorSymmetry& s) {
+std::string symmetry_text(const MirrorSymmetry& s, bool folded) {
     if (!s.found) return "not mirror symmetric " + s.why_not;
-    const bool upright = s.along.x() == 0;
+    const bool upright = s.line.reversed() == 0;
     return "mirror symmetric about " + std::string(upright ? "x = " : "y = ") +
-           number_text(upright ? s.point.x() : s.point.y(), 6) +
-           " in parts, supports and loads; solved as drawn (half of it, on symmetry supports, would do)";
+           number_text(upright ? s.line.point.x() : s.line.point.y(), 6) + " in parts, supports and loads; " +
+           (folded ? "half of it is solved" : "solved as drawn (\"symmetry\": \"auto\" solves half of it)");
 }
 
 }  // namespace abut

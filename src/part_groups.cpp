@@ -23,16 +23,20 @@ void append(std::vector<T>& to, std::vector<T>& from) {
 }
 
 /// By part: the smallest part that it hangs together with.
-std::vector<int> first_of_group(const Scene& scene, const std::vector<Candidate>& candidates) {
+std::vector<int> first_of_group(const Scene& scene, const ResolvedConditions& conditions,
+                                const std::vector<Candidate>& candidates) {
     std::vector<int> first(scene.parts.size());
     std::iota(first.begin(), first.end(), 0);
     for (bool changed = true; changed;) {
         changed = false;
-        for (const Candidate& c : candidates) {
-            int &a = first[at(c.first)], &b = first[at(c.second)];
+        const auto join = [&](int one, int other) {
+            int &a = first[at(one)], &b = first[at(other)];
             changed = changed || a != b;
             a = b = std::min(a, b);
-        }
+        };
+        for (const Candidate& c : candidates) join(c.first, c.second);
+        for (std::size_t i = 0; conditions.mirror && i < first.size(); ++i)
+            join(static_cast<int>(i), conditions.mirror->image[i]);
     }
     return first;
 }
@@ -161,7 +165,7 @@ std::vector<PartGroup> part_groups(const Scene& scene, const ResolvedConditions&
                                    const std::vector<Candidate>& candidates) {
     const std::vector<bool> solved =
         parts_to_solve(scene, conditions, touching_pairs(candidates), closing_pairs(scene, candidates));
-    const std::vector<int> first = first_of_group(scene, candidates);
+    const std::vector<int> first = first_of_group(scene, conditions, candidates);
     std::vector<PartGroup> groups;
     std::vector<int> group_of(scene.parts.size(), -1);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {

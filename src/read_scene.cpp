@@ -49,7 +49,8 @@ void read_general(SceneReading& reading, Scene& scene) {
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
         if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
-    if (const JsonValue* symmetry = find_member(root, "symmetry")) read_word(reading, *symmetry, {{"off"}, {"auto"}});
+    if (const JsonValue* symmetry = find_member(root, "symmetry"))
+        scene.fold_symmetry = read_word(reading, *symmetry, {{"off", "auto"}, {}}) == "auto";
 }
 
 void read_all_parts(SceneReading& reading, Scene& scene) {

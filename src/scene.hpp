@@ -153,6 +153,7 @@ struct Scene {
     std::string title;
     std::string length_unit, force_unit;  ///< labels, may be empty
     Analysis analysis = Analysis::plane_stress;
+    bool fold_symmetry = false;  ///< "symmetry": "auto"
     std::vector<Material> materials;
     std::vector<ScenePart> parts;  ///< in the scene's order, the assembly's parts after "parts"
     std::vector<Support> supports;

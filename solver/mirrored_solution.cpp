@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/mirrored_solution.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "solver/condensation.hpp"
+#include "solver/fold.hpp"
+#include "solver/mirrored_rows.hpp"
+#include "solver/neutral_motions.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+const PartMirror& mirror_of(const PartSystem& part) {
+    return *part.input.mirror;
+}
+
+/// True: a part and its image do not answer alike.
+bool find_asymmetry(const AssemblyProblem& problem, MirroredSolution& result) {
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        if (mirror_of(problem.parts[i]).role == MirrorRole::follower) continue;
+        result.failure = asymmetry_of(problem.parts[i], problem.parts[at(mirror_of(problem.parts[i]).image)]);
+        result.part = static_cast<int>(i);
+        if (!result.failure.empty()) return true;
+    }
+    return false;
+}
+
+/// The leaders stand for two parts, their unknowns for sqrt(2) times their displacements; the constraints that are left.
+class Folded {
+public:
+    Folded(AssemblyProblem& problem, const FoldedRows& rows) : problem_(problem), constraints_(problem.constraints) {
+        const std::size_t first = rows.kept.size() - constraints_.size();
+        problem.constraints.clear();
+        for (std::size_t k = 0; k < constraints_.size(); ++k)
+            if (rows.kept[first + k]) problem.constraints.push_back(constraints_[k]);
+        for (PartSystem& part : problem.parts) {
+            saved_.push_back({part.load, part.prescribed});
+            if (mirror_of(part).role != MirrorRole::leader) continue;
+            part.load *= std::sqrt(2.0);
+            part.prescribed *= std::sqrt(2.0);
+        }
+    }
+    Folded(const Folded&) = delete;
+    Folded& operator=(const Folded&) = delete;
+    ~Folded() {
+        problem_.constraints = std::move(constraints_);
+        for (std::size_t i = 0; i < saved_.size(); ++i)
+            std::tie(problem_.parts[i].load, problem_.parts[i].prescribed) = std::move(saved_[i]);
+    }
+
+private:
+    AssemblyProblem& problem_;
+    std::vector<MeanConstraint> constraints_;
+    std::vector<std::pair<VectorXd, VectorXd>> saved_;
+};
+
+VectorXd unfolded(const VectorXd& multipliers, const FoldedRows& rows) {
+    VectorXd whole = VectorXd::Zero(static_cast<Index>(rows.folded.size()));
+    for (std::size_t r = 0; r < rows.folded.size(); ++r)
+        if (rows.folded[r] >= 0) whole[static_cast<Index>(r)] = rows.sign[r] * multipliers[rows.folded[r]];
+    return whole;
+}
+
+void unfold_displacements(const AssemblyProblem& problem, AssemblySolution& solution) {
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartMirror& mirror = mirror_of(problem.parts[i]);
+        if (mirror.role != MirrorRole::leader) continue;
+        solution.displacement[i] *= std::sqrt(0.5);
+        solution.displacement[at(mirror.image)] = mirrored(mirror, solution.displacement[i]);
+    }
+}
+
+void unfold_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, AssemblySolution& solution) {
+    VectorXd contact_only = multipliers;
+    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
+        solution.contact_load[i] = transposed_times(rows.by_part[i], contact_only, 2 * part.n());
+        solution.load[i] = part.load + transposed_times(rows.by_part[i], multipliers, 2 * part.n());
+    }
+}
+
+/// The same motions of the leaders' images.
+void append_images(const AssemblyProblem& problem, std::vector<PartMotion>& motions) {
+    const std::size_t n = motions.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const PartMirror& mirror = mirror_of(problem.parts[at(motions[k].part)]);
+        if (mirror.role != MirrorRole::leader) continue;
+        const auto line = [&](int part) -> const KnotVector& {
+            const SplineSpace& space = problem.parts[at(part)].input.space;
+            return mirror.axis == 0 ? space.x : space.y;
+        };
+        PartMotion image{mirror.image, motions[k].motion};
+        image.motion.translation[mirror.axis] *= -1;
+        image.motion.rotation *= -1;
+        image.motion.center[mirror.axis] = line(mirror.image).breakpoints.front() +
+                                           (line(motions[k].part).breakpoints.back() - motions[k].motion.center[mirror.axis]);
+        motions.push_back(image);
+    }
+}
+
+/// The systems' free motions are all of them meanwhile, not the symmetric ones alone.
+class AllMotions {
+public:
+    explicit AllMotions(AssemblyProblem& problem) : problem_(problem) {
+        for (PartSystem& part : problem.parts) {
+            std::swap(part.free_motions, part.all_free_motions);
+            MatrixXd modes(2 * part.n(), static_cast<Index>(part.free_motions.size()));
+            for (std::size_t k = 0; k < part.free_motions.size(); ++k)
+                modes.col(static_cast<Index>(k)) = coefficients_of(part.input.space, part.free_motions[k]);
+            std::swap(part.modes, modes);
+            symmetric_.push_back(std::move(modes));
+        }
+    }
+    AllMotions(const AllMotions&) = delete;
+    AllMotions& operator=(const AllMotions&) = delete;
+    ~AllMotions() {
+        for (std::size_t i = 0; i < symmetric_.size(); ++i) {
+            std::swap(problem_.parts[i].free_motions, problem_.parts[i].all_free_motions);
+            problem_.parts[i].modes = std::move(symmetric_[i]);
+        }
+    }
+
+    /// Those that nothing resists.
+    std::vector<PartMotion> neutral(const Rows& rows) const {
+        const MotionSplit split = split_motions(problem_, constraint_modes(rows));
+        std::vector<PartMotion> motions;
+        for (Index k = 0; k < split.neutral.cols(); ++k)
+            for (const PartMotion& m : part_motions(problem_.parts, split.neutral.col(k))) motions.push_back(m);
+        return motions;
+    }
+
+private:
+    /// What constraints make of the motions; zero in the interfaces' rows, which are not read.
+    MatrixXd constraint_modes(const Rows& rows) const {
+        const std::vector<Index> offset = mode_offsets(problem_.parts);
+        MatrixXd modes = MatrixXd::Zero(rows.n, offset.back());
+        const int first = rows.n - static_cast<int>(problem_.constraints.size());
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i)
+            for (const RowEntry& e : rows.by_part[i])
+                if (e.row >= first)
+                    modes.row(e.row).segment(offset[i], offset[i + 1] - offset[i]) +=
+                        e.value / rows.weight[e.row] * problem_.parts[i].modes.row(e.coefficient);
+        return modes;
+    }
+
+    AssemblyProblem& problem_;
+    std::vector<MatrixXd> symmetric_;  // modes
+};
+
+}  // namespace
+
+MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
+    MirroredSolution result;
+    const auto begin = std::chrono::steady_clock::now();
+    if (find_asymmetry(problem, result)) return result;
+    const AssemblyRows whole = assembly_rows(problem);
+    const RowImages images = row_images(problem, whole.rows);
+    if (images.lonely_part >= 0) {
+        result.part = images.lonely_part;
+        result.failure = "its contacts have no mirror image";
+        return result;
+    }
+    const FoldedRows rows = fold_rows(problem, whole, images.image);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    RowsSolution answer;
+    {
+        const Folded folded(problem, rows);
+        answer = solve_rows(problem, rows.all, threads);
+    }
+    AssemblySolution& solution = result.solution = std::move(answer.solution);
+    solution.seconds.rows = result.seconds;
+    solution.n_multipliers = whole.rows.n;
+    for (std::vector<PartMotion>* motions : {&solution.driven, &solution.mechanism}) append_images(problem, *motions);
+    if (!solution.mechanism.empty()) return result;
+    solution.neutral = AllMotions(problem).neutral(whole.rows);
+    const VectorXd multipliers = unfolded(answer.multipliers, rows);
+    unfold_displacements(problem, solution);
+    unfold_loads(problem, whole.rows, multipliers, solution);
+    split_multipliers(problem, whole, multipliers, solution);
+    return result;
+}
+
+}  // namespace abut::solver
