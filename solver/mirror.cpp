@@ -59,13 +59,17 @@ private:
     const PlaceImage& place_;
 };
 
-/// Middle of an element's points, by element; of those with rules of their own.
+/// Centroids of the elements that have rules of their own; points of rules may lie anywhere.
 std::map<int, Vec2> middles(const PartInput& input) {
     std::map<int, Vec2> middle;
     for (const CellRule& rule : input.cut_rules) {
         Vec2 sum(0, 0);
-        for (const Vec2& p : rule.points) sum += p;
-        middle[rule.element] = sum / std::max<double>(1, static_cast<double>(rule.points.size()));
+        double area = 0;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            sum += rule.weights[q] * rule.points[q];
+            area += rule.weights[q];
+        }
+        middle[rule.element] = sum / area;
     }
     return middle;
 }
