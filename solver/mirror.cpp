@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 namespace abut::solver {
 
@@ -13,8 +12,6 @@ namespace {
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
-
-using Row = std::vector<std::pair<int, double>>;  // function, coefficient
 
 /// The mirror's action on the grids.
 class GridImage {
@@ -143,40 +140,6 @@ bool map_functions(const SplineSpace& part, const SplineSpace& image, const std:
     return std::none_of(to.begin(), to.end(), [](int f) { return f < 0; });
 }
 
-std::vector<Row> rows_of(const SplineSpace& space) {
-    std::vector<Row> rows(space.first.size() - 1);
-    for (std::size_t b = 0; b < rows.size(); ++b)
-        for (int k = space.first[b]; k < space.first[b + 1]; ++k)
-            rows[b].emplace_back(space.function[at(k)], space.coefficient[at(k)]);
-    return rows;
-}
-
-void set_rows(const std::vector<Row>& rows, SplineSpace& space) {
-    space.first = {0};
-    space.function.clear();
-    space.coefficient.clear();
-    for (const Row& row : rows) {
-        for (const auto& [function, coefficient] : row) {
-            space.function.push_back(function);
-            space.coefficient.push_back(coefficient);
-        }
-        space.first.push_back(static_cast<int>(space.function.size()));
-    }
-}
-
-Row mirrored(Row row, const SpaceImage& image) {
-    for (auto& entry : row) entry.first = image.function[at(entry.first)];
-    std::sort(row.begin(), row.end());
-    return row;
-}
-
-Row mean_of(const Row& a, const Row& b) {
-    std::map<int, double> sum;
-    for (const Row* row : {&a, &b})
-        for (const auto& [function, coefficient] : *row) sum[function] += 0.5 * coefficient;
-    return {sum.begin(), sum.end()};
-}
-
 }  // namespace
 
 SpaceImage space_image(const PartInput& part, const PartInput& image, const PlaceImage& place) {
@@ -191,20 +154,6 @@ SpaceImage space_image(const PartInput& part, const PartInput& image, const Plac
     else if (!map_functions(part.space, image.space, result.branch, result.function))
         result.failure = "cells filled to a quarter there are not here";
     return result;
-}
-
-void share_extension(const SplineSpace& part, const SpaceImage& image, SplineSpace& to) {
-    if (part.n_extended == 0) return;
-    const std::vector<Row> rows = rows_of(part);
-    std::vector<Row> shared = rows_of(to);
-    const bool is_own = &part == &to;
-    for (std::size_t b = 0; b < rows.size(); ++b) {
-        const int other = image.branch[b];
-        if (rows[b].empty() || other < 0 || (is_own && other < static_cast<int>(b))) continue;
-        const Row row = mirrored(rows[b], image);
-        shared[at(other)] = is_own && other == static_cast<int>(b) ? mean_of(rows[b], row) : row;
-    }
-    set_rows(shared, to);
 }
 
 }  // namespace abut::solver

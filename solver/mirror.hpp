@@ -20,15 +20,11 @@ struct PlaceImage {
 
 /// Numbers in the image of a part's elements, branches and functions.
 struct SpaceImage {
-    std::vector<int> element, branch, function;  ///< -1: it has no material there
+    std::vector<int> element, branch, function;  ///< -1: none
     std::string failure;                         ///< not empty: the grids are no mirror images, and how they differ
 };
 /// Components of split cells are told apart by where their points are. Cells that hold next to nothing need no image.
 SpaceImage space_image(const PartInput& part, const PartInput& image, const PlaceImage& place);
-
-/// Gives the image the part's extension: where two inner elements are equally near, the spaces may have chosen differently.
-/// Of a part that is its own image the branches on the mirror line are continued from either side, half and half.
-void share_extension(const SplineSpace& part, const SpaceImage& image, SplineSpace& to);
 
 /// Filled fractions that rounding may leave on one side only, where an edge touches a grid line.
 inline constexpr double mirrored_sliver = 1e-9;

@@ -31,33 +31,40 @@ int tensor_of_branch(const SplineSpace& s, int branch) {
     return branch < s.n_tensor() ? branch : s.tensor_of_extra[at(branch - s.n_tensor())];
 }
 
+/// Squared distances that differ by less, relatively, are equal.
+constexpr double equal_distance = 1e-9;
+
 /// Walks from element to element through the part's material until it meets inner ones.
 class InnerSearch {
 public:
     InnerSearch(const SplineSpace& space, const ElementGraph& graph)
         : space_(space), graph_(graph), mark_(space.fraction.size(), -1) {}
 
-    /// Of the inner elements in the fewest steps, or one more (a step to a diagonal neighbour takes two), the one whose middle
-    /// is closest to a point. -1: none can be reached.
-    int nearest(const std::vector<int>& from, const Vec2& to) {
+    /// Of the inner elements in the fewest steps, or one more (a step to a diagonal neighbour takes two), those whose middles
+    /// are closest to a point, ascending. Empty: none can be reached.
+    const std::vector<int>& nearest(const std::vector<int>& from, const Vec2& to) {
         ++stamp_;
         front_ = from;
         for (int e : front_) mark_[at(e)] = stamp_;
-        int best = -1, steps_left = 1;
-        double closest = std::numeric_limits<double>::infinity();
-        while (!front_.empty() && steps_left >= 0) {
-            for (int e : front_) {
-                if (space_.fraction[at(e)] < inner_cell_fraction || distance_squared(space_, e, to) >= closest) continue;
-                closest = distance_squared(space_, e, to);
-                best = e;
-            }
-            if (best >= 0) --steps_left;
-            step();
+        found_.clear();
+        closest_ = std::numeric_limits<double>::infinity();
+        for (int steps_left = 1; !front_.empty() && steps_left >= 0; step()) {
+            for (int e : front_)
+                if (space_.fraction[at(e)] >= inner_cell_fraction) take_if_near(e, distance_squared(space_, e, to));
+            if (!found_.empty()) --steps_left;
         }
-        return best;
+        std::sort(found_.begin(), found_.end());
+        return found_;
     }
 
 private:
+    void take_if_near(int element, double distance) {
+        if (distance > closest_ * (1 + equal_distance)) return;
+        if (distance < closest_ * (1 - equal_distance)) found_.clear();
+        closest_ = std::min(closest_, distance);
+        found_.push_back(element);
+    }
+
     void step() {
         next_.clear();
         for (int e : front_)
@@ -71,7 +78,8 @@ private:
 
     const SplineSpace& space_;
     const ElementGraph& graph_;
-    std::vector<int> mark_, front_, next_;
+    std::vector<int> mark_, front_, next_, found_;
+    double closest_ = 0;
     int stamp_ = -1;
 };
 
@@ -90,22 +98,33 @@ std::vector<Role> roles(const SplineSpace& s) {
     return role;
 }
 
-/// Row of a branch that is continued from an element's polynomials.
-void append_extended(SplineSpace& s, int branch, int from, const std::vector<int>& own) {
+using RowEntries = std::vector<std::pair<int, double>>;  // function, coefficient
+
+/// What continues an element's polynomials, times a factor.
+void add_continuation(const SplineSpace& s, int branch, int from, double factor, const std::vector<int>& own, RowEntries& row) {
     const int nx = s.x.n_functions(), tensor = tensor_of_branch(s, branch);
     const LocalValues ex = extension_coefficients(s.x, s.column_of(from), tensor % nx),
                       ey = extension_coefficients(s.y, s.row_of(from), tensor / nx);
     const std::vector<int> local = tensor_functions(s, from);
-    std::vector<std::pair<int, double>> row;
     for (std::size_t k = 0; k < local.size(); ++k) {
         const auto p = at(s.x.degree + 1);
         const double e = ex[k % p] * ey[k / p];
-        if (e != 0) row.emplace_back(own[at(local[k])], e);
+        if (e != 0) row.emplace_back(own[at(local[k])], factor * e);
     }
+}
+
+/// Row of a branch that is continued from elements, equally from each: so the space of a mirrored part is the mirrored space.
+void append_extended(SplineSpace& s, int branch, const std::vector<int>& from, const std::vector<int>& own) {
+    RowEntries row;
+    for (int element : from) add_continuation(s, branch, element, 1 / static_cast<double>(from.size()), own, row);
     std::sort(row.begin(), row.end());
     for (const auto& [function, coefficient] : row) {
-        s.function.push_back(function);
-        s.coefficient.push_back(coefficient);
+        const bool is_new = static_cast<int>(s.function.size()) == s.first.back() || s.function.back() != function;
+        if (is_new) {
+            s.function.push_back(function);
+            s.coefficient.push_back(0);
+        }
+        s.coefficient.back() += coefficient;
     }
     ++s.n_extended;
 }
@@ -128,9 +147,9 @@ void make_rows(SplineSpace& s, const ElementGraph& graph, const std::vector<Role
             s.function.push_back(own[k]);
             s.coefficient.push_back(1);
         } else if (role[k] == Role::extended) {
-            const int from =
+            const std::vector<int>& from =
                 search.nearest(support_elements(s, graph, branch), greville_of_tensor(s, tensor_of_branch(s, branch)));
-            if (from < 0)
+            if (from.empty())
                 s.failure = "no cell is filled to a quarter where the part is thin: the grid is too coarse";
             else
                 append_extended(s, branch, from, own);

@@ -35,8 +35,8 @@ struct Splits {
 };
 
 /// Every branch is a combination of the space's functions ("extraction"): itself, where it is one of them; for an extended
-/// basis, where its support holds no inner cell, the continuation of the polynomials of the nearest inner element. Nothing
-/// downstream knows which basis it is.
+/// basis, where its support holds no inner cell, the continuation of the polynomials of the nearest inner element, or the mean
+/// of the continuations where several are equally near. Nothing downstream knows which basis it is.
 struct SplineSpace {
     KnotVector x, y;
     Basis basis = Basis::web;

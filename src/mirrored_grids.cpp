@@ -69,13 +69,12 @@ std::vector<int> inverse(const std::vector<int>& map) {
 using Mirrors = std::vector<std::shared_ptr<const solver::PartMirror>>;
 
 /// Of a part and its image, which is the part itself or comes later. Returns what is wrong.
-std::string add_mirrors(const MirrorLine& mirror, int part, int image, SolvedAssembly& solved, Mirrors& mirrors) {
-    PartOnGrid &own = solved.grids[at(part)], &other = solved.grids[at(image)];
+std::string add_mirrors(const MirrorLine& mirror, int part, int image, const SolvedAssembly& solved, Mirrors& mirrors) {
+    const PartOnGrid &own = solved.grids[at(part)], &other = solved.grids[at(image)];
     const solver::PlaceImage place = place_image(own.frame, other.frame, mirror);
     if (place.axis < 0) return "its grid is turned against the mirror line";
     const solver::SpaceImage map = solver::space_image(own.input, other.input, place);
     if (!map.failure.empty()) return map.failure;
-    solver::share_extension(own.input.space, map, other.input.space);
     const auto made = [&](solver::MirrorRole role, int of, const std::vector<int>& function) {
         return std::make_shared<const solver::PartMirror>(solver::part_mirror(role, of, place.axis, function));
     };

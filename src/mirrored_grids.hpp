@@ -14,7 +14,7 @@ void make_symmetric(const MirrorLine& mirror, PartGrid& grid);
 /// Grid of a part whose image is on a grid already.
 PartGrid mirrored_grid(const Scene& scene, int part, const PartOnGrid& image, const MirrorLine& mirror);
 
-/// Tells all parts what their images are, and gives images the same extension. Empty: done; else which part has no image on its
+/// Tells all parts what their images are. Empty: done; else which part has no image on its
 /// grid, and why; then no part is told anything.
 std::string set_mirrors(const Scene& scene, const MirrorLine& mirror, SolvedAssembly& solved);
 

@@ -92,10 +92,10 @@ std::string beam() {
 }
 
 /// Two discs pressed together: their contact lies on the mirror line.
-std::string discs() {
-    return scene(part("left", R"({"circle": {"center": [-1, 0], "radius": 1}})") + "," +
-                     part("right", R"({"circle": {"center": [1, 0], "radius": 1}})"),
-                 R"("supports": [{"part": "left", "rigid": {"translation": [0.04, 0], "rotation": 0}},
+std::string discs(const std::string& material, const std::string& rest) {
+    return scene(part("left", R"({"circle": {"center": [-1, 0], "radius": 1}})", material) + "," +
+                     part("right", R"({"circle": {"center": [1, 0], "radius": 1}})", material),
+                 rest + R"("supports": [{"part": "left", "rigid": {"translation": [0.04, 0], "rotation": 0}},
                                  {"part": "right", "rigid": {"translation": [-0.04, 0], "rotation": 0}}],
                     "accuracy": {"cell_size": 0.11})");
 }
@@ -139,7 +139,8 @@ std::vector<Case> cases() {
         {"vise", vise("mortar"), 1, 1},
         {"vise by penalty", vise("penalty"), 1, 1},
         {"pulled beam", beam(), 1, 2},
-        {"discs", discs(), 0, 1},
+        {"discs", discs("m", ""), 0, 1},
+        {"rubber discs", discs("rubber", R"("analysis": "plane_strain", )"), 0, 1},
         {"bonded neighbours",
          bonded(R"({"min": [-1, 0], "max": [0, 2]})", R"({"min": [0, 0], "max": [1, 2]})", R"(["a/right", "b/left"])"), 0, 1},
         {"bonded blocks",
