@@ -105,6 +105,17 @@ void plan_symmetry(const Scene& scene, ResolvedConditions& conditions, Result& r
         result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
 }
 
+/// The grids turned out not to be symmetric.
+void note_not_folded(const std::string& why, Result& result) {
+    const std::string text = "solved as drawn, because the grids are not symmetric: " + why;
+    for (Effect& e : result.effects)
+        if (e.name == "symmetry") {
+            e.on = false;
+            e.why = text;
+        }
+    result.warnings.push_back("\"symmetry\": \"auto\": " + text);
+}
+
 Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
@@ -123,9 +134,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
 
     const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
-    if (!out.solved.not_folded.empty())
-        result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn, because the grids are not symmetric: " +
-                                  out.solved.not_folded);
+    if (!out.solved.not_folded.empty()) note_not_folded(out.solved.not_folded, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),
