@@ -295,15 +295,21 @@ private:
     double near_ = 0;
 };
 
+/// An axis of coordinates where it is that but for rounding.
 Vec2 common_centroid(const Scene& scene) {
     Vec2 sum(0, 0);
     double total = 0;
+    geometry::Box2 box;
     for (const ScenePart& p : scene.parts) {
         const double a = area(p.part);
         sum += a * centroid(p.part);
         total += a;
+        box.extend(bounding_box(p.part));
     }
-    return sum / total;
+    Vec2 center = sum / total;
+    for (double& c : center)
+        if (std::abs(c) <= place_fraction * box.diagonal()) c = 0;
+    return center;
 }
 
 }  // namespace
