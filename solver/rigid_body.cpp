@@ -26,6 +26,15 @@ RigidMotion motion_of(const Eigen::Vector3d& q, const RigidBody& body) {
     return {q.head<2>(), q[2] / body.size, body.center};
 }
 
+/// A rigid ring has one motion, along the axis: it does not stretch.
+std::vector<RigidMotion> split_motion_along_axis(RigidBody& body) {
+    double held = 0;
+    for (const MotionCondition& c : body.conditions) held += c.weight * c.row[1] * c.row[1];
+    if (held == 0) return {motion_of({0, 1, 0}, body)};
+    body.held_inverse(1, 1) = 1 / held;
+    return {};
+}
+
 /// Free motions; held_inverse of the rest.
 std::vector<RigidMotion> split_motions(RigidBody& body) {
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
@@ -75,7 +84,7 @@ PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> condi
     s.input = std::move(input);
     s.load = s.applied = std::move(applied);
     RigidBody body{center, size, std::move(conditions)};
-    s.free_motions = split_motions(body);
+    s.free_motions = s.input.axis ? split_motion_along_axis(body) : split_motions(body);
     keep_symmetric_motions(s);
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);

@@ -32,7 +32,8 @@ struct RigidBody {
 /// Whether the conditions can all be met by one motion, but for rounding.
 bool is_consistent(const RigidBody& body);
 
-/// input: a space that holds linear functions; nothing else of it is read. applied: loads (2n). failure stays empty.
+/// input: a space that holds linear functions; of the rest its axis alone is read: a body around one moves along y only.
+/// applied: loads (2n). failure stays empty.
 PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> conditions, Eigen::VectorXd applied,
                              const Vec2& center, double size);
 

@@ -95,16 +95,6 @@ void check_thickness(SceneReading& reading, Scene& scene) {
     for (ScenePart& part : scene.parts) part.thickness = full_circle;
 }
 
-/// A rigid ring does not stretch, so that it cannot be displaced along x: nothing of it is computed yet.
-void check_rigid_rings(SceneReading& reading, const Scene& scene) {
-    if (scene.analysis != Analysis::axisymmetric) return;
-    for (const ScenePart& part : scene.parts)
-        if (part.material >= 0 && scene.materials[static_cast<std::size_t>(part.material)].rigid)
-            if (const JsonValue* value = find_pointer(reading.root, part.where))
-                report(reading, *value, "part " + part.name + " is \"rigid\": axisymmetric scenes have no rigid parts",
-                       "give it a material with a large modulus (1e4 times its neighbours' is enough)");
-}
-
 /// A plane part spins about a point, a part around an axis about that.
 void check_spin_about(SceneReading& reading, const Scene& scene, const Load& load) {
     const JsonValue& spin = *find_member(*find_pointer(reading.root, load.where), "spin");
@@ -181,7 +171,6 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
     if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
     check_thickness(reading, scene);
-    check_rigid_rings(reading, scene);
     read_sections(reading, scene);
     // Edges can be looked up only where every part has its geometry.
     if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);

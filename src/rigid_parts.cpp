@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/gauss.hpp"
+#include "src/axisymmetric.hpp"
 #include "src/contact_pairing.hpp"
 #include "src/load_vector.hpp"
 #include "src/selection.hpp"
@@ -138,7 +139,6 @@ bool deforms_by_itself(const Scene& scene, int part) {
 }  // namespace
 
 std::string why_rigid(const Scene& scene, int part) {
-    if (scene.analysis == Analysis::axisymmetric) return "";
     const Material& own = material_of(scene, part);
     if (own.rigid) return "its material is \"rigid\"";
     const auto is_softer = [&](const Material& m) { return own.E > rigid_stiffness_ratio * m.E; };
@@ -179,6 +179,7 @@ PartOnGrid put_rigid_part(const Scene& scene, int part) {
     g.input.line_rule = {line.points, line.weights};
     g.input.elasticity = {};
     g.input.thickness = source.thickness;
+    if (scene.analysis == Analysis::axisymmetric) put_around_axis(scene, g);
     return g;
 }
 

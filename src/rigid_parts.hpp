@@ -14,8 +14,8 @@ namespace abut {
 /// about the inverse.
 inline constexpr double rigid_stiffness_ratio = 1e6;
 
-/// Why a part is rigid; empty: it is not, as no part around an axis, and by its
-/// modulus none that its own loads, supports or temperature deform. "It can touch": their boxes come within the first search distance.
+/// Why a part is rigid; empty: it is not, as by its modulus none that its own loads, supports or temperature deform. "It can
+/// touch": their boxes come within the first search distance.
 std::string why_rigid(const Scene& scene, int part);
 
 /// The part in few large cells of bilinear functions, which are there to integrate loads and to hold its motions.

@@ -118,10 +118,10 @@ VerifyProblem warm(const std::string& name, const std::string& about, double nu,
 }
 
 /// Interference 0.002 at radius 2; force: of the pressure over the whole seat, a length of 1.
-VerifyProblem press_fit(const std::string& name, const std::string& about, double bore, double p) {
+VerifyProblem press_fit(const std::string& name, const std::string& about, VerifyRun run, double p) {
     return {name,
             about,
-            {{"verification/shrink_fit_rz.json", {{"bore", bore}}}},
+            {std::move(run)},
             {{"mean pressure", [](const Answers& a) { return mean_pressure(contact_of(a)); }, p, 1e-3},
              {"largest pressure", peak, p, 1e-3},
              {"least pressure", [](const Answers& a) { return least_pressure(contact_of(a)); }, p, 1e-3},
@@ -131,9 +131,9 @@ VerifyProblem press_fit(const std::string& name, const std::string& about, doubl
 struct PointContact {
     double a, p0;
 };
-/// Of equal materials with nu = 0.3; radius: 1 / (1/R1 + 1/R2).
-PointContact point_contact(double radius, double load) {
-    const double modulus = E / (2 * (1 - 0.09)), a = std::cbrt(0.75 * load * radius / modulus);
+/// Bodies that yield: two of equal materials with nu = 0.3, or one; radius: 1 / (1/R1 + 1/R2).
+PointContact point_contact(double radius, double load, int yielding) {
+    const double modulus = E / (yielding * (1 - 0.09)), a = std::cbrt(0.75 * load * radius / modulus);
     return {a, 1.5 * load / (pi * a * a)};
 }
 
@@ -150,8 +150,9 @@ double profile_error(const ContactResult& contact, const PointContact& hertz) {
 }
 
 /// a / R = 0.03: the closed form leaves out terms of its square.
-VerifyProblem spheres(const std::string& name, const std::string& about, const std::string& scene, double radius, double load) {
-    const PointContact h = point_contact(radius, load);
+VerifyProblem spheres(const std::string& name, const std::string& about, const std::string& scene, double radius, double load,
+                      int yielding = 2) {
+    const PointContact h = point_contact(radius, load, yielding);
     constexpr double one_percent = 0.01;
     return {name,
             about,
@@ -176,10 +177,13 @@ std::vector<VerifyProblem> axisymmetric_problems() {
         spinning("R-spin-bore", "the same with a bore", 0.25),
         warm("R-warm", "heat flows outward through a cylinder", 0.3, 2),
         warm("R-warm-incompressible", "the same, nu = 0.4999, degree 3", 0.4999, 3),
-        press_fit("R-press-fit", "two tubes shrunk together", 1, 25.755495),
-        press_fit("R-press-fit-shaft", "a tube on a solid shaft", 0, 30.525031),
+        press_fit("R-press-fit", "two tubes shrunk together", {"verification/shrink_fit_rz.json", {{"bore", 1}}}, 25.755495),
+        press_fit("R-press-fit-shaft", "a tube on a solid shaft", {"verification/shrink_fit_rz.json", {{"bore", 0}}},
+                  30.525031),
+        press_fit("R-press-fit-rigid", "a tube on a rigid shaft", {"verification/rigid_shaft_rz.json", {}}, 36.284470),
         spheres("R-hertz-flat", "a sphere on a flat block", "hertz_sphere_on_flat", 10, 197.802),
-        spheres("R-hertz-spheres", "two spheres, radii 10 and 5", "hertz_spheres", 10.0 / 3, 21.978)};
+        spheres("R-hertz-spheres", "two spheres, radii 10 and 5", "hertz_spheres", 10.0 / 3, 21.978),
+        spheres("R-hertz-rigid", "a rigid sphere on a flat block", "rigid_sphere_rz", 10, 395.604, 1)};
     problems.insert(problems.end(), others.begin(), others.end());
     return problems;
 }

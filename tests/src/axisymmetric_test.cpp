@@ -15,10 +15,11 @@ struct Tube {
     std::string analysis = "axisymmetric", geometry = R"({"rectangle": {"min": [1, 0], "max": [2, 1]}})",
                 loads = R"([{"on": "tube/top", "pressure": 10}])", supports = R"([{"on": "tube/bottom", "fix": ["y"]}])", more,
                 material = R"({"E": 1000, "nu": 0.3, "density": 2, "expansion": 1e-3})", thickness;
+    bool rigid = false;
     std::string text() const {
         return R"({"abut": 1, "analysis": ")" + analysis + R"(", )" + thickness + R"("materials": {"m": )" + material +
-               R"(}, "parts": [{"name": "tube", "material": "m", "geometry": )" + geometry + R"(}], "supports": )" + supports +
-               R"(, "loads": )" + loads + more + "}";
+               R"(}, "parts": [{"name": "tube", "material": ")" + (rigid ? "rigid" : "m") + R"(", "geometry": )" + geometry +
+               R"(}], "supports": )" + supports + R"(, "loads": )" + loads + more + "}";
     }
 };
 
@@ -82,6 +83,26 @@ TEST(Axisymmetric, EdgesOnTheAxisTakeNoLoadAndNoHold) {
     expect_refusal(t, "/supports/0", "tube/left lies on the axis");
     t.supports = R"([{"on": "tube/left", "symmetry": true}, {"on": "tube/bottom", "fix": ["y"]}])";
     EXPECT_EQ(refusal(t), "none") << "that is held anyway";
+}
+
+/// A rigid ring moves along the axis and in no other way.
+TEST(Axisymmetric, RigidPartsMoveAlongTheAxis) {
+    Tube t;
+    t.rigid = true;
+    const Result held = test::answer(t.text());
+    ASSERT_EQ(held.status, "ok") << held.message;
+    EXPECT_NEAR(held.equilibrium.reaction.y(), 10 * M_PI * 3, 1e-9);
+    EXPECT_EQ(held.parts[0].max_displacement.value, 0);
+    t.supports = R"([{"on": "tube/bottom", "displacement": {"y": 0.25}}, {"on": "tube/right", "fix": ["x"]}])";
+    const Result moved = test::answer(t.text());
+    ASSERT_EQ(moved.status, "ok") << moved.message;
+    EXPECT_NEAR(moved.parts[0].max_displacement.value, 0.25, 1e-12);
+    t.supports = R"([{"on": "tube/bottom", "fix": ["y"]}, {"on": "tube/right", "displacement": {"x": 0.01}}])";
+    expect_refusal(t, "/supports/1", "prescribe displacements that no rigid motion has (off by 0.01)");
+    t.supports = R"([{"on": "tube/right", "fix": ["x"]}])";
+    const Result loose = test::answer(t.text());
+    EXPECT_EQ(loose.status, "failed");
+    EXPECT_NE(loose.message.find("tube slides along (0, "), std::string::npos) << loose.message;
 }
 
 TEST(Loads, NeedTheirMaterialsNumbers) {
