@@ -168,6 +168,33 @@ std::vector<Case> cases() {
                   "accuracy": {"cell_size": 0.19})"),
          1, 0},
     };
+    list.push_back({"tubes shrunk together",
+                    scene(part("in", R"({"rectangle": {"min": [1, 0], "max": [2, 1]}})") + "," +
+                              part("out", R"({"rectangle": {"min": [2, -0.5], "max": [3, 1.5]}})"),
+                          R"("analysis": "axisymmetric", "supports": [{"on": "out/right", "spring": {"normal": 10}}],
+                             "loads": [{"on": ["out/top", "out/bottom"], "pressure": 5}],
+                             "contacts": {"pairs": [{"between": ["in/right", "out/left"], "interference": 0.002}]},
+                             "accuracy": {"cell_size": 0.11})"),
+                    2, 0});
+    list.push_back({"rings pressed together",
+                    scene(part("low", R"({"intersection": [{"circle": {"center": [2, -1], "radius": 1}},
+                                                           {"rectangle": {"min": [0, -1], "max": [4, 0.1]}}]})") +
+                              "," + part("high", R"({"intersection": [{"circle": {"center": [2, 1], "radius": 1}},
+                                                           {"rectangle": {"min": [0, -0.1], "max": [4, 1]}}]})"),
+                          R"("analysis": "axisymmetric", "supports": [{"on": "low/bottom", "displacement": {"y": 0.05}},
+                                                                      {"on": "high/top", "displacement": {"y": -0.05}}],
+                             "accuracy": {"cell_size": 0.09})"),
+                    0, 1});
+    list.push_back({"apart from each other",
+                    scene(part("left", R"({"rectangle": {"min": [-4, 0], "max": [-3, 1]}})") + "," +
+                              part("right", R"({"rectangle": {"min": [3, 0], "max": [4, 1]}})") + "," +
+                              part("mid", R"({"circle": {"center": [0, 0], "radius": 1}})"),
+                          R"("supports": [{"on": ["left/bottom", "right/bottom"], "fix": ["x", "y"]},
+                                          {"part": "mid", "rigid": {"translation": [0, 0], "rotation": 0}}],
+                             "loads": [{"on": "left/top", "traction": [2, -5]}, {"on": "right/top", "traction": [-2, -5]},
+                                       {"part": "mid", "body_force": ["x", "y^2"]}],
+                             "accuracy": {"cell_size": 0.11})"),
+                    1, 1});
     for (int degree : {1, 2, 3, 4})
         list.push_back({"block of degree " + std::to_string(degree),
                         block("m", squeezed, R"(, "degree": )" + std::to_string(degree)), 1, 0});
