@@ -13,6 +13,7 @@
 #include "apps/commands.hpp"
 #include "apps/drawing_options.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/print_text.hpp"
 #include "apps/version.hpp"
 #include "geometry/input_error.hpp"
 #include "solver/blas_threads.hpp"
@@ -107,6 +108,8 @@ void say_what_is_done(const BatchCall& call, bool quiet) {
     for (const auto& [ending, n] : call.source.left_out)
         left_out += (left_out.empty() ? "" : ", ") + std::to_string(n) + " " + (ending.empty() ? "without an ending" : ending);
     if (!left_out.empty()) std::cerr << "abut: left out, since they are neither scenes nor drawings: " << left_out << "\n";
+    for (const std::string& folder : call.source.folders_left_out)
+        std::cerr << "abut: left out: " << one_line_text(folder) << "\n";
     if (call.run.shard.count > 1) std::cerr << "abut: shard " << call.run.shard.index << " of " << call.run.shard.count << "\n";
 }
 
