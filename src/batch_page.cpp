@@ -26,8 +26,8 @@ td.picture { width: 136px; padding-right: 12px; }
 td.picture img { display: block; }
 td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
 .table td a { display: inline-block; min-width: 6em; }
-td.job { min-width: 200px; }
-th { white-space: normal; }
+td.job { min-width: 150px; }
+th, th.n { white-space: normal; }
 .status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
 .status.differs { background: #fff6e5; color: #8a5200; }
 .status.failed, .status.refused, .status.broken { background: #fdeeee; color: #8a1010; font-weight: 600; }

@@ -156,6 +156,15 @@ TEST_F(BatchCommand, AParameterStudyNeedsNoFiles) {
     EXPECT_NEAR(four / two, 4, 1e-9);
 }
 
+TEST_F(BatchCommand, TakesTheNumberOfWorkersAsMakeDoes) {
+    write_sketches(1);
+    EXPECT_EQ(abut({"batch", "in", "-j2", "-o", "o", "--quiet"}).status, 0);
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j2", "-j", "1", "-o", "o"}).errors, {"-j is given twice"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j0", "-o", "o"}).errors, {"-j", "'0' is not a number above zero"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-jobs", "-o", "o"}).errors, {"unknown option -jobs"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-k2", "-o", "o"}).errors, {"unknown option -k"}));
+}
+
 TEST_F(BatchCommand, RefusesWrongUsage) {
     write_sketches(1);
     write("jobs.csv", "file,Q\nin/s0.dxf,1\n");
