@@ -6,21 +6,17 @@
 #include "geometry/input_error.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/nearest_name.hpp"
+#include "src/scene_words.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
-
-namespace {
-
-const std::vector<std::string> accuracy_levels{"draft", "standard", "fine"};
-
-}  // namespace
 
 void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
     if (!has(arguments, "--accuracy")) return;
     const std::string text = arguments.options.at("--accuracy");
     accuracy.target.reset();
-    if (std::find(accuracy_levels.begin(), accuracy_levels.end(), text) != accuracy_levels.end()) {
+    const std::vector<std::string>& levels = accuracy_levels();
+    if (std::find(levels.begin(), levels.end(), text) != levels.end()) {
         accuracy.level = text;
         return;
     }
@@ -29,7 +25,7 @@ void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
     const std::string numbers =
         " or a relative error from " + number_text(least_target, 1) + " to " + number_text(most_target, 1);
     throw InputError("--accuracy", "'" + shortened(text) + "' is no level and no error to aim at",
-                     "use " + listed(accuracy_levels) + "," + numbers);
+                     "use " + listed(levels) + "," + numbers);
 }
 
 }  // namespace abut

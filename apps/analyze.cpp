@@ -12,6 +12,7 @@
 #include "apps/stopwatch.hpp"
 #include "apps/thread_option.hpp"
 #include "src/analysis.hpp"
+#include "src/left_out_parts.hpp"
 #include "src/mirror_symmetry.hpp"
 #include "src/nearest_name.hpp"
 #include "src/plan.hpp"
@@ -22,8 +23,9 @@ namespace abut {
 
 namespace {
 
-/// Whether the scene is symmetric is looked at here only: it changes no answer, and costs some closest points.
-std::vector<Effect> plan_with_symmetry(const Scene& scene) {
+/// Whether the scene is symmetric is looked at here only: it changes no answer, and costs some closest points. Parts left out
+/// show in a result by themselves.
+std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
     for (Effect& effect : plan)
@@ -32,6 +34,7 @@ std::vector<Effect> plan_with_symmetry(const Scene& scene) {
             effect.on = symmetry.found && scene.fold_symmetry;
             effect.why = symmetry_text(symmetry, scene.fold_symmetry);
         }
+    plan.push_back(left_out_effect(scene, conditions));
     return plan;
 }
 
@@ -76,7 +79,7 @@ int analyze_command(const Arguments& arguments) {
     override_accuracy(scene.accuracy, arguments);
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
-        const std::vector<Effect> plan = plan_with_symmetry(scene);
+        const std::vector<Effect> plan = whole_plan(scene);
         print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan));
         return exit_done;
     }

@@ -35,6 +35,11 @@ bool is_option(const std::string& word) {
     return word.size() > 1 && word[0] == '-';
 }
 
+/// "-j4", as make has it. Other values do not join: "-out" is a misspelt option and not -o with the value "ut".
+bool is_letter_with_number(const std::string& word) {
+    return word.size() > 2 && word[1] != '-' && word.find_first_not_of("0123456789", 2) == std::string::npos;
+}
+
 bool asks_for_help(const std::vector<std::string>& words) {
     const auto end = std::find(words.begin(), words.end(), "--");
     return std::any_of(words.begin(), end, [](const std::string& word) { return word == "--help" || word == "-h"; });
@@ -69,15 +74,16 @@ private:
     std::size_t take_option(const std::vector<std::string>& words, std::size_t at) {
         const std::string& word = words[at];
         const std::size_t equals = word.rfind("--", 0) == 0 ? word.find('=') : std::string::npos;
-        const std::string name = word.substr(0, equals);
+        const bool has_number = is_letter_with_number(word);
+        const std::string name = word.substr(0, has_number ? 2 : equals);
         const OptionSpec* option = find_option(spec_, name);
         if (option == nullptr) {
             problem("unknown option " + shortened(name), nearest_name_hint(name, option_names(spec_)));
             return equals == std::string::npos ? words_meant_as_value(name, words, at) : 0;
         }
         if (arguments_.options.count(name) > 0) problem("option " + name + " is given twice", "give it once");
-        if (equals != std::string::npos) {
-            store_joined(*option, word.substr(equals + 1));
+        if (has_number || equals != std::string::npos) {
+            store_joined(*option, word.substr(has_number ? 2 : equals + 1));
             return 0;
         }
         return store_next(*option, words, at);

@@ -13,6 +13,7 @@
 #include "apps/commands.hpp"
 #include "apps/drawing_options.hpp"
 #include "apps/output_folder.hpp"
+#include "apps/print_text.hpp"
 #include "apps/version.hpp"
 #include "geometry/input_error.hpp"
 #include "solver/blas_threads.hpp"
@@ -47,12 +48,13 @@ std::string accuracy_setting(const Arguments& arguments) {
     return value_or(arguments, "--accuracy", "");
 }
 
-std::map<std::string, std::string> settings_of(const Arguments& arguments, const BatchCall& call) {
+std::map<std::string, std::string> settings_of(const Arguments& arguments) {
     std::map<std::string, std::string> settings{{"version", program_version}, {"--accuracy", accuracy_setting(arguments)}};
     for (const char* name : {"--only", "--distance"}) settings[name] = value_or(arguments, name, "");
-    for (const OptionSpec& option : drawing_option_specs())
-        settings[option.name] = has(arguments, option.name) ? "given " + arguments.options.at(option.name) : "";
-    settings["template"] = call.scene_template ? job_key({}, call.scene_template->inputs) : "";
+    for (const OptionSpec& option : drawing_option_specs()) {
+        const std::string value = value_or(arguments, option.name, "");
+        settings[option.name] = has(arguments, option.name) && value.empty() ? "given" : value;
+    }
     return settings;
 }
 
@@ -96,8 +98,7 @@ BatchCall read_call(const Arguments& arguments) {
     call.run.limits = {memory_of(arguments), timeout_of(arguments)};
     call.run.shard = shard_of(arguments);
     call.run.force = has(arguments, "--force");
-    call.run.settings = settings_of(arguments, call);
-    if (call.scene_template) call.run.inputs = call.scene_template->inputs;
+    call.run.request = {settings_of(arguments), call.job.template_file, {}};
     return call;
 }
 
@@ -107,6 +108,8 @@ void say_what_is_done(const BatchCall& call, bool quiet) {
     for (const auto& [ending, n] : call.source.left_out)
         left_out += (left_out.empty() ? "" : ", ") + std::to_string(n) + " " + (ending.empty() ? "without an ending" : ending);
     if (!left_out.empty()) std::cerr << "abut: left out, since they are neither scenes nor drawings: " << left_out << "\n";
+    for (const std::string& folder : call.source.folders_left_out)
+        std::cerr << "abut: left out: " << one_line_text(folder) << "\n";
     if (call.run.shard.count > 1) std::cerr << "abut: shard " << call.run.shard.index << " of " << call.run.shard.count << "\n";
 }
 
@@ -126,7 +129,6 @@ void say_what_is_not_there(const BatchCall& call) {
 BatchEnd run_call(BatchCall& call, bool quiet) {
     BatchProgressText text(quiet);
     const JobSettings& job = call.job;
-    call.run.own_settings = [&job](const BatchJob& which) { return expectation_setting(job, which); };
     call.run.work = [&job](const BatchJob& which, const std::string& folder) { return do_batch_job(job, which, folder); };
     call.run.interrupted = [] { return stopped_by != 0; };
     call.run.progress = [&text](const BatchProgress& progress) { text.show(progress); };
@@ -169,7 +171,8 @@ int batch_command(const Arguments& arguments) {
     BatchCall call = read_call(arguments);
     const bool quiet = has(arguments, "--quiet");
     prepare_output_folder(call.out);
-    const BatchFile batch = batch_file(arguments.operand, call.run.settings, call.source.jobs);
+    call.run.request.own_settings = [&job = call.job](const BatchJob& which) { return expectation_setting(job, which); };
+    const BatchFile batch = batch_file(arguments.operand, call.run.request, call.source.jobs);
     write_file(call.out, "batch.json", batch_json(batch));
     say_what_is_done(call, quiet);
     say_what_is_not_there(call);

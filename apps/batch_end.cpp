@@ -38,6 +38,15 @@ void print_failures(const BatchSummary& summary) {
     if (all > printed) std::cerr << "abut: and " << all - printed << " more jobs; summary.csv has all of them\n";
 }
 
+void print_stale(const BatchSummary& summary, const std::string& what_to_do) {
+    const std::size_t n = summary.stale.size();
+    if (n == 0) return;
+    std::cerr << "abut: " << n << (n == 1 ? " job is" : " jobs are")
+              << " there from another batch, with another template, other "
+              << "options or parameters, and not counted; the first of them is " << summary.stale.front() << "; " << what_to_do
+              << "\n";
+}
+
 int end_batch(const std::string& out, const BatchFile& batch, const BatchEnd& end, const BatchCircumstances& circumstances) {
     if (!end.write_fault.empty())
         std::cerr << "abut: " << one_line_text(end.write_fault)
@@ -46,12 +55,19 @@ int end_batch(const std::string& out, const BatchFile& batch, const BatchEnd& en
     write_summary(out, batch, summary);
     if (!circumstances.quiet) print_totals(out, summary, end, circumstances.seconds);
     print_failures(summary);
+    if (end.edited > 0)
+        std::cerr
+            << "abut: " << end.edited << (end.edited == 1 ? " job was" : " jobs were")
+            << " done with a template, or files that it imports, edited after the batch had begun; the same command again "
+               "does the others with it, too\n";
+    else if (!end.interrupted && end.write_fault.empty())
+        print_stale(summary, "run their shards again");
     if (end.interrupted) {
         std::cerr << "abut: stopped; the same command again goes on from here\n";
         return signal_status + circumstances.signal;
     }
     if (!end.write_fault.empty()) return exit_wrong_input;
-    return all_well(summary) ? exit_done : exit_failed;
+    return all_well(summary) && end.edited == 0 ? exit_done : exit_failed;
 }
 
 }  // namespace abut

@@ -13,9 +13,13 @@ struct BatchCircumstances {
     int signal = 0;  ///< that ended it; 0: none
 };
 
-/// Writes the summary, prints what it came to, and gives the exit status: 0, 1 where a job of OUT did not end well, 2 where
+/// Writes the summary, prints what it came to, and gives the exit status: 0, 1 where a job of OUT did not end well
+/// or the template was edited meanwhile, 2 where
 /// nothing could be written, 128 + the signal where one came.
 int end_batch(const std::string& out, const BatchFile& batch, const BatchEnd& end, const BatchCircumstances& circumstances);
+
+/// Those that OUT has from another batch, on standard error, and what to do about them; nothing where there are none.
+void print_stale(const BatchSummary& summary, const std::string& what_to_do);
 
 /// The jobs that did not end well, on standard error, the first ones of them.
 void print_failures(const BatchSummary& summary);

@@ -8,13 +8,13 @@
 
 #include "geometry/input_error.hpp"
 #include "src/nearest_name.hpp"
+#include "src/scene_words.hpp"
 
 namespace abut {
 
 namespace {
 
 const std::vector<std::string> known_units{"mm", "cm", "m", "in", "ft", "um"};
-const std::vector<std::string> known_ways{"auto", "layer", "block", "loop", "color", "node"};
 
 void check_no_drawing_options(const Arguments& arguments) {
     std::vector<Problem> problems;
@@ -51,7 +51,7 @@ std::vector<OptionSpec> drawing_option_specs() {
     return {
         {"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
         {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
-        {"--parts-by", "WAY", "what separates the parts: " + listed(known_ways) + " (default: auto)"},
+        {"--parts-by", "WAY", "what separates the parts: " + listed(parts_by_words()) + " (default: auto)"},
         {"--section", "PLANE", "where a mesh is cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"},
         {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
 }
@@ -66,7 +66,7 @@ ImportOptions drawing_options(const Arguments& arguments) {
 
 ImportOptions import_options(const Arguments& arguments) {
     check_choice(arguments, "--units", known_units);
-    check_choice(arguments, "--parts-by", known_ways);
+    check_choice(arguments, "--parts-by", parts_by_words());
     ImportOptions options;
     options.tolerance = positive_number(arguments, "--tolerance").value_or(0);
     options.units = value_or(arguments, "--units", "");

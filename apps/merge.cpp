@@ -51,6 +51,7 @@ int merge_command(const Arguments& arguments) {
         std::cout << "index: " << path_in(out, "index.html") << std::endl;
     }
     print_failures(summary);
+    print_stale(summary, "run their shards again");
     if (!summary.missing.empty())
         std::cerr << "abut: " << summary.missing.size() << " jobs are not done, the first of them " << summary.missing.front()
                   << "; run their shards\n";

@@ -9,6 +9,7 @@
 #include "solver/ring.hpp"
 #include "src/contact_measures.hpp"
 #include "src/field_results.hpp"
+#include "src/left_out_parts.hpp"
 #include "src/plan.hpp"
 #include "src/rigid_parts.hpp"
 #include "src/svg.hpp"
@@ -175,6 +176,8 @@ void check_rounding(Result& result) {
 
 void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
+    if (const std::string left_out = left_out_text(left_out_parts(result)); !left_out.empty())
+        result.warnings.push_back(left_out);
     if (out.search_too_short)
         result.warnings.push_back("contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
                                   "; give contacts.search_distance a larger value");

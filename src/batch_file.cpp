@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/batch_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -14,25 +13,49 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string value_of(const BatchFile& batch, const std::string& name) {
-    const auto found = batch.settings.find(name);
-    return found == batch.settings.end() || found->second.empty() ? "none" : found->second;
+std::string template_hash(const std::vector<InputFile>& files) {
+    return files.empty() ? "" : job_key({}, files);
+}
+
+Json to_json(const BatchFile::Job& job) {
+    return {{"name", job.name},
+            {"file", job.file},
+            {"parameters", job.parameters.empty() ? Json::object() : Json(job.parameters)},
+            {"request", job.request}};
+}
+
+BatchFile batch_of(const Json& json) {
+    BatchFile batch{json.at("source"), json.at("settings").get<std::map<std::string, std::string>>(), json.at("template"), {}};
+    for (const Json& job : json.at("jobs"))
+        batch.jobs.push_back(
+            {job.at("name"), job.at("file"), job.at("parameters").get<std::map<std::string, double>>(), job.at("request")});
+    return batch;
+}
+
+/// Of a version that did not write what was asked of the jobs.
+bool is_old(const Json& json) {
+    return json.is_object() && json.contains("jobs") && json.contains("settings") && !json.contains("template");
 }
 
 }  // namespace
 
-BatchFile batch_file(const std::string& source, const std::map<std::string, std::string>& settings,
-                     const std::vector<BatchJob>& jobs) {
-    BatchFile batch{source, settings, {}};
+BatchFile batch_file(const std::string& source, const BatchRequest& request, const std::vector<BatchJob>& jobs) {
+    const std::vector<InputFile> files = template_files(request);
+    BatchFile batch{source, request.settings, template_hash(files), {}};
     batch.jobs.reserve(jobs.size());
-    for (const BatchJob& job : jobs) batch.jobs.push_back({job.name, job.file});
+    for (const BatchJob& job : jobs)
+        batch.jobs.push_back({job.name, job.file, job.parameters, job_request(request, files, job)});
     return batch;
 }
 
 std::string batch_json(const BatchFile& batch) {
     Json jobs = Json::array();
-    for (const BatchFile::Job& job : batch.jobs) jobs.push_back({{"name", job.name}, {"file", job.file}});
-    const Json json{{"abut", 1}, {"source", batch.source}, {"settings", batch.settings}, {"jobs", std::move(jobs)}};
+    for (const BatchFile::Job& job : batch.jobs) jobs.push_back(to_json(job));
+    const Json json{{"abut", 1},
+                    {"source", batch.source},
+                    {"settings", batch.settings.empty() ? Json::object() : Json(batch.settings)},
+                    {"template", batch.scene_template},
+                    {"jobs", std::move(jobs)}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -42,26 +65,19 @@ BatchFile read_batch_file(const std::string& out) {
     if (!text)
         throw InputError(out, "this is no output folder of abut batch: there is no batch.json in it",
                          "give the OUT of a batch");
+    const Json json = Json::parse(*text, nullptr, false);
+    if (is_old(json))
+        throw InputError(path, "an older abut wrote this, which did not note what was asked of the jobs",
+                         "run the batch again with this version");
     try {
-        const Json json = Json::parse(*text);
-        BatchFile batch{json.at("source"), json.at("settings").get<std::map<std::string, std::string>>(), {}};
-        for (const Json& job : json.at("jobs")) batch.jobs.push_back({job.at("name"), job.at("file")});
-        return batch;
+        return batch_of(json);
     } catch (const std::exception&) {
         throw InputError(path, "this is no batch.json of abut batch", "run the batch again: it keeps what is finished");
     }
 }
 
-std::string difference(const BatchFile& a, const BatchFile& b) {
-    std::map<std::string, std::string> names = a.settings;
-    names.insert(b.settings.begin(), b.settings.end());
-    for (const auto& [name, value] : names)
-        if (value_of(a, name) != value_of(b, name)) return name + ": " + value_of(a, name) + " and " + value_of(b, name);
-    if (a.jobs.size() != b.jobs.size()) return std::to_string(a.jobs.size()) + " jobs and " + std::to_string(b.jobs.size());
-    for (std::size_t i = 0; i < a.jobs.size(); ++i)
-        if (a.jobs[i].name != b.jobs[i].name)
-            return "job " + std::to_string(i + 1) + ": " + a.jobs[i].name + " and " + b.jobs[i].name;
-    return "";
+bool belongs(const JobRecord& record, const BatchFile::Job& job) {
+    return record.request == job.request;
 }
 
 }  // namespace abut

@@ -6,26 +6,31 @@
 #include <vector>
 
 #include "src/batch_source.hpp"
+#include "src/job_record.hpp"
+#include "src/job_request.hpp"
 
 namespace abut {
 
 struct BatchFile {
     std::string source;                           ///< as it was given; for titles
-    std::map<std::string, std::string> settings;  ///< all that answers depend on but files and parameters: version, options
+    std::map<std::string, std::string> settings;  ///< options that change answers, and the program's version
+    std::string scene_template;                   ///< hash of the template and of what it imports; empty: none
     struct Job {
         std::string name, file;
+        std::map<std::string, double> parameters{};
+        std::string request{};  ///< src/job_request.hpp
     };
     std::vector<Job> jobs;  ///< of all shards, in their order
 };
 
-BatchFile batch_file(const std::string& source, const std::map<std::string, std::string>& settings,
-                     const std::vector<BatchJob>& jobs);
+BatchFile batch_file(const std::string& source, const BatchRequest& request, const std::vector<BatchJob>& jobs);
 
 std::string batch_json(const BatchFile& batch);
-/// That of an output folder. Throws InputError where there is none or it is wrong.
+/// That of an output folder. Throws InputError where there is none, where it is wrong, or where it is of an older version that
+/// did not say what was asked of the jobs.
 BatchFile read_batch_file(const std::string& out);
 
-/// What two of them disagree in, in words; empty: they are shards of one batch. Places of files may differ.
-std::string difference(const BatchFile& a, const BatchFile& b);
+/// Was the record made by this batch: with its settings, template and parameters?
+bool belongs(const JobRecord& record, const BatchFile::Job& job);
 
 }  // namespace abut

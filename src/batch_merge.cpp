@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/input_error.hpp"
+#include "src/batch_difference.hpp"
 #include "src/job_store.hpp"
 
 namespace abut {
@@ -20,29 +21,29 @@ constexpr std::size_t reported_conflicts = 10;
 
 /// All folders say the same, or it is thrown.
 BatchFile common_batch(const std::vector<std::string>& folders) {
-    BatchFile batch = read_batch_file(folders.front());
+    FolderBatch first{folders.front(), read_batch_file(folders.front())};
     std::vector<Problem> problems;
     for (std::size_t i = 1; i < folders.size(); ++i) {
-        const std::string what = difference(batch, read_batch_file(folders[i]));
+        const std::string what = difference(first, {folders[i], read_batch_file(folders[i])});
         if (!what.empty())
-            problems.push_back({folders[i], "this is another batch than " + folders.front() + " (" + what + ")",
-                                "merge the shards of one batch only"});
+            problems.push_back({folders[i], "this is another batch than " + folders.front() + ": " + what,
+                                "merge the shards of one batch only, or run the one that is out of date again"});
     }
     if (!problems.empty()) throw InputError(std::move(problems));
-    return batch;
+    return std::move(first.batch);
 }
 
 /// Which folder the job is taken from; nothing where none has it.
-std::optional<std::size_t> origin(const std::string& name, const std::vector<std::string>& folders,
+std::optional<std::size_t> origin(const BatchFile::Job& job, const std::vector<std::string>& folders,
                                   std::vector<Problem>& problems) {
     std::optional<std::size_t> from;
     std::optional<JobRecord> first;
     for (std::size_t i = 0; i < folders.size(); ++i) {
-        std::optional<JobRecord> record = stored_job(folders[i], name);
-        if (!record || (first && !is_finished(*record))) continue;
+        std::optional<JobRecord> record = stored_job(folders[i], job.name);
+        if (!record || !belongs(*record, job) || (first && !is_finished(*record))) continue;
         if (first && is_finished(*first)) {
             if (first->key != record->key)
-                problems.push_back({name, "the inputs of this job differ between " + folders[*from] + " and " + folders[i],
+                problems.push_back({job.name, "the inputs of this job differ between " + folders[*from] + " and " + folders[i],
                                     "run the batch again where they are old"});
             continue;
         }
@@ -55,7 +56,7 @@ std::optional<std::size_t> origin(const std::string& name, const std::vector<std
 std::vector<std::optional<std::size_t>> origins(const BatchFile& batch, const std::vector<std::string>& folders) {
     std::vector<Problem> problems;
     std::vector<std::optional<std::size_t>> from;
-    for (const BatchFile::Job& job : batch.jobs) from.push_back(origin(job.name, folders, problems));
+    for (const BatchFile::Job& job : batch.jobs) from.push_back(origin(job, folders, problems));
     const std::size_t n = problems.size();
     if (n > reported_conflicts) {
         problems.resize(reported_conflicts);

@@ -26,7 +26,8 @@ td.picture { width: 136px; padding-right: 12px; }
 td.picture img { display: block; }
 td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
 .table td a { display: inline-block; min-width: 6em; }
-th { white-space: normal; }
+td.job { min-width: 150px; }
+th, th.n { white-space: normal; }
 .status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
 .status.differs { background: #fff6e5; color: #8a5200; }
 .status.failed, .status.refused, .status.broken { background: #fdeeee; color: #8a1010; font-weight: 600; }
@@ -109,8 +110,14 @@ std::string parameters_text(const JobRecord& job) {
     return text;
 }
 
+/// Messages begin with the file, which is long where it lies deep; its name and the job's tell which one it is.
+std::string without_folder(const JobRecord& job) {
+    const std::size_t folder = job.file.rfind('/') + 1;  // 0: none
+    return job.message.starts_with(job.file) ? job.message.substr(folder) : job.message;
+}
+
 std::string words_of(const JobRecord& job) {
-    std::string text = escape_xml(job.message);
+    std::string text = escape_xml(without_folder(job));
     const auto add = [&](const std::string& line) { text += (text.empty() ? "" : "<br/>") + escape_xml(line); };
     if (job.expectation)
         for (const std::string& line : job.expectation->differences) add(line);
@@ -118,17 +125,43 @@ std::string words_of(const JobRecord& job) {
     return text;
 }
 
-std::string row(const JobRecord& job, bool parameters) {
+/// A column of numbers; those that no job has a number for are left out of the page, as pressures of contact detection.
+struct Column {
+    const char* title;
+    std::string (*cell)(const JobRecord&);
+    bool (*is_known)(const JobRecord&);
+};
+
+constexpr Column columns[] = {
+    {"parts", [](const JobRecord& j) { return number_cell(j.parts); }, [](const JobRecord& j) { return j.parts.has_value(); }},
+    {"pairs", [](const JobRecord& j) { return number_cell(j.pairs); }, [](const JobRecord& j) { return j.pairs.has_value(); }},
+    {"closed", [](const JobRecord& j) { return number_cell(j.closed); },
+     [](const JobRecord& j) { return j.closed.has_value(); }},
+    {"peak pressure", [](const JobRecord& j) { return number_cell(j.max_pressure, 4); },
+     [](const JobRecord& j) { return j.max_pressure.has_value(); }},
+    {"worst estimated error", [](const JobRecord& j) { return error_cell(j.error_estimate); },
+     [](const JobRecord& j) { return j.error_estimate.has_value(); }},
+    {"warnings", [](const JobRecord& j) { return number_cell(static_cast<int>(j.warnings.size())); },
+     [](const JobRecord&) { return true; }},
+    {"seconds", [](const JobRecord& j) { return number_cell(j.seconds, 2); }, [](const JobRecord&) { return true; }}};
+
+std::vector<const Column*> known_columns(const BatchSummary& summary) {
+    std::vector<const Column*> known;
+    for (const Column& column : columns)
+        if (std::any_of(summary.jobs.begin(), summary.jobs.end(), column.is_known)) known.push_back(&column);
+    return known;
+}
+
+std::string row(const JobRecord& job, bool parameters, const std::vector<const Column*>& numbers) {
     const std::string word = status_word(job.status), link = link_of(job);
     std::string html = "<tr data-status=\"" + word + "\"><td class=\"picture\">";
     if (holds(job, "thumbnail.svg"))
         html += "<a href=\"" + link + "\"><img loading=\"lazy\" alt=\"\" src=\"" +
                 url_path("jobs/" + job.name + "/thumbnail.svg") + "\"/></a>";
-    html += "</td><td><a href=\"" + link + "\">" + escape_xml(job.name) + "</a></td><td data-k=\"" +
+    html += "</td><td class=\"job\"><a href=\"" + link + "\">" + escape_xml(job.name) + "</a></td><td data-k=\"" +
             std::to_string(-static_cast<int>(job.status)) + "\"><span class=\"status " + word + "\">" + word + "</span></td>";
     if (parameters) html += "<td>" + escape_xml(parameters_text(job)) + "</td>";
-    html += number_cell(job.parts) + number_cell(job.pairs) + number_cell(job.closed) + number_cell(job.max_pressure, 4) +
-            error_cell(job.error_estimate) + number_cell(static_cast<int>(job.warnings.size())) + number_cell(job.seconds, 2);
+    for (const Column* column : numbers) html += column->cell(job);
     return html + "<td class=\"message\">" + words_of(job) + "</td></tr>\n";
 }
 
@@ -137,11 +170,10 @@ std::string head_cell(const std::string& title, bool number) {
            "</button></th>";
 }
 
-std::string head(bool parameters) {
+std::string head(bool parameters, const std::vector<const Column*>& numbers) {
     std::string html = "<thead><tr><th></th>" + head_cell("job", false) + head_cell("status", false);
     if (parameters) html += head_cell("parameters", false);
-    for (const char* title : {"parts", "pairs", "closed", "peak pressure", "worst estimated error", "warnings", "seconds"})
-        html += head_cell(title, true);
+    for (const Column* column : numbers) html += head_cell(column->title, true);
     return html + head_cell("message", false) + "</tr></thead>\n";
 }
 
@@ -180,12 +212,14 @@ std::string index_html(const BatchSummary& summary, const std::string& title) {
     const std::string name = escape_xml("Batch" + (title.empty() ? "" : " " + title));
     const bool parameters =
         std::any_of(summary.jobs.begin(), summary.jobs.end(), [](const JobRecord& job) { return !job.parameters.empty(); });
+    const std::vector<const Column*> numbers = known_columns(summary);
     std::string html =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
         name + "</title>\n<style>" + report::style_sheet() + style + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
-        "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters) + "<tbody>\n";
-    for (const JobRecord* job : failures_first(summary)) html += row(*job, parameters);
+        "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) +
+        "<tbody>\n";
+    for (const JobRecord* job : failures_first(summary)) html += row(*job, parameters, numbers);
     return html +
            "</tbody></table></div>\n<footer>Made by abut batch. Pressures are in each scene's own units; errors are "
            "estimates.</footer>\n"

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "geometry/input_error.hpp"
-#include "src/csv_field.hpp"
 #include "src/result.hpp"
 
 namespace abut {
@@ -17,18 +17,22 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int patience = 200;                        // milliseconds between looks at `interrupted` and the clock
+constexpr int most_attempts = 3;                     // at a job whose files are written while it runs
 constexpr char record_mark = 'r', fault_mark = '!';  // what a worker sends begins with: job.json, or why nothing can be written
 
-std::string key_of(const BatchJob& job, const BatchRun& run) {
-    std::map<std::string, std::string> settings = run.settings;
-    for (const auto& [name, value] : job.parameters) settings["/" + name] = csv_field(value);
-    if (run.own_settings) settings["job"] = run.own_settings(job);
-    std::vector<InputFile> inputs = run.inputs;
-    if (!job.file.empty()) {
-        const std::vector<InputFile> own = input_files(job.file);
-        inputs.insert(inputs.end(), own.begin(), own.end());
-    }
-    return job_key(settings, inputs);
+/// All that a job reads, as it is now.
+struct JobInputs {
+    std::string request, key;
+    std::vector<InputFile> files;
+};
+
+JobInputs inputs_of(const BatchJob& job, const BatchRequest& request) {
+    JobInputs inputs{{}, {}, template_files(request)};
+    inputs.request = job_request(request, inputs.files, job);
+    const std::vector<InputFile> own = job.file.empty() ? std::vector<InputFile>{} : input_files(job.file);
+    inputs.key = job_key({{"request", inputs.request}}, own);
+    inputs.files.insert(inputs.files.end(), own.begin(), own.end());
+    return inputs;
 }
 
 /// One line however many problems there are.
@@ -36,6 +40,14 @@ std::string text_of(const std::vector<Problem>& problems) {
     const std::string first = one_line(problems.front());
     const std::size_t more = problems.size() - 1;
     return more == 0 ? first : first + " (and " + std::to_string(more) + (more == 1 ? " more problem)" : " more problems)");
+}
+
+JobRecord broken(const BatchJob& job, const std::string& why, const std::string& request) {
+    JobRecord record;
+    record.status = JobRecord::Status::broken;
+    record.message = (job.file.empty() ? job.name : job.file) + ": " + why;
+    record.request = request;
+    return record;
 }
 
 JobRecord refused(const BatchJob& job, const std::vector<Problem>& problems) {
@@ -53,8 +65,9 @@ std::vector<std::string> files_in(const std::string& folder) {
     return names;
 }
 
-/// Puts the record into its folder, and the folder in its place. Gives the text of job.json.
-std::string store(const JobStore& place, const BatchJob& job, const std::string& folder, JobRecord record) {
+/// Puts the record into the folder that was begun, and that in its place. Gives the text of job.json.
+std::string store(const JobStore& place, const BatchJob& job, JobRecord record) {
+    const std::string folder = place.begun(job.name);
     record.name = job.name;
     record.file = job.file;
     record.parameters = job.parameters;
@@ -69,19 +82,35 @@ std::string store(const JobStore& place, const BatchJob& job, const std::string&
     return text;
 }
 
+JobRecord work_of(const BatchJob& job, const BatchRun& run, const std::string& folder) {
+    try {
+        return run.work(job, folder);
+    } catch (const InputError& error) { return refused(job, error.problems()); }
+}
+
+/// A record whose key is that of what was read: where a file was written meanwhile the work is done again.
+JobRecord consistent_work(const JobStore& place, const BatchJob& job, const BatchRun& run) {
+    JobInputs inputs;
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+        const std::string folder = place.begin(job.name);
+        inputs = inputs_of(job, run.request);
+        JobRecord record = work_of(job, run, folder);
+        record.key = inputs.key;
+        record.request = inputs.request;
+        if (are_unchanged(inputs.files)) return record;
+    }
+    place.begin(job.name);
+    return broken(job, "it, or a file that it reads, was written whenever this job ran; the same command again does it",
+                  inputs.request);
+}
+
 /// A worker's whole life.
 std::string do_job(const JobStore& place, const BatchJob& job, const BatchRun& run) {
     const Clock::time_point start = Clock::now();
     try {
-        const std::string folder = place.begin(job.name);
-        JobRecord record;
-        const std::string key = key_of(job, run);  // of what is about to be read: an edit from here on is computed next time
-        try {
-            record = run.work(job, folder);
-        } catch (const InputError& error) { record = refused(job, error.problems()); }
-        record.key = key;
+        JobRecord record = consistent_work(place, job, run);
         record.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        return record_mark + store(place, job, folder, std::move(record));
+        return record_mark + store(place, job, std::move(record));
     } catch (const StoreError& error) { return fault_mark + std::string(error.what()); }
 }
 
@@ -92,6 +121,8 @@ public:
         for (std::size_t i = 0; i < jobs.size(); ++i)
             if (is_in(run.shard, i)) mine_.push_back(i);
         end_.progress.total = mine_.size();
+        const std::vector<InputFile> files = template_files(run.request);
+        for (const std::size_t i : mine_) requests_[i] = job_request(run.request, files, jobs[i]);
     }
 
     BatchEnd go() {
@@ -123,8 +154,9 @@ private:
         end_.progress.last = nullptr;
     }
 
-    void count(const JobRecord& record, bool kept) {
+    void count(std::size_t job, const JobRecord& record, bool kept) {
         ++end_.progress.done;
+        end_.edited += is_finished(record) && record.request != requests_.at(job);
         end_.progress.kept += kept;
         end_.progress.not_ok += record.status != JobRecord::Status::ok;
         tell(&record, kept);
@@ -134,33 +166,33 @@ private:
         const BatchJob& job = jobs_[index];
         if (!run_.force) {
             const std::optional<JobRecord> known = stored_job(out_, job.name);
-            if (known && is_finished(*known) && known->key == key_of(job, run_)) return count(*known, true);
+            if (known && is_finished(*known) && known->key == inputs_of(job, run_.request).key)
+                return count(index, *known, true);
         }
         const std::string fault = pool_.start(
             index, [&] { return do_job(store_, job, run_); }, run_.limits);
-        if (!fault.empty()) bury(job, fault);
+        if (!fault.empty()) bury(index, fault);
     }
 
     void take(const WorkerEnd& ended) {
-        const BatchJob& job = jobs_[ended.job];
         if (!ended.death.empty()) {
-            if (!is_stopped()) bury(job, ended.death);
+            if (!is_stopped()) bury(ended.job, ended.death);
         } else if (ended.text.front() == fault_mark) {
             end_.write_fault = ended.text.substr(1);
         } else if (const auto record = parse_job_json(ended.text.substr(1))) {
-            count(*record, false);
+            count(ended.job, *record, false);
         }
     }
 
     /// The record of a job that cannot speak for itself any more.
-    void bury(const BatchJob& job, const std::string& death) {
-        JobRecord record;
-        record.status = JobRecord::Status::broken;
-        record.message = (job.file.empty() ? job.name : job.file) + ": " + death;
+    void bury(std::size_t index, const std::string& death) {
+        const BatchJob& job = jobs_[index];
+        JobRecord record = broken(job, death, requests_.at(index));
         try {
-            store(store_, job, store_.begin(job.name), record);
+            store_.begin(job.name);
+            store(store_, job, record);
             record.name = job.name;
-            count(record, false);
+            count(index, record, false);
         } catch (const StoreError& error) { end_.write_fault = error.what(); }
     }
 
@@ -170,6 +202,7 @@ private:
     JobStore store_;
     WorkerPool pool_;  // after the store: workers end before their folders go
     std::vector<std::size_t> mine_;
+    std::map<std::size_t, std::string> requests_;  // of mine, with the template as it was in the beginning
     std::size_t next_ = 0;
     BatchEnd end_;
 };

@@ -2,14 +2,13 @@
 // The walk through the jobs of a batch: what is finished is kept, the rest is done by workers, a folder each.
 #pragma once
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "src/batch_shard.hpp"
 #include "src/batch_source.hpp"
-#include "src/job_key.hpp"
 #include "src/job_record.hpp"
+#include "src/job_request.hpp"
 #include "src/job_store.hpp"
 #include "src/worker_pool.hpp"
 
@@ -25,11 +24,8 @@ struct BatchRun {
     std::size_t workers = 1;
     WorkerLimits limits{};
     Shard shard{};
-    bool force = false;                           ///< keep nothing
-    std::map<std::string, std::string> settings;  ///< what all answers depend on, beside the files
-    std::vector<InputFile> inputs;                ///< the template's files
-    std::function<std::string(const BatchJob&)>
-        own_settings{};  ///< what the answer of this job depends on besides; may be empty
+    bool force = false;  ///< keep nothing
+    BatchRequest request{};
     /// Does the job and writes its files into the folder; fills all of the record but key, files and seconds. An InputError
     /// that it throws is the job's fault, a StoreError the disk's. Runs in a process of its own.
     std::function<JobRecord(const BatchJob&, const std::string& folder)> work{};
@@ -40,12 +36,14 @@ struct BatchRun {
 struct BatchEnd {
     BatchProgress progress;
     bool interrupted = false;
+    std::size_t edited = 0;   ///< jobs done with a template that was edited after the batch had begun
     std::string write_fault;  ///< why no more jobs were begun: nothing can be written; empty where it did not come to that
 };
 
 /// Jobs begin in their order, several at once; answers do not depend on how many. Interrupted, workers are ended and what they
-/// had begun is removed. A job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError
-/// where not even the first folder can be made.
+/// had begun is removed. A job one of whose files is written while it runs is done again; its key is that of what it read. A
+/// job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError where not even the first
+/// folder can be made.
 BatchEnd run_batch(const std::vector<BatchJob>& jobs, const std::string& out, const BatchRun& run);
 
 }  // namespace abut

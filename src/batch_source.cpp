@@ -12,6 +12,7 @@
 
 #include "geometry/input_error.hpp"
 #include "src/csv_table.hpp"
+#include "src/folder_walk.hpp"
 #include "src/job_key.hpp"
 #include "src/nearest_name.hpp"
 #include "src/read_drawing.hpp"
@@ -84,23 +85,6 @@ bool is_passed_over(const fs::path& folder, const SourceOptions& options) {
     return fs::exists(folder / "batch.json", error) && fs::is_directory(folder / "jobs", error);
 }
 
-/// Files below the folder, as paths that begin with it; nothing hidden, nothing that a batch wrote.
-std::vector<fs::path> files_below(const std::string& folder, const SourceOptions& options) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error);
-    if (error) throw InputError(folder, "the folder cannot be read: " + error.message(), "check its permissions");
-    for (const fs::recursive_directory_iterator end; entry != end; entry.increment(error)) {
-        std::error_code ignored;
-        if (!entry->is_directory(ignored)) {
-            if (!entry->path().filename().string().starts_with(".")) files.push_back(entry->path());
-        } else if (is_passed_over(entry->path(), options)) {
-            entry.disable_recursion_pending();
-        }
-    }
-    return files;
-}
-
 /// What abut itself writes beside a scene is none.
 bool is_answer(const fs::path& file) {
     static const std::set<std::string> names{"result.json",  "contacts.json", "study.json",
@@ -114,7 +98,9 @@ BatchSource from_folder(const std::string& folder, const SourceOptions& options)
         throw InputError(folder, "the results would go into the folder that the jobs are read from",
                          "give another folder with -o");
     BatchSource source;
-    for (const fs::path& file : files_below(folder, options)) {
+    const FolderFiles found = files_below(folder, [&](const fs::path& below) { return is_passed_over(below, options); });
+    source.folders_left_out = found.left_out;
+    for (const fs::path& file : found.files) {
         if (belongs(file, options) && !is_answer(file))
             source.jobs.push_back({folder_name(file.lexically_relative(folder).generic_string()), file.string(), {}, ""});
         else

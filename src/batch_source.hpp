@@ -17,8 +17,9 @@ struct BatchJob {
 struct BatchSource {
     std::vector<BatchJob> jobs;                     ///< in the order of the table or list, else by name
     std::map<std::string, std::string> parameters;  ///< columns of the table that stand for parameters, and where they stand
-    std::map<std::string, int> left_out;  ///< files of a folder that are neither scenes nor drawings: number by ending
-    bool names_files = true;              ///< false: a table without the column "file"
+    std::map<std::string, int> left_out;        ///< files of a folder that are neither scenes nor drawings: number by ending
+    std::vector<std::string> folders_left_out;  ///< folders that were not looked into, "in/link: why"
+    bool names_files = true;                    ///< false: a table without the column "file"
 };
 
 struct SourceOptions {
@@ -27,11 +28,11 @@ struct SourceOptions {
 };
 
 /// SOURCE of `abut batch`: a folder with all its folders (scenes, drawings, meshes, and other CAD files, which end as errors;
-/// not what begins with a dot), a table (.csv, .jsonl) with the columns "file", "name" and parameters, a list (.txt: a file a
-/// line, # begins a comment), or a single scene, drawing or mesh. Files are relative to the folder of the list or table. A job
-/// has the name of its file with "/" as "-", one of a table its row's number before it unless the table names it. Whether a
-/// listed file exists only shows in its job. Throws InputError where there is no source, or it is wrong or empty. Cost: one
-/// look at each file's name.
+/// not what begins with a dot; links are followed, src/folder_walk.hpp), a table (.csv, .jsonl) with the columns "file", "name"
+/// and parameters, a list (.txt: a file a line, # begins a comment), or a single scene, drawing or mesh. Files are relative to
+/// the folder of the list or table. A job has the name of its file with "/" as "-", one of a table its row's number before it
+/// unless the table names it. Whether a listed file exists only shows in its job. Throws InputError where there is no source,
+/// or it is wrong or empty. Cost: one look at each file's name.
 BatchSource read_batch_source(const std::string& source, const SourceOptions& options);
 
 }  // namespace abut

@@ -63,8 +63,9 @@ BatchSummary summarize(const std::string& out, const BatchFile& batch) {
     BatchSummary summary;
     for (const BatchFile::Job& job : batch.jobs) {
         std::optional<JobRecord> record = stored_job(out, job.name);
-        if (!record) {
+        if (!record || !belongs(*record, job)) {
             summary.missing.push_back(job.name);
+            if (record) summary.stale.push_back(job.name);
             continue;
         }
         ++summary.count[static_cast<std::size_t>(record->status)];

@@ -35,6 +35,7 @@ Json job(const JobRecord& record) {
     Json json = Json::parse(job_json(record));
     json.erase("abut");
     json.erase("key");
+    json.erase("request");
     json.erase("sizes");
     return json;
 }

@@ -23,7 +23,7 @@ const std::string how_to_name = std::string("name the file '") + any_file +
 
 BatchTemplate read_template(const std::string& file) {
     const JsonDocument document = read_json(file);
-    BatchTemplate result{file, names_any_file(document.root), {}, input_files(file)};
+    BatchTemplate result{file, names_any_file(document.root), {}};
     if (const JsonValue* parameters = find_member(document.root, "parameters"))
         for (const JsonValue& item : parameters->items) result.parameters.push_back(item.key);
     return result;

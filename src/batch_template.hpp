@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "src/batch_source.hpp"
-#include "src/job_key.hpp"
 
 namespace abut {
 
@@ -14,7 +13,6 @@ struct BatchTemplate {
     std::string file;
     bool takes_file = false;              ///< it names `any_file`
     std::vector<std::string> parameters;  ///< those that it has
-    std::vector<InputFile> inputs;        ///< itself, and what it imports in every job
 };
 
 /// Throws InputError where it cannot be read as JSON. The rest of it only shows with a drawing.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/nearest_name.hpp"
+#include "src/scene_words.hpp"
 
 namespace abut {
 
@@ -162,7 +163,7 @@ ImportOptions read_import_options(SceneReading& reading, const JsonValue& object
     ImportOptions options;
     options.tolerance = member_or(reading, object, "tolerance", 0.0, read_positive);
     if (const JsonValue* parts_by = find_member(object, "parts_by")) {
-        const auto word = read_word(reading, *parts_by, {{"auto", "layer", "block", "loop", "color", "node"}, {"component"}});
+        const auto word = read_word(reading, *parts_by, {parts_by_words(), {}});
         if (word) options.parts_by = parts_by_of(*word).value_or(options.parts_by);
     }
     options.recognise_arcs = member_or(reading, object, "recognise_arcs", true, read_flag);

@@ -14,11 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-InputFile hashed(const std::string& path, const std::optional<std::string>& bytes) {
-    if (!bytes) return {path, "missing"};
+std::string hash_of(const std::optional<std::string>& bytes) {
+    if (!bytes) return "missing";
     ContentHash hash;
     hash.add(*bytes);
-    return {path, hash.text()};
+    return hash.text();
+}
+
+InputFile hashed(const std::string& path) {
+    const FileStamp stamp = file_stamp(path);
+    const bool was_recent = is_recent(stamp);
+    return {path, hash_of(whole_file(path)), stamp, was_recent};
 }
 
 bool names_a_file(const JsonValue& value) {
@@ -55,17 +61,26 @@ std::string ContentHash::text() const {
 }
 
 std::vector<InputFile> input_files(const std::string& file) {
+    const FileStamp stamp = file_stamp(file);
+    const bool was_recent = is_recent(stamp);
     const std::optional<std::string> bytes = whole_file(file);
-    std::vector<InputFile> files{hashed(file, bytes)};
+    std::vector<InputFile> files{{file, hash_of(bytes), stamp, was_recent}};
     const std::string ending = ending_of(file);
     if (!bytes || (ending != ".json" && ending != ".gltf")) return files;
     for (const std::string& name : names_in(*bytes)) {
         const std::string path = (fs::path(file).parent_path() / name).string();
         const std::vector<InputFile> more =
-            ending_of(name) == ".gltf" ? input_files(path) : std::vector<InputFile>{hashed(path, whole_file(path))};
+            ending_of(name) == ".gltf" ? input_files(path) : std::vector<InputFile>{hashed(path)};
         files.insert(files.end(), more.begin(), more.end());
     }
     return files;
+}
+
+bool are_unchanged(const std::vector<InputFile>& inputs) {
+    return std::all_of(inputs.begin(), inputs.end(), [](const InputFile& input) {
+        if (file_stamp(input.path) != input.stamp) return false;
+        return !input.was_recent || hash_of(whole_file(input.path)) == input.hash;
+    });
 }
 
 std::string job_key(const std::map<std::string, std::string>& settings, const std::vector<InputFile>& inputs) {

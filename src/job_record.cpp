@@ -52,6 +52,7 @@ JobRecord record_of(const Json& j) {
     r.status = status_of(j.at("status")).value();
     r.message = j.at("message");
     r.key = j.at("key");
+    r.request = j.at("request");
     r.parameters = j.at("parameters").get<std::map<std::string, double>>();
     r.title = j.at("title");
     r.length_unit = j.at("units").at("length");
@@ -101,6 +102,7 @@ std::string job_json(const JobRecord& r) {
                     {"files", r.files},
                     {"sizes", r.sizes},
                     {"key", r.key},
+                    {"request", r.request},
                     {"seconds", r.seconds}};
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

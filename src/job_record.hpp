@@ -29,6 +29,7 @@ struct JobRecord {
     Status status = Status::ok;
     std::string message;  ///< one line, why it is not ok
     std::string key;      ///< src/job_key.hpp
+    std::string request;  ///< src/job_request.hpp: the key without the job's own files
     std::map<std::string, double> parameters;
     std::string title, length_unit, force_unit;
     std::optional<int> parts, pairs, closed;  ///< pairs found; those that carry

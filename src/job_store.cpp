@@ -100,13 +100,17 @@ JobStore::~JobStore() {
     fs::remove_all(run_, ignored);
     fs::remove(run_ + lock_ending, ignored);
     ::close(lock_);
+    remove_left_overs(out_);  // again: the last workers of a killed run may have died after this one had begun
 }
 
 std::string JobStore::begin(const std::string& name) const {
     drop(name);
-    const fs::path folder = fs::path(run_) / name;
-    make_folders(folder);
-    return folder.string();
+    make_folders(begun(name));
+    return begun(name);
+}
+
+std::string JobStore::begun(const std::string& name) const {
+    return (fs::path(run_) / name).string();
 }
 
 void JobStore::finish(const std::string& name) const {

@@ -19,17 +19,19 @@ public:
 /// Several stores, in several processes and on several machines, may write into one OUT. A job is written into a folder of this
 /// store (OUT/.run-HOST-PID/NAME) and renamed to its place in one step. It is not brought to the disk (fsync took up to 8 ms a
 /// file on a busy one, ten times as long as finding contacts): after a power failure, sizes tell which of the last jobs are to
-/// be done again. What a killed process left behind is removed by the next store: who is alive holds a lock. All functions but
+/// be done again. What a killed process left behind is removed by the next store, as it begins and as it
+/// ends: who is alive holds a lock. All functions but
 /// the destructor throw StoreError.
 class JobStore {
 public:
     explicit JobStore(std::string out);
     JobStore(const JobStore&) = delete;
     JobStore& operator=(const JobStore&) = delete;
-    ~JobStore();  ///< removes what is not finished
+    ~JobStore();  ///< removes what is not finished, and what the dead left
 
     /// An empty folder to write the job's files into.
     std::string begin(const std::string& name) const;
+    std::string begun(const std::string& name) const;  ///< the same folder again
     /// Brings it to its place, instead of an older one.
     void finish(const std::string& name) const;
     void drop(const std::string& name) const;

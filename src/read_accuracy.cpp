@@ -2,6 +2,7 @@
 #include "src/read_accuracy.hpp"
 
 #include "src/accuracy_goal.hpp"
+#include "src/scene_words.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -47,7 +48,7 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
     const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {}};
     if (!check_object(reading, accuracy, keys)) return result;
-    result.level = word_or(reading, accuracy, "level", result.level, {{"draft", "standard", "fine"}, {}});
+    result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
     if (find_member(accuracy, "level") && find_member(accuracy, "target"))
         report(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own", "take 'level' away");
     if (const JsonValue* target = find_member(accuracy, "target")) result.target = read_target(reading, *target);

@@ -116,7 +116,7 @@ std::string part_table(const Result& result, const ResultUnits& u) {
         rows.push_back({p.name, p.material, number_text(p.area, 6),
                         p.rigid    ? "rigid"
                         : p.solved ? count_text(p.unknowns)
-                                   : "not analysed",
+                                   : "not analysed: no load reaches it",
                         value(p.max_displacement), at(p.max_displacement), value(p.max_von_mises), at(p.max_von_mises)});
     }
     return subsection("Parts", html_table({{"part"},

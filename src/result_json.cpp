@@ -75,6 +75,7 @@ Json part(const PartResult& p) {
     return {{"name", p.name},
             {"area", number(p.area)},
             {"unknowns", p.unknowns},
+            {"solved", p.solved},
             {"rigid", p.rigid},
             {"max_displacement", value_at(p.max_displacement)},
             {"max_von_mises", value_at(p.max_von_mises)},

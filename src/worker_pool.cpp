@@ -75,7 +75,7 @@ std::optional<WorkerEnd> WorkerPool::wait(int milliseconds) {
     std::vector<pollfd> pipes;
     for (const Worker& worker : workers_) pipes.push_back({worker.pipe, POLLIN, 0});
     if (::poll(pipes.data(), pipes.size(), milliseconds) <= 0) return std::nullopt;
-    std::array<char, 65536> buffer{};
+    std::array<char, 4096> buffer{};  // small: after a fork each page of it that is written costs a fault
     for (std::size_t i = 0; i < pipes.size(); ++i) {
         if (pipes[i].revents == 0) continue;
         const ssize_t n = ::read(pipes[i].fd, buffer.data(), buffer.size());

@@ -93,6 +93,31 @@ TEST_F(BatchCommand, ResultsDoNotDependOnWorkersOrShards) {
     EXPECT_NE(answers_of("three"), answers);
 }
 
+TEST_F(BatchCommand, ShardsOfDifferentTemplatesOrTablesAreNotMerged) {
+    write_sketches(2);
+    write("jobs.csv", "file,P\nin/s0.dxf,1\nin/s1.dxf,2\n");
+    const auto shard = [&](const char* which, const char* out) {
+        EXPECT_EQ(abut({"batch", "jobs.csv", "--template", "template.json", "--shard", which, "-o", out, "--quiet"}).status, 0);
+    };
+    shard("1/2", "one");
+    write("jobs.csv", "file,P\nin/s0.dxf,1\nin/s1.dxf,3\n");
+    shard("2/2", "two");
+    const Outcome tables = abut({"merge", "one", "two", "-o", "o"});
+    expect_refused(tables, 1);
+    expect_words(tables.errors.at(0), {"two", "another batch than one", "parameter P of job 2", "is 2 in one and 3 in two"});
+    write("template.json", std::string(block_template) + " ");
+    shard("1/2", "one");
+    const Outcome templates = abut({"merge", "one", "two", "-o", "o"});
+    expect_refused(templates, 1);
+    expect_words(templates.errors.at(0), {"two", "another batch than one", "templates"});
+    shard("1/2", "two");  // into a folder with a job of the old template
+    const Outcome mixed = abut({"merge", "two"});
+    EXPECT_EQ(mixed.status, 1);
+    EXPECT_TRUE(any_line_has(mixed.errors, {"1 job is there from another batch", "0002-in-s1.dxf"})) << joined(mixed.errors);
+    shard("2/2", "two");
+    EXPECT_EQ(abut({"merge", "two"}).status, 0);
+}
+
 TEST_F(BatchCommand, IsAShardInASlurmArray) {
     write_sketches(4);
     const std::string variables = "SLURM_ARRAY_TASK_ID=2 SLURM_ARRAY_TASK_COUNT=2 SLURM_ARRAY_TASK_MIN=1 ";
@@ -129,6 +154,15 @@ TEST_F(BatchCommand, AParameterStudyNeedsNoFiles) {
     EXPECT_EQ(abut({"batch", "study.jsonl", "--template", "scene.json", "-o", "o"}).status, 0);
     const double two = result("o", "0001")["strain_energy"], four = result("o", "four")["strain_energy"];
     EXPECT_NEAR(four / two, 4, 1e-9);
+}
+
+TEST_F(BatchCommand, TakesTheNumberOfWorkersAsMakeDoes) {
+    write_sketches(1);
+    EXPECT_EQ(abut({"batch", "in", "-j2", "-o", "o", "--quiet"}).status, 0);
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j2", "-j", "1", "-o", "o"}).errors, {"-j is given twice"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-j0", "-o", "o"}).errors, {"-j", "'0' is not a number above zero"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-jobs", "-o", "o"}).errors, {"unknown option -jobs"}));
+    EXPECT_TRUE(any_line_has(abut({"batch", "in", "-k2", "-o", "o"}).errors, {"unknown option -k"}));
 }
 
 TEST_F(BatchCommand, RefusesWrongUsage) {

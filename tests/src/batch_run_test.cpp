@@ -64,9 +64,12 @@ TEST_F(BatchRunTest, KeepsWhatIsFinishedAndRedoesWhatHasChanged) {
     EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 4U);
     write("in/b", "something else");
     EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 3U);
-    run_.settings["accuracy"] = "fine";
+    run_.request.settings["accuracy"] = "fine";
     EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 0U);
-    run_.inputs = {{"template", "0123"}};
+    run_.request.template_file = write("template.json", "{}");
+    EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 0U);
+    EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 4U);
+    write("template.json", "{\"abut\": 1}");
     EXPECT_EQ(run_batch(all, out_, run_).progress.kept, 0U);
     auto with_parameter = all;
     with_parameter[2].parameters["P"] = 3;
@@ -173,7 +176,7 @@ TEST_F(BatchRunTest, ShardsTogetherAreTheWholeOnceEach) {
             for (std::size_t job = 0; job < all.size(); ++job) times[job] += is_in({i, n}, job);
         EXPECT_EQ(times, std::vector<int>(all.size(), 1)) << n;
     }
-    const BatchFile batch = batch_file("in", {}, all);
+    const BatchFile batch = batch_file("in", run_.request, all);
     std::vector<std::string> outs;
     for (std::size_t i = 1; i <= 3; ++i) {
         run_.shard = {i, 3};
@@ -186,35 +189,6 @@ TEST_F(BatchRunTest, ShardsTogetherAreTheWholeOnceEach) {
     EXPECT_TRUE(summarize(out_, batch).missing.empty());
     merge_batches(outs, outs[1]);
     EXPECT_TRUE(summarize(outs[1], batch).missing.empty());
-}
-
-TEST_F(BatchRunTest, MergeRefusesConflicts) {
-    const auto all = jobs(3);
-    const std::string one = (folder_ / "one").string(), two = (folder_ / "two").string();
-    const auto into = [&](const std::string& out, const std::map<std::string, std::string>& settings) {
-        run_batch(all, out, run_);
-        write_file(out, "batch.json", batch_json(batch_file("in", settings, all)));
-    };
-    into(one, {});
-    into(two, {});
-    EXPECT_NO_THROW(merge_batches({one, two}, out_));  // the same jobs twice: no conflict
-    write("in/b", "changed");
-    into(two, {});
-    try {
-        merge_batches({one, two}, out_);
-        FAIL();
-    } catch (const InputError& error) {
-        ASSERT_EQ(error.problems().size(), 1U);
-        EXPECT_EQ(error.problems()[0].where, "b");
-    }
-    into(two, {{"--accuracy", "fine"}});
-    try {
-        merge_batches({one, two}, out_);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(error.problems()[0].what.find("--accuracy: none and fine"), std::string::npos);
-    }
-    EXPECT_THROW(merge_batches({folder_.string()}, out_), InputError);
 }
 
 }  // namespace

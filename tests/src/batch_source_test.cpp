@@ -33,6 +33,36 @@ TEST_F(BatchSourceTest, TakesScenesDrawingsMeshesAndForeignCadOfAFolder) {
     EXPECT_EQ(names("in", {options.excluded, true}), (std::vector<std::string>{"b.dxf", "d.step", "deep-c.STL"}));
 }
 
+TEST_F(BatchSourceTest, FollowsLinksAndLooksIntoEachFolderOnce) {
+    namespace fs = std::filesystem;
+    for (const char* file : {"in/a.dxf", "in/real/b.dxf", "far/c.dxf", "far/deep/d.dxf", "far/.hidden/x.dxf", "in/out/x.dxf"})
+        write(file, "");
+    const auto link = [&](const char* target, const char* name) { fs::create_symlink(folder_ / target, folder_ / name); };
+    link("in/a.dxf", "in/also_a.dxf");     // a file: a job of its own name
+    link("missing.dxf", "in/broken.dxf");  // a job that will say so
+    link("far", "in/linked");              // followed
+    link("far/deep", "in/by_link");        // before "linked" in the order of paths
+    link("in/real", "in/0_again");         // looked into where it is
+    link("in", "far/cycle");               // back to the source
+    link("in/linked", "far/deep/chain");   // a link to a link, to the folder above
+    link("", "in/up");                     // a folder that the source lies in
+    link("in/out", "in/to_out");
+    fs::create_symlink("self", folder_ / "in/self");  // leads nowhere
+    const SourceOptions options{(folder_ / "in/out").string(), false};
+    const BatchSource source = read_batch_source((folder_ / "in").string(), options);
+    EXPECT_EQ(names("in", options),
+              (std::vector<std::string>{"a.dxf", "also_a.dxf", "broken.dxf", "by_link-d.dxf", "linked-c.dxf", "real-b.dxf"}));
+    EXPECT_EQ(source.jobs[3].file, (folder_ / "in/by_link/d.dxf").string());
+    std::string said;
+    for (const std::string& text : source.folders_left_out) said += text + "\n";
+    for (const char* words :
+         {"in/0_again: a link to ", "in/linked/cycle: a link to ", "in/by_link/chain: a link to a folder that it lies in",
+          "in/up: a link to a folder that it lies in"})
+        EXPECT_NE(said.find(words), std::string::npos) << words << "\n" << said;
+    EXPECT_EQ(source.folders_left_out.size(), 4U);
+    EXPECT_EQ(source.left_out, (std::map<std::string, int>{{"", 1}}));  // "self"
+}
+
 TEST_F(BatchSourceTest, GivesNamesThatAreFoldersAndUnique) {
     write("in/a/b.dxf", "");
     write("in/a-b.dxf", "");

@@ -78,5 +78,21 @@ TEST(BatchPage, HoldsNoTextOfAFileAsMarkup) {
     EXPECT_NE(summary_csv(summary).find("\"1 difference, \"\"quoted\"\" <b>\""), std::string::npos);
 }
 
+TEST(BatchPage, HasColumnsThatSomeJobHasNumbersForAndMessagesWithoutFolders) {
+    BatchSummary summary;
+    summary.jobs = {full_record(), full_record()};
+    summary.jobs[0].file = "/a/deep/folder/a.dxf";
+    summary.jobs[0].message = "/a/deep/folder/a.dxf:12: is wrong in /a/deep/folder";
+    EXPECT_NE(index_html(summary, "").find(">peak pressure<"), std::string::npos);
+    EXPECT_NE(index_html(summary, "").find(">a.dxf:12: is wrong in /a/deep/folder<"), std::string::npos);
+    EXPECT_EQ(index_html(summary, "").find(">closed<"), std::string::npos);
+    summary.jobs[0].max_pressure.reset();
+    EXPECT_NE(index_html(summary, "").find(">peak pressure<"), std::string::npos);  // the other job's
+    summary.jobs[1].max_pressure.reset();
+    EXPECT_EQ(index_html(summary, "").find(">peak pressure<"), std::string::npos);
+    summary.jobs[1].closed = 2;
+    EXPECT_NE(index_html(summary, "").find(">closed<"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace abut

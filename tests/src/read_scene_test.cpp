@@ -454,8 +454,7 @@ TEST(ReadScene, assembly_faults) {
         fault(R"(, "material": "m", "parts": {"pin": {"name": "base"}})").find("there are two parts with the name 'base'"),
         std::string::npos);
     EXPECT_NE(fault(R"(, "material": "m", "parts": {"pin": "ignored"})").find("expected one of \"ignore\""), std::string::npos);
-    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "component")").find("'component' is not supported yet"),
-              std::string::npos);
+    EXPECT_NE(fault(R"(, "material": "m", "parts_by": "component")").find("expected one of \"auto\""), std::string::npos);
 }
 
 TEST(ReadScene, imports_are_converted_where_both_units_are_stated) {
