@@ -23,7 +23,7 @@ namespace abut {
 
 namespace {
 
-/// Whether the scene is symmetric is looked at here only: it changes no answer, and costs some closest points. Parts left out
+/// Whether a scene that does not ask for it is symmetric is looked at here only: it costs some closest points. Parts left out
 /// show in a result by themselves.
 std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
