@@ -188,6 +188,8 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     solution.n_multipliers = rows.n;
     solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
     solution.seconds.rows = laps.lap();
+    const MatrixXd resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
+    solution.seconds.contact = laps.lap();
 
     ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
     scale_rows(qp, rows.weight);
@@ -195,14 +197,14 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     qp.expected = expected_multipliers(problem, all);
     solution.seconds.condensation = laps.lap();
 
-    const MotionSplit split = split_motions(problem, qp.modes);
+    const MotionSplit split = split_motions(problem, resistance, qp.modes);
     find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
     if (!solution.mechanism.empty()) return solution;
     const HeldAnswer held = solve_held(problem, std::move(qp), split, solution);
     solution.iterations = held.result.iterations;
     solution.converged = held.result.converged;
     solution.used_fallback = held.result.used_fallback;
-    solution.seconds.contact = laps.lap();
+    solution.seconds.contact += laps.lap();
     if (!held.result.feasible) {
         solution.mechanism = part_motions(problem.parts, split.resisted * held.result.mechanism);
         return solution;

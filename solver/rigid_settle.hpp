@@ -15,6 +15,10 @@ struct Settled {
 /// Cost: O(m n^2) a step, a few to some tens of steps.
 Settled settle_rigidly(const ContactQp& qp);
 
+/// Amplitudes at which the foundation of these rows alone, pressed or pulled, balances the loads: where the bodies would settle
+/// if these were the rows under pressure. Cost: one such step.
+Eigen::VectorXd settle_on(const ContactQp& qp, const std::vector<char>& closed);
+
 /// Forces that equilibrium is measured against: the loads, or the contact forces where there are none (a press fit).
 double force_scale(const ContactQp& qp, const Eigen::VectorXd& multipliers);
 
