@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/active_set.hpp"
 #include "solver/nonnegative.hpp"
@@ -133,16 +134,20 @@ void conclude(const ShiftedQp& shifted, const VectorXd& settled, ContactState& s
     result.motion = std::move(state.amplitudes);
 }
 
-/// The search from the expected set, which usually ends; the amplitudes from where the bodies would settle on it.
+/// The search from the expected set, and from there by passes where a motion is left free; the amplitudes from where the bodies
+/// would settle on it. False: nothing is known from it.
 bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
     result.active = closed_by(qp, qp.expected);
-    const VectorXd settled = settle_on(qp, result.active);
-    const ShiftedQp near{qp, qp.gap + qp.modes * settled};
-    ContactState state;
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    if (!settled) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
     ClosedFactor factor(qp.compliance, qp.expected);
-    if (solve_exactly(near, factor, state, result) != SetSearch::found) return false;
-    result.converged = true;
-    conclude(near, settled, state, result);
+    const SetSearch search = solve_exactly(near, factor, state, result);
+    result.converged = search == SetSearch::found || (search == SetSearch::singular &&
+                                                      run_passes(near, foundation_stiffness(qp), false, factor, state, result));
+    if (!result.converged) return false;
+    conclude(near, *settled, state, result);
     return true;
 }
 

@@ -38,8 +38,8 @@ struct ContactQpResult {
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
 };
 
-/// 0. Where a set is expected, step 2 from it, the amplitudes measured from where the bodies would settle on it. Usually the
-/// end.
+/// 0. Where a set is expected, steps 2 and 3 from it, the amplitudes measured from where the bodies would settle on it. Usually
+///    the end, after one step.
 /// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
 ///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
 ///    Without unilateral rows there is nothing to search, and this is left out.

@@ -182,7 +182,7 @@ bool balance_neutral_motions(const MatrixXd& modes, const VectorXd& mode_load, c
     ContactQp full = answer.qp;
     full.modes = modes * all;
     full.mode_load = all.transpose() * mode_load;
-    full.expected = VectorXd(0);
+    full.expected = answer.result.multipliers;
     ContactQpResult balanced = solve_contact_qp(full);
     balanced.iterations += answer.result.iterations;
     if (!balanced.feasible || !balanced.converged) return false;

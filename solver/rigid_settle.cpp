@@ -23,6 +23,9 @@ constexpr double energy_rounding = 1e-15;    // of the terms that the energy is 
 /// slide far under a small part of its load; more where the step was too long.
 constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
 
+/// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
+constexpr double free_fraction = 1e-3;
+
 VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
     const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
     VectorXd l = -qp.foundation.cwiseProduct(gap);
@@ -92,11 +95,15 @@ double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
     return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
 }
 
+MatrixXd foundation_stiffness(const ContactQp& qp) {
+    return weighted_gram(qp.modes, qp.foundation);
+}
+
 Settled settle_rigidly(const ContactQp& qp) {
     const Index n = qp.modes.cols();
     Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
     if (qp.gap.size() == 0) return s;
-    s.stiffness = weighted_gram(qp.modes, qp.foundation);
+    s.stiffness = foundation_stiffness(qp);
     s.multipliers = pressures(qp, s.amplitudes);
     if (n == 0) return s;
     const double mean = s.stiffness.trace() / static_cast<double>(n);
@@ -115,18 +122,16 @@ Settled settle_rigidly(const ContactQp& qp) {
     return s;
 }
 
-VectorXd settle_on(const ContactQp& qp, const std::vector<char>& closed) {
+std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& closed) {
     const Index n = qp.modes.cols();
-    if (n == 0 || qp.gap.size() == 0) return VectorXd::Zero(n);
+    if (n == 0) return VectorXd::Zero(n);
     VectorXd foundation = qp.foundation;
     for (Index k = 0; k < foundation.size(); ++k)
         if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
-    MatrixXd stiffness = weighted_gram(qp.modes, foundation);
-    const double mean = stiffness.trace() / static_cast<double>(n);
-    if (!(mean > 0)) return VectorXd::Zero(n);
-    stiffness.diagonal().array() += first_held * mean;
-    const VectorXd load = qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap);
-    return stiffness.ldlt().solve(load);
+    const Eigen::LDLT<MatrixXd> factor(weighted_gram(qp.modes, foundation));
+    const VectorXd pivots = factor.vectorD();
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_fraction * pivots.maxCoeff())) return std::nullopt;
+    return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
 }
 
 }  // namespace abut::solver
