@@ -2,6 +2,7 @@
 #include "geometry/length_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +13,7 @@ namespace abut::geometry {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double settled_fraction = 1.0 / 16;  // of a rounding: what is estimated to be left after the last step
 
 /// The halves of [t0, t1] on which the rule agrees with that of their halves.
 void append_pieces(const Curve& curve, double t0, double t1, double whole, double total, int halvings, LengthTable& table) {
@@ -52,6 +54,19 @@ double first_guess(const LengthTable& table, std::size_t k, double s) {
     return table.t[k] < t && t < table.t[k + 1] ? t : table.t[k] + u * dt;
 }
 
+/// A step of third order towards an arc length (Chebyshev's), and about what is left after it: the step's cube, in units of the
+/// interval or of how fast the speed changes. Not numbers at a cusp.
+struct LengthStep {
+    double by, left;
+};
+LengthStep length_step(const Curve& curve, double t, double missing, double interval) {
+    const std::array<Vec2, 3> at = general_values(curve, t);
+    const Vec2 &first = at[1], &second = at[2];
+    const double newton = missing / first.norm(), turn = 0.5 * newton * newton * first.dot(second) / first.squaredNorm();
+    const double by_interval = newton / interval, by_speed = turn / newton;
+    return {newton - turn, std::abs(newton) * (by_interval * by_interval + by_speed * by_speed)};
+}
+
 }  // namespace
 
 double parameter_at_length(const Curve& curve, const LengthTable& table, double s) {
@@ -59,15 +74,17 @@ double parameter_at_length(const Curve& curve, const LengthTable& table, double 
     if (s >= table.s.back()) return 1;
     const auto after = std::upper_bound(table.s.begin(), table.s.end(), s) - table.s.begin();
     const auto k = static_cast<std::size_t>(after) - 1;
-    const double t0 = table.t[k], s0 = table.s[k];
+    const double t0 = table.t[k], s0 = table.s[k], interval = table.t[k + 1] - t0;
     double lo = t0, hi = table.t[k + 1], t = first_guess(table, k, s);
     for (;;) {
         const double reached = s0 + length_by_gauss(curve, t0, t);
         if (reached == s) return t;
         (reached < s ? lo : hi) = t;
-        const double newton = t + (s - reached) / general_values(curve, t)[1].norm();
-        const double next = lo < newton && newton < hi ? newton : 0.5 * (lo + hi);
-        if (std::abs(next - t) <= epsilon || !(lo < next && next < hi)) return next;
+        const LengthStep step = length_step(curve, t, s - reached, interval);
+        const bool inside = lo < t + step.by && t + step.by < hi;
+        const double next = inside ? t + step.by : 0.5 * (lo + hi);
+        if ((inside && step.left <= settled_fraction * epsilon) || std::abs(next - t) <= epsilon || !(lo < next && next < hi))
+            return next;
         t = next;
     }
 }

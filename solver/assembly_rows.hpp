@@ -20,8 +20,9 @@ struct RowsSolution {
     AssemblySolution solution;
     Eigen::VectorXd multipliers{};
 };
-/// The problem's interfaces are read for the motions that they resist.
-RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, int threads);
+/// resistance: candidate_resistance of the problem's motions. Its interfaces are not read.
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::MatrixXd& resistance,
+                        int threads);
 
 /// The multipliers as pressures of the interfaces and forces of the constraints.
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::VectorXd& multipliers,

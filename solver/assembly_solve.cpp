@@ -172,7 +172,7 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem) {
     return all;
 }
 
-RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, int threads) {
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const MatrixXd& resistance, int threads) {
     RowsSolution answered;
     AssemblySolution& solution = answered.solution;
     Laps laps;
@@ -186,7 +186,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     qp.expected = all.expected;
     solution.seconds.condensation = laps.lap();
 
-    const MotionSplit split = split_motions(problem, qp.modes);
+    const MotionSplit split = split_motions(problem, resistance, qp.modes);
     find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
     if (!solution.mechanism.empty()) return answered;
     const HeldAnswer held = solve_held(problem, std::move(qp), split, solution);
@@ -219,9 +219,12 @@ void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, 
 AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     Laps laps;
     const AssemblyRows all = assembly_rows(problem);
-    const double seconds = laps.lap();
-    auto [solution, multipliers] = solve_rows(problem, all, threads);
-    solution.seconds.rows = seconds;
+    const double of_rows = laps.lap();
+    const MatrixXd resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
+    const double of_resistance = laps.lap();
+    auto [solution, multipliers] = solve_rows(problem, all, resistance, threads);
+    solution.seconds.rows = of_rows;
+    solution.seconds.contact += of_resistance;
     if (solution.mechanism.empty()) split_multipliers(problem, all, multipliers, solution);
     return std::move(solution);
 }

@@ -109,16 +109,20 @@ void evaluate(const KnotVector& knots, int interval, double x, LocalValues& valu
 void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives) {
     const int p = knots.degree;
     const double* t = interval_start(knots, interval);
-    LocalValues lower;
-    cox_de_boor(t, p - 1, x, lower.data());
+    cox_de_boor(t, p - 1, x, values.data());
+    // the last step, by the shares of which the derivatives are made:
     // N_i' = p (N_{i,p-1} / (t_{i+p} - t_i) - N_{i+1,p-1} / (t_{i+p+1} - t_{i+1}))
-    double previous = 0;
-    for (int r = 0; r <= p; ++r) {
-        const double next = r < p ? p * lower[static_cast<std::size_t>(r)] / (t[r + 1] - t[r + 1 - p]) : 0.0;
-        derivatives[static_cast<std::size_t>(r)] = previous - next;
-        previous = next;
+    double carried = p == 0 ? 1 : 0, previous = 0;
+    for (int r = 0; r < p; ++r) {
+        const double right = t[r + 1], left = t[r + 1 - p];
+        const double share = values[static_cast<std::size_t>(r)] / (right - left);
+        values[static_cast<std::size_t>(r)] = carried + (right - x) * share;
+        carried = (x - left) * share;
+        derivatives[static_cast<std::size_t>(r)] = previous - p * share;
+        previous = p * share;
     }
-    cox_de_boor(t, p, x, values.data());
+    values[static_cast<std::size_t>(p)] = carried;
+    derivatives[static_cast<std::size_t>(p)] = previous;
 }
 
 double greville(const KnotVector& knots, int i) {

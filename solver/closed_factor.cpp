@@ -21,18 +21,13 @@ std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-void solve_triangle(const MatrixXd& l, int n, const char* transposed, MatrixXd& x) {
-    const int columns = static_cast<int>(x.cols()), ldl = static_cast<int>(l.rows());
-    const double one = 1;
-    if (n > 0 && columns > 0) dtrsm_("L", "L", transposed, "N", &n, &columns, &one, l.data(), &ldl, x.data(), &n);
-}
-
 }  // namespace
 
 ClosedFactor::ClosedFactor(const MatrixXd& compliance, const Eigen::VectorXd& pressure)
     : compliance_(compliance), preferred_(at(compliance.rows())), l_(compliance.rows(), compliance.rows()) {
     std::iota(preferred_.begin(), preferred_.end(), Index{0});
-    std::stable_sort(preferred_.begin(), preferred_.end(), [&](Index a, Index b) { return pressure[a] > pressure[b]; });
+    const auto open = std::stable_partition(preferred_.begin(), preferred_.end(), [&](Index a) { return pressure[a] != 0; });
+    std::stable_sort(preferred_.begin(), open, [&](Index a, Index b) { return pressure[a] > pressure[b]; });
 }
 
 bool ClosedFactor::move_to(const std::vector<char>& closed) {
@@ -83,11 +78,14 @@ bool ClosedFactor::append_all(const std::vector<Index>& more) {
 }
 
 void ClosedFactor::solve_lower(MatrixXd& x) const {
-    solve_triangle(l_, static_cast<int>(rows_.size()), "N", x);
+    const int n = static_cast<int>(rows_.size()), columns = static_cast<int>(x.cols()), ldl = static_cast<int>(l_.rows());
+    const double one = 1;
+    if (n > 0 && columns > 0) dtrsm_("L", "L", "N", "N", &n, &columns, &one, l_.data(), &ldl, x.data(), &n);
 }
 
-void ClosedFactor::solve_transposed(MatrixXd& x) const {
-    solve_triangle(l_, static_cast<int>(rows_.size()), "T", x);
+void ClosedFactor::solve_transposed(Eigen::VectorXd& x) const {
+    const int n = static_cast<int>(rows_.size()), ldl = static_cast<int>(l_.rows()), step = 1;
+    if (n > 0) dtrsv_("L", "T", "N", &n, l_.data(), &ldl, x.data(), &step);
 }
 
 }  // namespace abut::solver

@@ -23,7 +23,7 @@ public:
     const std::vector<Eigen::Index>& rows() const { return rows_; }
     /// x = L^-1 x, x = L'^-1 x; rows as in rows().
     void solve_lower(Eigen::MatrixXd& x) const;
-    void solve_transposed(Eigen::MatrixXd& x) const;
+    void solve_transposed(Eigen::VectorXd& x) const;
 
 private:
     bool append(const std::vector<Eigen::Index>& more);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solver/active_set.hpp"
 #include "solver/nonnegative.hpp"
@@ -41,48 +42,48 @@ MatrixXd first_proximal(const MatrixXd& stiffness) {
 }
 
 /// The primal-dual active set on the problem itself. Where it does not find the answer nothing is changed.
-SetSearch solve_exactly(const ContactQp& qp, ClosedFactor& factor, ContactState& state, ContactQpResult& result) {
-    const Index n = qp.modes.cols();
+SetSearch solve_exactly(const ShiftedQp& shifted, ClosedFactor& factor, ContactState& state, ContactQpResult& result) {
+    const Index n = shifted.qp.modes.cols();
     ContactState exact;
     ActiveSet active = result.active;
     const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-    const SetSearch search = primal_dual(qp, none, active, factor, exact, result.iterations);
+    const SetSearch search = primal_dual(shifted, none, active, factor, exact, result.iterations);
     if (search != SetSearch::found) return search;
-    if (!is_balanced(qp, exact.multipliers)) return SetSearch::singular;
+    if (!is_balanced(shifted.qp, exact.multipliers)) return SetSearch::singular;
     state = std::move(exact);
     result.active = std::move(active);
     return search;
 }
 
 /// The same on one set, which may leave motions free as long as they balance: a single point that carries all.
-bool holds_exactly(const ContactQp& qp, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+bool holds_exactly(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
                    ContactState& state) {
-    const Index n = qp.modes.cols();
+    const Index n = shifted.qp.modes.cols();
     ContactState exact;
-    if (!solve_on(qp, {MatrixXd::Zero(n, n), anchor}, active, factor, exact) &&
-        !solve_least_motion(qp, anchor, active, factor, exact))
+    if (!solve_on(shifted, {MatrixXd::Zero(n, n), anchor}, active, factor, exact) &&
+        !solve_least_motion(shifted, anchor, active, factor, exact))
         return false;
-    if (next_set(qp, active, exact) != active || !is_balanced(qp, exact.multipliers)) return false;
+    if (next_set(shifted, active, exact) != active || !is_balanced(shifted.qp, exact.multipliers)) return false;
     state = std::move(exact);
     return true;
 }
 
 /// Passes with less and less of the proximal term. state: the start's multipliers, and the answer. repeats: the primal-dual
 /// active set is known to come back to the same sets, and is left out.
-bool run_passes(const ContactQp& qp, const MatrixXd& stiffness, bool repeats, ClosedFactor& factor, ContactState& state,
+bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeats, ClosedFactor& factor, ContactState& state,
                 ContactQpResult& result) {
-    Proximal proximal{first_proximal(stiffness), VectorXd::Zero(qp.modes.cols())};
+    Proximal proximal{first_proximal(stiffness), VectorXd::Zero(shifted.qp.modes.cols())};
     for (int pass = 0; pass < max_passes; ++pass) {
         const VectorXd before = state.multipliers;
         const ActiveSet start = result.active;
-        if (repeats || primal_dual(qp, proximal, result.active, factor, state, result.iterations) != SetSearch::found) {
+        if (repeats || primal_dual(shifted, proximal, result.active, factor, state, result.iterations) != SetSearch::found) {
             repeats = result.used_fallback = true;
             result.active = start;
             state.multipliers = before;
-            if (!descend(qp, proximal, result.active, factor, state, result.iterations)) return false;
+            if (!descend(shifted, proximal, result.active, factor, state, result.iterations)) return false;
         }
-        if (holds_exactly(qp, proximal.anchor, result.active, factor, state)) return true;
-        if (is_balanced(qp, state.multipliers)) return true;
+        if (holds_exactly(shifted, proximal.anchor, result.active, factor, state)) return true;
+        if (is_balanced(shifted.qp, state.multipliers)) return true;
         proximal.anchor = state.amplitudes;
         if (pass + 1 < reduced_passes) proximal.stiffness *= 0.1;
     }
@@ -106,13 +107,56 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-void conclude(const ContactQp& qp, const VectorXd& settled, VectorXd gap, ContactState& state, ContactQpResult& result) {
-    result.gap = std::move(gap);
-    result.residual =
-        contact_residual(qp, {state.multipliers, result.gap, qp.modes.transpose() * state.multipliers + qp.mode_load});
+/// closing: C l.
+double residual_of(const ContactQp& qp, const ContactConditions& c, const VectorXd& closing) {
+    if (c.gap.size() == 0) return 0;
+    const double force = force_scale(qp, c.multipliers), largest = c.multipliers.cwiseAbs().maxCoeff();
+    const double length = (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
+    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
+    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0.0;
+    for (Index k = 0; k < c.gap.size(); ++k) {
+        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
+        if (qp.unilateral[static_cast<std::size_t>(k)])
+            worst = std::max({worst, -l, -g, std::min(l, g)});
+        else
+            worst = std::max(worst, std::abs(g));
+    }
+    return worst;
+}
+
+void conclude(const ShiftedQp& shifted, const VectorXd& settled, ContactState& state, ContactQpResult& result) {
+    const ContactQp& qp = shifted.qp;
+    result.gap = gap_of(shifted, state);
+    const VectorXd imbalance = qp.modes.transpose() * state.multipliers + qp.mode_load;
+    result.residual = residual_of(qp, {state.multipliers, result.gap, imbalance}, state.closing);
     result.multipliers = std::move(state.multipliers);
     result.settled = settled;
     result.motion = std::move(state.amplitudes);
+}
+
+/// The search from the expected set, and from there by passes where a motion is left free; the amplitudes from where the bodies
+/// would settle on it. False: nothing is known from it.
+bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
+    result.active = closed_by(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    if (!settled) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, qp.expected);
+    const SetSearch search = solve_exactly(near, factor, state, result);
+    result.converged = search == SetSearch::found || (search == SetSearch::singular &&
+                                                      run_passes(near, foundation_stiffness(qp), false, factor, state, result));
+    if (!result.converged) return false;
+    conclude(near, *settled, state, result);
+    return true;
+}
+
+bool state_on_set(const ContactQp& qp, const ActiveSet& active, ContactState& state) {
+    const ShiftedQp as_given{qp, qp.gap};
+    const Index n = qp.modes.cols();
+    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
+    return solve_on(as_given, none, active, factor, state) || solve_least_motion(as_given, none.anchor, active, factor, state);
 }
 
 /// Without unilateral rows there is one linear system. False: it does not answer (a motion is free, or C singular).
@@ -120,9 +164,8 @@ bool solve_linear(const ContactQp& qp, ContactQpResult& result) {
     const auto is_unilateral = [](char c) { return c != 0; };
     if (qp.gap.size() == 0 || std::any_of(qp.unilateral.begin(), qp.unilateral.end(), is_unilateral)) return false;
     ContactState state;
-    if (!solve_on_set(qp, result.active, state.multipliers, state.amplitudes) || !is_balanced(qp, state.multipliers))
-        return false;
-    conclude(qp, VectorXd::Zero(qp.modes.cols()), gap_of(qp, state), state, result);
+    if (!state_on_set(qp, result.active, state) || !is_balanced(qp, state.multipliers)) return false;
+    conclude({qp, qp.gap}, VectorXd::Zero(qp.modes.cols()), state, result);
     result.converged = true;
     return true;
 }
@@ -138,52 +181,30 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         return result;
     }
     if (solve_linear(qp, result)) return result;
+    if (qp.expected.size() > 0 && solve_from_expected(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     if (!start.balanced && find_mechanism(qp, result)) return result;
 
     // amplitudes from where the bodies settle: a clearance, however wide, then leaves no rounding in the elastic answer
-    ContactQp near = qp;
-    near.gap += qp.modes * start.amplitudes;
-    ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols())};
-    const bool is_expected = qp.expected.size() > 0;
-    ClosedFactor factor(near.compliance, is_expected ? qp.expected : start.multipliers);
-    SetSearch search = SetSearch::repeated;
-    if (is_expected) {
-        result.active = closed_by(qp, qp.expected);
-        search = solve_exactly(near, factor, state, result);
-    }
-    if (search != SetSearch::found) {
-        result.active = closed_by(qp, start.multipliers);
-        search = solve_exactly(near, factor, state, result);
-    }
+    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
+    ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, start.multipliers);
+    result.active = closed_by(qp, start.multipliers);
+    const SetSearch search = solve_exactly(near, factor, state, result);
     result.converged =
         search == SetSearch::found || run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
-    conclude(qp, start.amplitudes, gap_of(near, state), state, result);
+    if (!result.converged) state.closing = closing_of(qp, state.multipliers);
+    conclude(near, start.amplitudes, state, result);
     return result;
 }
 
 double contact_residual(const ContactQp& qp, const ContactConditions& c) {
-    if (c.gap.size() == 0) return 0;
-    const double force = force_scale(qp, c.multipliers), largest = c.multipliers.cwiseAbs().maxCoeff();
-    const double length = (largest > 0 ? VectorXd(qp.compliance * c.multipliers) : c.gap).cwiseAbs().maxCoeff();
-    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
-    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0.0;
-    for (Index k = 0; k < c.gap.size(); ++k) {
-        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
-        if (qp.unilateral[static_cast<std::size_t>(k)])
-            worst = std::max({worst, -l, -g, std::min(l, g)});
-        else
-            worst = std::max(worst, std::abs(g));
-    }
-    return worst;
+    return residual_of(qp, c, closing_of(qp, c.multipliers));
 }
 
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {
     ContactState state;
-    const Index n = qp.modes.cols();
-    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
-    if (!solve_on(qp, none, active, factor, state) && !solve_least_motion(qp, none.anchor, active, factor, state)) return false;
+    if (!state_on_set(qp, active, state)) return false;
     multipliers = std::move(state.multipliers);
     amplitudes = std::move(state.amplitudes);
     return true;

@@ -134,12 +134,12 @@ double volume_energy(const Dilatation& d, const VectorXd& displacement) {
 namespace {
 
 /// B's columns in the rows of A.
-Eigen::SparseMatrix<double> numbered(const Eigen::SparseMatrix<double>& divergence, const std::vector<int>& number,
-                                     const std::vector<double>& share, int n) {
+Eigen::SparseMatrix<double> folded_divergence(const Eigen::SparseMatrix<double>& divergence, const std::vector<int>& number,
+                                              const std::vector<double>& share, int n) {
     Entries entries;
     for (std::size_t dof = 0; dof < number.size(); ++dof)
         for (Eigen::SparseMatrix<double>::InnerIterator it(divergence, static_cast<Index>(dof)); it && number[dof] >= 0; ++it)
-            entries.emplace_back(static_cast<int>(it.row()), number[dof], (share.empty() ? 1 : share[dof]) * it.value());
+            entries.emplace_back(static_cast<int>(it.row()), number[dof], share[dof] * it.value());
     Eigen::SparseMatrix<double> result(divergence.rows(), n);
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
@@ -155,13 +155,20 @@ SparseSymmetric with_pressures(const SparseSymmetric& a, const Dilatation& d, co
         m.value.push_back(value);
     };
     const auto end_column = [&] { m.first.push_back(static_cast<int>(m.row.size())); };
-    const Eigen::SparseMatrix<double> divergence = numbered(d.divergence, number, share, a.n);
-    for (std::size_t c = 0; c + 1 < a.first.size(); ++c) {
+    const auto push_column = [&](int of_a, const Eigen::SparseMatrix<double>& divergence, std::size_t column) {
+        const auto c = static_cast<std::size_t>(of_a);
         for (int k = a.first[c]; k < a.first[c + 1]; ++k)
             push(a.row[static_cast<std::size_t>(k)], a.value[static_cast<std::size_t>(k)]);
-        for (Eigen::SparseMatrix<double>::InnerIterator it(divergence, static_cast<Index>(c)); it; ++it)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(divergence, static_cast<Index>(column)); it; ++it)
             push(a.n + static_cast<int>(it.row()), it.value());
         end_column();
+    };
+    if (share.empty()) {
+        for (std::size_t dof = 0; dof < number.size(); ++dof)
+            if (number[dof] >= 0) push_column(number[dof], d.divergence, dof);
+    } else {
+        const Eigen::SparseMatrix<double> folded = folded_divergence(d.divergence, number, share, a.n);
+        for (int c = 0; c < a.n; ++c) push_column(c, folded, static_cast<std::size_t>(c));
     }
     for (std::size_t c = 0; c + 1 < d.mass.first.size(); ++c) {
         for (int k = d.mass.first[c]; k < d.mass.first[c + 1]; ++k)

@@ -15,6 +15,11 @@ struct SplineAt {
     Eigen::Matrix<double, N, 2> gradient;
 };
 
+/// The B-splines of one direction at an abscissa.
+struct LineValues {
+    LocalValues value, slope;
+};
+
 template <int N>
 class LocalSpline {
 public:
@@ -46,9 +51,16 @@ public:
     }
 
     SplineAt<N> at(const Vec2& x) const {
-        LocalValues vx, gx, vy, gy;
-        evaluate(space_.x, column_, x.x(), vx, gx);
-        evaluate(space_.y, row_, x.y(), vy, gy);
+        LineValues along_x, along_y;
+        evaluate(space_.x, column_, x.x(), along_x.value, along_x.slope);
+        evaluate(space_.y, row_, x.y(), along_y.value, along_y.slope);
+        return at(along_x, along_y);
+    }
+
+    /// The same where the B-splines of the element's column and row are at hand.
+    SplineAt<N> at(const LineValues& along_x, const LineValues& along_y) const {
+        const auto& [vx, gx] = along_x;
+        const auto& [vy, gy] = along_y;
         SplineAt<N> result{Values::Zero(), Eigen::Matrix<double, N, 2>::Zero()};
         const Factor* factor = factor_.data();
         for (std::size_t b = 0; b <= degree(space_.y); ++b) {

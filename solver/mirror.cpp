@@ -152,7 +152,7 @@ SpaceImage space_image(const PartInput& part, const PartInput& image, const Plac
     else if (!map_branches(part.space, image.space, grid, result.element, result.branch))
         result.failure = "its slots have no mirror image";
     else if (!map_functions(part.space, image.space, result.branch, result.function))
-        result.failure = "cells filled to a quarter there are not here";
+        result.failure = "of a cell and its image one alone is filled enough for a function of its own";
     return result;
 }
 

@@ -96,8 +96,11 @@ private:
         const double weight = rows_.weight[row];
         return std::abs(images_[1][row] - sign * own_[1][other]) <= asymmetry * size_[row] &&
                std::abs(weight - rows_.weight[other]) <= asymmetry * weight &&
+               std::abs(softness(row) - softness(other)) <= asymmetry * softness(row) &&
                std::abs(rows_.gap0[row] - sign * rows_.gap0[other]) <= weight * near_ + asymmetry * std::abs(rows_.gap0[row]);
     }
+
+    double softness(int row) const { return row < rows_.softness.size() ? rows_.softness[row] : 0; }
 
     const Rows& rows_;
     VectorXd size_;
@@ -106,11 +109,14 @@ private:
     std::vector<int> order_;              // by |own_[0]|
 };
 
-int first_part_of(const Rows& rows, int row) {
-    for (std::size_t i = 0; i < rows.by_part.size(); ++i)
-        for (const RowEntry& e : rows.by_part[i])
-            if (e.row == row) return static_cast<int>(i);
-    return 0;
+std::array<int, 2> parts_of(const Rows& rows, int row) {
+    std::array<int, 2> parts{-1, -1};
+    for (std::size_t i = 0; i < rows.by_part.size(); ++i) {
+        const auto& entries = rows.by_part[i];
+        if (std::none_of(entries.begin(), entries.end(), [&](const RowEntry& e) { return e.row == row; })) continue;
+        parts[parts[0] < 0 ? 0 : 1] = static_cast<int>(i);
+    }
+    return parts;
 }
 
 /// Adds one part's entries to those of the part that is solved in its place.
@@ -170,7 +176,7 @@ RowImages row_images(const AssemblyProblem& problem, const Rows& rows) {
     for (int r = 0; r < rows.n; ++r) {
         const int other = result.image[at(r)].row;
         if (other >= 0 && result.image[at(other)].row == r) continue;
-        result.lonely_part = first_part_of(rows, r);
+        result.lonely_parts = parts_of(rows, r);
         break;
     }
     return result;

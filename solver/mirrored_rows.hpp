@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows of a mirror symmetric assembly folded onto the parts that are solved (fold.hpp).
 #pragma once
+#include <array>
 #include <vector>
 
 #include "solver/assembly_rows.hpp"
@@ -13,8 +14,8 @@ struct RowImage {
     double sign;
 };
 struct RowImages {
-    std::vector<RowImage> image;  ///< by row
-    int lonely_part = -1;         ///< not negative: rows of this part have no mirror image
+    std::vector<RowImage> image;              ///< by row
+    std::array<int, 2> lonely_parts{-1, -1};  ///< first not negative: rows of it, and of the second, have no mirror image
 };
 
 /// Found by what rows do to displacement fields and to their mirror images, so that nothing has to be known of how interfaces

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/mirrored_solution.hpp"
 
+#include <Eigen/Cholesky>
 #include <chrono>
 #include <cmath>
 #include <tuple>
@@ -38,7 +39,8 @@ bool find_asymmetry(const AssemblyProblem& problem, MirroredSolution& result) {
     return false;
 }
 
-/// The leaders stand for two parts, their unknowns for sqrt(2) times their displacements; the constraints that are left.
+/// The leaders stand for two parts, their unknowns for sqrt(2) times their displacements, a unit of their motions for half a
+/// unit of either part's: forces do the work in it that they do in one part's own. The constraints that are left.
 class Folded {
 public:
     Folded(AssemblyProblem& problem, const FoldedRows& rows) : problem_(problem), constraints_(problem.constraints) {
@@ -47,8 +49,9 @@ public:
         for (std::size_t k = 0; k < constraints_.size(); ++k)
             if (rows.kept[first + k]) problem.constraints.push_back(constraints_[k]);
         for (PartSystem& part : problem.parts) {
-            saved_.push_back({part.load, part.prescribed});
+            saved_.push_back({part.load, part.prescribed, part.modes});
             if (mirror_of(part).role != MirrorRole::leader) continue;
+            part.modes *= std::sqrt(0.5);
             part.load *= std::sqrt(2.0);
             part.prescribed *= std::sqrt(2.0);
         }
@@ -58,13 +61,13 @@ public:
     ~Folded() {
         problem_.constraints = std::move(constraints_);
         for (std::size_t i = 0; i < saved_.size(); ++i)
-            std::tie(problem_.parts[i].load, problem_.parts[i].prescribed) = std::move(saved_[i]);
+            std::tie(problem_.parts[i].load, problem_.parts[i].prescribed, problem_.parts[i].modes) = std::move(saved_[i]);
     }
 
 private:
     AssemblyProblem& problem_;
     std::vector<MeanConstraint> constraints_;
-    std::vector<std::pair<VectorXd, VectorXd>> saved_;
+    std::vector<std::tuple<VectorXd, VectorXd, MatrixXd>> saved_;
 };
 
 VectorXd unfolded(const VectorXd& multipliers, const FoldedRows& rows) {
@@ -134,16 +137,6 @@ public:
         }
     }
 
-    /// Those that nothing resists.
-    std::vector<PartMotion> neutral(const Rows& rows) const {
-        const MotionSplit split = split_motions(problem_, constraint_modes(rows));
-        std::vector<PartMotion> motions;
-        for (Index k = 0; k < split.neutral.cols(); ++k)
-            for (const PartMotion& m : part_motions(problem_.parts, split.neutral.col(k))) motions.push_back(m);
-        return motions;
-    }
-
-private:
     /// What constraints make of the motions; zero in the interfaces' rows, which are not read.
     MatrixXd constraint_modes(const Rows& rows) const {
         const std::vector<Index> offset = mode_offsets(problem_.parts);
@@ -157,9 +150,52 @@ private:
         return modes;
     }
 
+    /// Amplitudes of all motions that one of each symmetric motion is (all x symmetric): a leader's moves its follower, too.
+    MatrixXd of_symmetric() const {
+        const std::vector<Index> offset = mode_offsets(problem_.parts);
+        std::vector<Index> column{0};
+        for (const MatrixXd& modes : symmetric_) column.push_back(column.back() + modes.cols());
+        MatrixXd all = MatrixXd::Zero(offset.back(), column.back());
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+            const PartMirror& mirror = mirror_of(problem_.parts[i]);
+            const auto image = at(mirror.image);
+            for (Index k = 0; k < symmetric_[i].cols(); ++k) {
+                const bool is_pair = mirror.role == MirrorRole::leader;
+                const VectorXd field = (is_pair ? 0.5 : 1.0) * symmetric_[i].col(k);
+                all.col(column[i] + k).segment(offset[i], offset[i + 1] - offset[i]) = amplitudes(i, field);
+                if (!is_pair) continue;
+                all.col(column[i] + k).segment(offset[image], offset[image + 1] - offset[image]) =
+                    amplitudes(image, mirrored(mirror, field));
+            }
+        }
+        return all;
+    }
+
+private:
+    /// A rigid motion's share of the part's own.
+    VectorXd amplitudes(std::size_t part, const VectorXd& field) const {
+        const MatrixXd& modes = problem_.parts[part].modes;
+        return (modes.transpose() * modes).ldlt().solve(modes.transpose() * field);
+    }
+
     AssemblyProblem& problem_;
     std::vector<MatrixXd> symmetric_;  // modes
 };
+
+/// What resists the symmetric motions, and all the motions that nothing resists.
+struct WholeMotions {
+    MatrixXd resistance;
+    std::vector<PartMotion> neutral;
+};
+WholeMotions motions_of(AssemblyProblem& problem, const Rows& rows) {
+    const AllMotions motions(problem);
+    const MatrixXd resistance = candidate_resistance(problem), to_all = motions.of_symmetric();
+    WholeMotions whole{to_all.transpose() * resistance * to_all, {}};
+    const MotionSplit split = split_motions(problem, resistance, motions.constraint_modes(rows));
+    for (Index k = 0; k < split.neutral.cols(); ++k)
+        for (const PartMotion& m : part_motions(problem.parts, split.neutral.col(k))) whole.neutral.push_back(m);
+    return whole;
+}
 
 }  // namespace
 
@@ -169,24 +205,26 @@ MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
     if (find_asymmetry(problem, result)) return result;
     const AssemblyRows whole = assembly_rows(problem);
     const RowImages images = row_images(problem, whole.rows);
-    if (images.lonely_part >= 0) {
-        result.part = images.lonely_part;
-        result.failure = "its contacts have no mirror image";
+    if (images.lonely_parts[0] >= 0) {
+        result.part = images.lonely_parts[0];
+        result.other_part = images.lonely_parts[1];
+        result.failure = "has no mirror image";
         return result;
     }
     const FoldedRows rows = fold_rows(problem, whole, images.image);
+    const WholeMotions motions = motions_of(problem, whole.rows);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     RowsSolution answer;
     {
         const Folded folded(problem, rows);
-        answer = solve_rows(problem, rows.all, threads);
+        answer = solve_rows(problem, rows.all, motions.resistance, threads);
     }
     AssemblySolution& solution = result.solution = std::move(answer.solution);
     solution.seconds.rows = result.seconds;
     solution.n_multipliers = whole.rows.n;
     for (std::vector<PartMotion>* motions : {&solution.driven, &solution.mechanism}) append_images(problem, *motions);
     if (!solution.mechanism.empty()) return result;
-    solution.neutral = AllMotions(problem).neutral(whole.rows);
+    if (solution.driven.empty()) solution.neutral = motions.neutral;
     const VectorXd multipliers = unfolded(answer.multipliers, rows);
     unfold_displacements(problem, solution);
     unfold_loads(problem, whole.rows, multipliers, solution);

@@ -22,35 +22,71 @@ using Eigen::VectorXd;
 /// Pressures may change by this fraction in making up for the neutral motions' balance.
 constexpr double largest_rebalancing = 0.02;
 
-/// The free motions of an interface's two bodies, at most three each.
-constexpr int max_motions = 6;
-using PairMotions = Eigen::Matrix<double, max_motions, 1>;
-using PairMatrix = Eigen::Matrix<double, max_motions, max_motions>;
+/// Force along the normal at a point, and its moment about a center: times (translation, rotation) about it, the motion that it
+/// resists.
+using Wrench = std::array<double, 3>;
 
-/// Resistance of a pair of points to the motions of the first body, then of the second; the rest zero.
-PairMotions resistance_of(const AssemblyProblem& problem, std::size_t face, std::size_t point) {
-    PairMotions row = PairMotions::Zero();
-    const Interface& f = problem.interfaces[face];
-    Index k = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Vec2 normal = -problem.own_normals[face][point][side];
-        for (const RigidMotion& motion : problem.parts[static_cast<std::size_t>(f.part[side])].free_motions)
-            row[k++] = normal.dot(motion.at(f.points[point].x[side]));
-    }
-    return row;
+/// Where a side's motions turn about.
+Vec2 center_of(const PartSystem& part) {
+    return part.free_motions.empty() ? Vec2(0, 0) : part.free_motions.front().center;
 }
 
-/// R'R of one interface, each row weighted with its share of the length.
-PairMatrix pair_resistance_squared(const AssemblyProblem& problem, std::size_t face) {
-    PairMatrix sum = PairMatrix::Zero();
-    double total = 0;
-    const std::vector<InterfacePoint>& points = problem.interfaces[face].points;
-    for (std::size_t q = 0; q < points.size(); ++q) {
-        const PairMotions row = resistance_of(problem, face, q);
-        sum += points[q].weight * row * row.transpose();
-        total += points[q].weight;
+/// A part's free motions by column: (translation, rotation) about the center.
+Eigen::Matrix3Xd free_twists(const PartSystem& part) {
+    Eigen::Matrix3Xd twists(3, static_cast<Index>(part.free_motions.size()));
+    for (Index k = 0; k < twists.cols(); ++k) {
+        const RigidMotion& motion = part.free_motions[static_cast<std::size_t>(k)];
+        twists.col(k) << motion.at(center_of(part)), motion.rotation;
     }
-    return sum / total;
+    return twists;
+}
+
+/// Sums of weight times products of the wrenches of two sides, over the points of an interface.
+struct WrenchProducts {
+    Eigen::Matrix3d first = Eigen::Matrix3d::Zero(), both = first, second = first;
+    double weight = 0;
+};
+
+void add_product(double weight, const Wrench& a, const Wrench& b, Eigen::Matrix3d& sum) {
+    for (Index j = 0; j < 3; ++j)
+        for (Index i = 0; i < 3; ++i) sum(i, j) += weight * a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
+}
+
+WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face) {
+    const Interface& f = problem.interfaces[face];
+    const std::vector<std::array<Vec2, 2>>& normals = problem.own_normals[face];
+    const PartSystem &first = problem.parts[static_cast<std::size_t>(f.part[0])],
+                     &second = problem.parts[static_cast<std::size_t>(f.part[1])];
+    const std::array<Vec2, 2> center{center_of(first), center_of(second)};
+    const auto wrench = [&](std::size_t q, std::size_t side) {
+        const Vec2 &n = normals[q][side], &x = f.points[q].x[side], &c = center[side];
+        return Wrench{n.x(), n.y(), (x.x() - c.x()) * n.y() - (x.y() - c.y()) * n.x()};
+    };
+    const bool is_first_free = !first.free_motions.empty(), is_second_free = !second.free_motions.empty();
+    WrenchProducts sum;
+    for (std::size_t q = 0; q < f.points.size(); ++q) {
+        const double weight = f.points[q].weight;
+        sum.weight += weight;
+        const Wrench a = is_first_free ? wrench(q, 0) : Wrench{}, b = is_second_free ? wrench(q, 1) : Wrench{};
+        if (is_first_free) add_product(weight, a, a, sum.first);
+        if (is_first_free && is_second_free) add_product(weight, a, b, sum.both);
+        if (is_second_free) add_product(weight, b, b, sum.second);
+    }
+    return sum;
+}
+
+/// R'R of one interface, each row weighted with its share of the length: the first body's motions, then the second's.
+MatrixXd pair_resistance_squared(const AssemblyProblem& problem, std::size_t face) {
+    const Interface& f = problem.interfaces[face];
+    const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
+                           b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
+    const WrenchProducts sum = wrench_products(problem, face);
+    MatrixXd squared(a.cols() + b.cols(), a.cols() + b.cols());
+    squared.topLeftCorner(a.cols(), a.cols()) = a.transpose() * sum.first * a;
+    squared.topRightCorner(a.cols(), b.cols()) = a.transpose() * sum.both * b;
+    squared.bottomLeftCorner(b.cols(), a.cols()) = squared.topRightCorner(a.cols(), b.cols()).transpose();
+    squared.bottomRightCorner(b.cols(), b.cols()) = b.transpose() * sum.second * b;
+    return squared / sum.weight;
 }
 
 /// Amplitudes of an interface's motions.
@@ -62,26 +98,39 @@ std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>
     return list;
 }
 
-/// R'R of the resistance R (rows x amplitudes).
-MatrixXd resistance_squared(const AssemblyProblem& problem, const MatrixXd& modes) {
-    const std::vector<Index> offset = mode_offsets(problem.parts);
-    MatrixXd sum = MatrixXd::Zero(modes.cols(), modes.cols());
-    for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
-        if (problem.interfaces[f].points.empty()) continue;
-        const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
-        const auto n = static_cast<Index>(amplitude.size());
-        sum(amplitude, amplitude) += pair_resistance_squared(problem, f).topLeftCorner(n, n);
-    }
-    const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
-    return sum + held.transpose() * held;
+/// True: every motion is resisted by far more than a neutral one. False: not known. The product of the other eigenvalues of R'R
+/// is at most (trace / (n - 1))^(n - 1), so that the least one is at least det over that: for a few motions, cheap and enough.
+bool resists_every_motion(const MatrixXd& squared) {
+    const Index n = squared.cols();
+    const Eigen::LDLT<MatrixXd> factor(squared);
+    const VectorXd pivots = factor.vectorD();
+    const double trace = squared.trace();
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 0)) return false;
+    const double others = n > 1 ? trace / static_cast<double>(n - 1) : 1.0;
+    double least = pivots[0];
+    for (Index k = 1; k < n; ++k) least *= pivots[k] / others;
+    return least > neutral_motion_fraction * trace;  // the limit is its square: rounding does not matter
 }
 
 }  // namespace
 
-MotionSplit split_motions(const AssemblyProblem& problem, const MatrixXd& modes) {
+MatrixXd candidate_resistance(const AssemblyProblem& problem) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    MatrixXd sum = MatrixXd::Zero(offset.back(), offset.back());
+    for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
+        const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
+        if (problem.interfaces[f].points.empty() || amplitude.empty()) continue;
+        sum(amplitude, amplitude) += pair_resistance_squared(problem, f);
+    }
+    return sum;
+}
+
+MotionSplit split_motions(const AssemblyProblem& problem, const MatrixXd& resistance, const MatrixXd& modes) {
     const Index n = modes.cols();
     if (n == 0) return {MatrixXd(0, 0), MatrixXd(0, 0)};
-    const MatrixXd squared = resistance_squared(problem, modes);
+    const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
+    const MatrixXd squared = resistance + held.transpose() * held;
+    if (resists_every_motion(squared)) return {MatrixXd::Identity(n, n), MatrixXd(n, 0)};
     // eigenvalues of R'R: squares of the singular values of R
     const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues();
     const double limit = neutral_motion_fraction * neutral_motion_fraction * values[n - 1];
@@ -133,7 +182,7 @@ bool balance_neutral_motions(const MatrixXd& modes, const VectorXd& mode_load, c
     ContactQp full = answer.qp;
     full.modes = modes * all;
     full.mode_load = all.transpose() * mode_load;
-    full.expected = VectorXd(0);
+    full.expected = answer.result.multipliers;
     ContactQpResult balanced = solve_contact_qp(full);
     balanced.iterations += answer.result.iterations;
     if (!balanced.feasible || !balanced.converged) return false;

@@ -12,9 +12,11 @@ namespace abut::solver {
 struct MotionSplit {
     Eigen::MatrixXd resisted, neutral;
 };
-/// modes: G of the rows. The candidates' resistance is taken along the bodies' own normals, root-mean-square over each
-/// interface; that of constraints as they are.
-MotionSplit split_motions(const AssemblyProblem& problem, const Eigen::MatrixXd& modes);
+/// R'R of the candidates' resistance R along the bodies' own normals, root-mean-square over each interface (amplitudes
+/// squared).
+Eigen::MatrixXd candidate_resistance(const AssemblyProblem& problem);
+/// resistance: of the candidates; modes: G of the rows, of which the constraints' resist as they are.
+MotionSplit split_motions(const AssemblyProblem& problem, const Eigen::MatrixXd& resistance, const Eigen::MatrixXd& modes);
 
 /// Motion of every part that takes a notable share in a combination of the free motions.
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const Eigen::VectorXd& amplitudes);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/full_cell_fit.hpp"
 #include "solver/solution_structure.hpp"
 #include "solver/stress.hpp"
 
@@ -49,11 +50,23 @@ Eigen::MatrixXd values_at(const SplineSpace& space, int element, const Extractio
     return extraction.identity ? std::move(sampled.value) : sampled.value * extraction.matrix;
 }
 
+/// Adds an element's matrix and right-hand side, of these functions.
+void scatter(const std::vector<int>& functions, const Eigen::MatrixXd& matrix, const Eigen::MatrixX3d& rhs,
+             NormalEquations& eq) {
+    const auto n = static_cast<Index>(functions.size());
+    for (Index j = 0; j < n; ++j) {
+        const int column = functions[static_cast<std::size_t>(j)];
+        eq.rhs.row(column) += rhs.row(j);
+        for (Index i = 0; i < n; ++i)
+            if (const int row = functions[static_cast<std::size_t>(i)]; row >= column)
+                eq.entries.push_back({column, row, matrix(i, j)});
+    }
+}
+
 /// Adds one element's samples: dense within it, then its lower triangle.
 void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& stress, int element, const Samples& samples) {
     const Extraction e = extraction(space, element);
     const std::vector<int>& functions = e.functions;
-    const auto n = static_cast<Index>(functions.size());
     const Eigen::MatrixXd b = values_at(space, element, e, samples.points);
     Eigen::MatrixX3d s(b.rows(), 3);
     const StressOf::OnElement stress_here(stress, element);
@@ -67,13 +80,7 @@ void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& 
         for (Index k = 0; k < zz.size(); ++k) zz[k] = stress.zz(element, samples.points[static_cast<std::size_t>(k)]);
         eq.rhs_zz(functions) += weighted.transpose() * zz;
     }
-    for (Index j = 0; j < n; ++j) {
-        const int column = functions[static_cast<std::size_t>(j)];
-        eq.rhs.row(column) += r.row(j);
-        for (Index i = 0; i < n; ++i)
-            if (const int row = functions[static_cast<std::size_t>(i)]; row >= column)
-                eq.entries.push_back({column, row, m(i, j)});
-    }
+    scatter(functions, m, r, eq);
 }
 
 /// The entries in the order of their columns, those of one column in the order in which they are given.
@@ -117,17 +124,44 @@ void add(Samples& samples, const Vec2& x, double weight) {
 }
 
 /// The Gauss points and the corners; of low degrees the middles of the sides and the centre, too.
-Samples full_cell_samples(const SplineSpace& s, int element, const std::vector<double>& inside) {
+FullCellRule full_cell_rule(const SplineSpace& s, const std::vector<double>& inside) {
+    if (gauss_points_are_better(s)) return {inside, {0, 0.5, 1}, weight_between};
+    return {inside, {0, 1}, 1};
+}
+
+Samples full_cell_samples(const SplineSpace& s, int element, const FullCellRule& rule) {
     const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
     const Vec2 a(s.x.breakpoints[c], s.y.breakpoints[r]), size = Vec2(s.x.breakpoints[c + 1], s.y.breakpoints[r + 1]) - a;
-    const bool low = gauss_points_are_better(s);
-    const std::vector<double> between = low ? std::vector<double>{0, 0.5, 1} : std::vector<double>{0, 1};
     Samples samples;
-    for (double v : inside)
-        for (double u : inside) add(samples, a + size.cwiseProduct(Vec2(u, v)), 1);
-    for (double v : between)
-        for (double u : between) add(samples, a + size.cwiseProduct(Vec2(u, v)), low ? weight_between : 1);
+    const auto add_all = [&](const std::vector<double>& abscissas, double weight) {
+        for (double v : abscissas)
+            for (double u : abscissas) add(samples, a + size.cwiseProduct(Vec2(u, v)), weight);
+    };
+    add_all(rule.inside, 1);
+    add_all(rule.between, rule.between_weight);
     return samples;
+}
+
+/// All samples: of full cells by products where their functions are B-splines, else one by one.
+void add_all_elements(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const StressOf& stress,
+                      const FullCellRule& rule, const std::vector<Samples>& cut) {
+    const FullCellFit full(input.space, space, rule);
+    const bool by_products = !input.structure && eq.rhs_zz.size() == 0;
+    FullCellEquations cell;
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        const int element = static_cast<int>(i);
+        const bool is_full = input.space.fraction[i] == 1;
+        if (is_full && by_products && cut[i].points.empty()) {
+            if (const Extraction e = extraction(space, element); e.identity) {
+                full.equations({stress, element}, element, cell);
+                scatter(e.functions, cell.matrix, cell.rhs, eq);
+                continue;
+            }
+        }
+        Samples samples = is_full ? full_cell_samples(input.space, element, rule) : Samples{};
+        for (std::size_t k = 0; k < cut[i].points.size(); ++k) add(samples, cut[i].points[k], cut[i].weights[k]);
+        if (!samples.points.empty()) add_element(eq, space, stress, element, samples);
+    }
 }
 
 /// Quadrature points as samples, their weights relative to the cell's area: they make the fit one in the mean square over the
@@ -173,11 +207,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}};
     if (has_own_zz(input)) eq.rhs_zz = Eigen::VectorXd::Zero(field.space.n_functions);
     std::vector<Samples> samples(from.fraction.size());
-    for (std::size_t element = 0; element < from.fraction.size(); ++element)
-        if (from.fraction[element] == 1) samples[element] = full_cell_samples(from, static_cast<int>(element), inside);
     for (const SamplePoint& p : cut) add(samples[static_cast<std::size_t>(p.element)], p.x, cut_weight);
-    for (std::size_t element = 0; element < samples.size(); ++element)
-        if (!samples[element].points.empty()) add_element(eq, field.space, stress, static_cast<int>(element), samples[element]);
+    add_all_elements(eq, input, field.space, stress, full_cell_rule(from, inside), samples);
 
     Factorization factor(assembled(eq.entries, field.space.n_functions));
     if (!factor.ok()) {  // parts of few cells, all cut, with hardly a sample in some

@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace abut::solver {
@@ -21,6 +22,9 @@ constexpr double energy_rounding = 1e-15;    // of the terms that the energy is 
 /// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
 /// slide far under a small part of its load; more where the step was too long.
 constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
+
+/// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
+constexpr double free_fraction = 1e-3;
 
 VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
     const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
@@ -44,16 +48,20 @@ VectorXd imbalance(const ContactQp& qp, const VectorXd& l) {
     return qp.modes.transpose() * l + qp.mode_load;
 }
 
-/// The largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by, that
-/// halves the imbalance. 0: none.
-double reach_of(const ContactQp& qp, const Settled& s, const VectorXd& residual, const VectorXd& direction) {
-    const Energy before = energy_of(qp, s.amplitudes, s.multipliers);
+/// Goes the largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by,
+/// that halves the imbalance. 0: none, and stays. energy: of `s`.
+double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd& direction, Settled& s, Energy& energy) {
+    const Energy before = energy;
     const double slope = residual.dot(direction);
     for (double reach = 1; reach > least_reach; reach *= 0.5) {
-        const VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, trial);
+        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, trial);
         const double wanted = sufficient_descent * reach * slope;
-        if (energy_of(qp, trial, l).value <= before.value - wanted) return reach;
-        if (wanted <= before.rounding && imbalance(qp, l).norm() <= 0.5 * residual.norm()) return reach;
+        energy = energy_of(qp, trial, l);
+        const bool falls = energy.value <= before.value - wanted;
+        if (!falls && (wanted > before.rounding || imbalance(qp, l).norm() > 0.5 * residual.norm())) continue;
+        s.amplitudes = std::move(trial);
+        s.multipliers = std::move(l);
+        return reach;
     }
     return 0;
 }
@@ -69,9 +77,15 @@ MatrixXd weighted_gram(const MatrixXd& modes, const VectorXd& weight) {
     return gram;
 }
 
-/// G'KG over the rows under pressure.
-MatrixXd pressed_stiffness(const ContactQp& qp, const VectorXd& l) {
-    return weighted_gram(qp.modes, (l.array() != 0).select(qp.foundation, 0.0));
+/// G'KG of a foundation, and a little (`held`) against motions that it does not hold.
+MatrixXd held_stiffness(const MatrixXd& modes, const VectorXd& foundation, double held) {
+    MatrixXd stiffness = weighted_gram(modes, foundation);
+    stiffness.diagonal().array() += held;
+    return stiffness;
+}
+
+VectorXd pressed_foundation(const ContactQp& qp, const VectorXd& l) {
+    return (l.array() != 0).select(qp.foundation, 0.0);
 }
 
 }  // namespace
@@ -81,28 +95,43 @@ double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
     return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
 }
 
+MatrixXd foundation_stiffness(const ContactQp& qp) {
+    return weighted_gram(qp.modes, qp.foundation);
+}
+
 Settled settle_rigidly(const ContactQp& qp) {
     const Index n = qp.modes.cols();
     Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
     if (qp.gap.size() == 0) return s;
-    s.stiffness = weighted_gram(qp.modes, qp.foundation);
+    s.stiffness = foundation_stiffness(qp);
     s.multipliers = pressures(qp, s.amplitudes);
     if (n == 0) return s;
     const double mean = s.stiffness.trace() / static_cast<double>(n);
     double held = first_held;
+    Energy energy = energy_of(qp, s.amplitudes, s.multipliers);
     for (int step = 0; step < max_newton_steps; ++step) {
         const VectorXd residual = imbalance(qp, s.multipliers);
         s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
         if (s.balanced || mean == 0) break;
         const VectorXd direction =
-            (pressed_stiffness(qp, s.multipliers) + held * mean * MatrixXd::Identity(n, n)).ldlt().solve(residual);
-        const double reach = reach_of(qp, s, residual, direction);
+            held_stiffness(qp.modes, pressed_foundation(qp, s.multipliers), held * mean).ldlt().solve(residual);
+        const double reach = move_along(qp, residual, direction, s, energy);
         if (reach == 0) break;
         held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
-        s.amplitudes += reach * direction;
-        s.multipliers = pressures(qp, s.amplitudes);
     }
     return s;
+}
+
+std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& closed) {
+    const Index n = qp.modes.cols();
+    if (n == 0) return VectorXd::Zero(n);
+    VectorXd foundation = qp.foundation;
+    for (Index k = 0; k < foundation.size(); ++k)
+        if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
+    const Eigen::LDLT<MatrixXd> factor(weighted_gram(qp.modes, foundation));
+    const VectorXd pivots = factor.vectorD();
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_fraction * pivots.maxCoeff())) return std::nullopt;
+    return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
 }
 
 }  // namespace abut::solver

@@ -21,6 +21,11 @@ Eigen::Vector3d StressOf::OnElement::operator()(const Vec2& x) const {
     return stress_(element_, x, {u.value, u.gradient});
 }
 
+Eigen::Vector3d StressOf::OnElement::operator()(const Vec2& x, const LineValues& along_x, const LineValues& along_y) const {
+    const SplineAt<2> u = displacement_->at(along_x, along_y);
+    return stress_(element_, x, {u.value, u.gradient});
+}
+
 Eigen::Vector3d StressOf::operator()(int element, const Vec2& x) const {
     return (*this)(element, x, displacement_at(input_, displacement_, element, x));
 }

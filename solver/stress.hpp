@@ -17,6 +17,8 @@ public:
     public:
         OnElement(const StressOf& stress, int element);
         Eigen::Vector3d operator()(const Vec2& x) const;
+        /// The same where the B-splines of the element's column and row there are at hand. Without a structure only.
+        Eigen::Vector3d operator()(const Vec2& x, const LineValues& along_x, const LineValues& along_y) const;
 
     private:
         const StressOf& stress_;

@@ -111,6 +111,7 @@ private:
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
         SolvedAssembly now =
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
+        remember_unfolded(now);
         for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid || solver::is_follower(g.input) ? 0 : 1;
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
@@ -127,8 +128,18 @@ private:
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, conditions_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
+            remember_unfolded(now);
         }
         return moved > 0;
+    }
+
+    /// What could not be solved on the half once is not tried again.
+    void remember_unfolded(SolvedAssembly& now) {
+        if (!now.not_folded.empty()) {
+            conditions_.mirror.reset();
+            not_folded_ = now.not_folded;
+        }
+        now.not_folded = not_folded_;
     }
 
     bool may_widen() const {
@@ -287,7 +298,7 @@ private:
 
     const PartGroup& group_;
     const Scene& scene_;
-    const ResolvedConditions& conditions_;
+    ResolvedConditions conditions_;
     const AnalyzeOptions& options_;
     Stopwatches& seconds_;
     int threads_;
@@ -298,6 +309,7 @@ private:
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;
+    std::string not_folded_;           // why all of it is solved
     std::size_t comparable_from_ = 0;  // passes before have other candidates
 };
 

@@ -107,7 +107,7 @@ void plan_symmetry(const Scene& scene, ResolvedConditions& conditions, Result& r
 
 /// The grids turned out not to be symmetric.
 void note_not_folded(const std::string& why, Result& result) {
-    const std::string text = "solved as drawn, because the grids are not symmetric: " + why;
+    const std::string text = "solved as drawn, because the scene on its grids is not symmetric: " + why;
     for (Effect& e : result.effects)
         if (e.name == "symmetry") {
             e.on = false;

@@ -44,8 +44,11 @@ private:
 /// The part's image, if that is on a grid that the part's can be the image of.
 const PartOnGrid* image_on_grid(const Scene& scene, int part, const std::optional<MirrorLine>& mirror,
                                 const SolvedAssembly& solved) {
-    if (!mirror || mirror->image[at(part)] >= part || scene.accuracy.grids.contains(scene.parts[at(part)].name)) return nullptr;
-    const int k = solved.solver_part[at(mirror->image[at(part)])];
+    if (!mirror || mirror->image[at(part)] >= part) return nullptr;
+    const int image = mirror->image[at(part)];
+    const auto is_given = [&](int p) { return scene.accuracy.grids.contains(scene.parts[at(p)].name); };
+    if (is_given(part) || is_given(image)) return nullptr;
+    const int k = solved.solver_part[at(image)];
     return k < 0 ? nullptr : &solved.grids[at(k)];
 }
 
@@ -300,11 +303,15 @@ bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
         return true;
     }
     solver::MirroredSolution half = solve_mirrored(solved.problem, threads);
-    if (!half.failure.empty())
-        solved.not_folded = "part " + scene.parts[at(solved.grids[at(half.part)].part)].name + ": " + half.failure;
     solved.solution = std::move(half.solution);
-    add_symmetry_use(half.seconds, solved);
-    return solved.not_folded.empty();
+    if (half.failure.empty()) {
+        add_symmetry_use(half.seconds, solved);
+        return true;
+    }
+    const auto name = [&](int part) { return scene.parts[at(solved.grids[at(part)].part)].name; };
+    solved.not_folded = "part " + name(half.part) + ": " +
+                        (half.other_part < 0 ? "" : "its contact with " + name(half.other_part) + " ") + half.failure;
+    return false;
 }
 
 /// Systems of all unknowns.
@@ -316,6 +323,10 @@ void unfold(const Scene& scene, const ResolvedConditions& conditions, Stopwatche
     solved.problem.parts.clear();
     solved.problem.part_load.clear();
     solved.problem.constraints.clear();
+    // what the systems are made of is counted anew
+    std::erase_if(solved.uses, [](const auto& use) {
+        return use.first != "contact" && use.first != "bonding" && use.first != "interference";
+    });
     make_systems(scene, conditions, threads, solved);
     seconds["factorisation"] += factorisation_seconds(solved, timed.seconds());
 }
@@ -330,6 +341,7 @@ void solve_contacts(const Scene& scene, const ResolvedConditions& conditions, So
     }
     if (!is_done) {
         unfold(scene, conditions, seconds, threads, solved);
+        if (!solved.failure.empty()) return;
         const Timed timed(seconds, "solve");
         solve_systems(scene, solved, threads);
     }

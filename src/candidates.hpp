@@ -14,9 +14,9 @@ struct ExpectedEnd {
     int outward;  ///< +1: beyond it, at larger s1, the gap is open; -1: the other way
 };
 
-/// Pressures that were found along a zone.
+/// Coefficients of the pressure that was found along a zone.
 struct ExpectedPressure {
-    std::vector<double> s1;  ///< arc lengths on the zone's first chain, ascending; closed zones: once around
+    std::vector<double> s1;  ///< of each the place on the zone's first chain (arc length), ascending; closed zones: once around
     std::vector<double> pressure;
 };
 

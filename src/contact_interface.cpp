@@ -159,20 +159,20 @@ double chain_place(const ContactInterface& c, double s, double from) {
     return c.zone.closed ? s1 - period * std::floor((s1 - from) / period) : s1;
 }
 
-/// Of the solution before: of each function the least pressure at the knots inside its support. So the last function that was
-/// closed is the last that is expected to be, though its pressure reaches into the support of the next.
+/// Of the solution before: of each function the coefficient of that whose place was nearest. So the same functions are expected
+/// to be closed beside an end of contact, wherever it has moved to.
 std::vector<double> expected_coefficients(const ContactInterface& c, const ExpectedPressure& before) {
     std::vector<double> expected;
     if (before.s1.empty()) return expected;
-    const auto pressure = [&](double s) {
-        const double s1 = chain_place(c, s, before.s1.front());
-        return s1 <= before.s1.back() ? interpolate(before.s1, before.pressure, s1) : 0.0;
-    };
-    const std::vector<double>& knots = c.face.pressure.knots;
+    const double total = c.s.back();
     for (int k = 0; k < n_rows(c.face); ++k) {
-        expected.push_back(pressure(knots[at(k + 1)]));
-        for (int i = 2; i <= c.face.pressure.degree; ++i)
-            expected.back() = std::min(expected.back(), pressure(knots[at(k + i)]));
+        double place = solver::greville(c.face.pressure, k);
+        if (c.zone.closed) place -= total * std::floor(place / total);
+        const double s1 = chain_place(c, place, before.s1.front());
+        const auto after = std::lower_bound(before.s1.begin(), before.s1.end(), s1);
+        auto nearest = after == before.s1.end() ? after - 1 : after;
+        if (after != before.s1.begin() && after != before.s1.end() && s1 - *(after - 1) < *after - s1) nearest = after - 1;
+        expected.push_back(before.pressure[static_cast<std::size_t>(nearest - before.s1.begin())]);
     }
     return expected;
 }

@@ -31,15 +31,15 @@ Condition closest(const ChainPoint& p1, const ChainPoint& p2) {
     return {d.dot(p2.tangent), 1 + p2.curvature * d.dot(left)};
 }
 
-/// Rounding of coordinates that are subtracted.
-double noise_at(const Vec2& x) {
-    return 16 * std::numeric_limits<double>::epsilon() * x.lpNorm<Eigen::Infinity>();
+/// Rounding of coordinates that are subtracted; those of a curve's points are rounded at the size of the curve.
+double noise_of(const ChainPoint& p1, const geometry::Chain& chain2) {
+    return 16 * std::numeric_limits<double>::epsilon() * std::max(p1.x.lpNorm<Eigen::Infinity>(), chain2.length);
 }
 
 /// Moves pair.s2 to the zero of a condition by Newton steps; false where they leave the chain or do not end.
 bool find_partner(const geometry::Part& part2, const geometry::Chain& chain2,
                   Condition (*condition)(const ChainPoint&, const ChainPoint&), FacingPair& pair) {
-    const double slack = end_slack * chain2.length, noise = noise_at(pair.on1.x);
+    const double slack = end_slack * chain2.length, noise = noise_of(pair.on1, chain2);
     for (int step = 0; step < max_newton_steps; ++step) {
         pair.on2 = at(part2, chain2, pair.s2);
         const Condition c = condition(pair.on1, pair.on2);

@@ -27,12 +27,28 @@ constexpr double turn_of_feature = 0.25;       // radians of an edge's turning t
 constexpr double corner_fraction = 0.1;        // of the largest cell, at re-entrant corners
 constexpr int chords = 48;                     // scan lines in each direction that look for walls
 
-double wanted_size(double v, int axis, double largest, const std::vector<SizeFeature>& features) {
-    double size = largest;
+/// A feature as one axis sees it.
+struct SizeAlong {
+    double low, high, size, growth;
+
+    double at(double v) const { return size + growth * std::max(0.0, std::max(low - v, v - high)); }
+};
+
+/// Those that ask for less than the largest cell somewhere between low and high: thousands of places are looked at.
+std::vector<SizeAlong> sizes_along(int axis, double low, double high, double largest,
+                                   const std::vector<SizeFeature>& features) {
+    std::vector<SizeAlong> sizes;
     for (const SizeFeature& f : features) {
-        const double away = std::max({0.0, f.box.min[axis] - v, v - f.box.max[axis]});
-        size = std::min(size, f.size + f.growth * away);
+        const SizeAlong along{f.box.min[axis], f.box.max[axis], f.size, f.growth};
+        const double nearest = std::clamp(along.low, low, high), other = std::clamp(along.high, low, high);
+        if (std::min(along.at(nearest), along.at(other)) < largest) sizes.push_back(along);
     }
+    return sizes;
+}
+
+double wanted_size(double v, double largest, const std::vector<SizeAlong>& sizes) {
+    double size = largest;
+    for (const SizeAlong& s : sizes) size = std::min(size, s.at(v));
     return size;
 }
 
@@ -119,11 +135,12 @@ void append_curved(std::vector<SizeFeature>& features, const geometry::Curve& cu
 
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features) {
     constexpr double steps_per_cell = 24;
+    const std::vector<SizeAlong> sizes = sizes_along(axis, low, high, largest, features);
     std::vector<double> v{low}, count{0};
     while (v.back() < high) {
-        const double size = wanted_size(v.back(), axis, largest, features);
+        const double size = wanted_size(v.back(), largest, sizes);
         const double next = std::min(high, v.back() + size / steps_per_cell);
-        const double middle = wanted_size(0.5 * (v.back() + next), axis, largest, features);
+        const double middle = wanted_size(0.5 * (v.back() + next), largest, sizes);
         count.push_back(count.back() + (next - v.back()) / middle);
         v.push_back(next);
     }

@@ -194,11 +194,13 @@ void put_seams_on_mirror(const Scene& scene, const MirrorLine& mirror, std::vect
                      c);
             continue;
         }
-        const Vec2 seam = mirror.image_of(at(scene.parts[at(c.first)].part, c.zone.chain1, c.zone.begin1).x);
+        const Vec2 on_first = mirror.image_of(at(scene.parts[at(c.first)].part, c.zone.chain1, c.zone.begin1).x);
+        const Vec2 on_second = mirror.image_of(at(scene.parts[at(c.second)].part, c.zone.chain2, c.zone.begin2).x);
         for (std::size_t other = k + 1; other < candidates.size(); ++other) {
             Candidate& image = candidates[other];
             if (!image.zone.closed || std::minmax(a, b) != std::minmax(image.first, image.second)) continue;
-            put_seam(scene, nearest(scene.parts[at(image.first)].part, image.zone, seam), image);
+            put_seam(scene, nearest(scene.parts[at(image.first)].part, image.zone, a == image.first ? on_first : on_second),
+                     image);
         }
     }
 }

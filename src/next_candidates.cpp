@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "src/table.hpp"
+
 namespace abut {
 
 namespace {
@@ -105,23 +107,17 @@ void expect_ends(const Scene& scene, const SolvedAssembly& s, std::vector<Candid
     for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, k);
 }
 
-namespace {
-
-bool in_contact(const std::vector<ContactRun>& runs, double s) {
-    return std::any_of(runs.begin(), runs.end(), [s](const ContactRun& run) { return run.begin <= s && s <= run.end; });
-}
-
-}  // namespace
-
 void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const ContactInterface& contact = s.contacts[k];
         candidates[k].expected = {};
         if (s.interface_of[k] < 0 || contact.pairing != Pairing::middle) continue;
-        candidates[k].expected.s1 = contact.s1;
-        for (double at_s : contact.s)
-            candidates[k].expected.pressure.push_back(
-                in_contact(s.runs[k], at_s) ? solver::pressure_at(contact.face.pressure, pressure_of(s, k), at_s) : 0.0);
+        for (int f = 0; f < contact.face.pressure.n_functions(); ++f) {
+            const double place = solver::greville(contact.face.pressure, f);
+            if (place < contact.s.front() || place > contact.s.back()) continue;  // comes again on the other side of the seam
+            candidates[k].expected.s1.push_back(interpolate(contact.s, contact.s1, place));
+            candidates[k].expected.pressure.push_back(pressure_of(s, k)[f]);
+        }
     }
 }
 

@@ -90,6 +90,8 @@ void append_solved(SolvedAssembly& to, SolvedAssembly& from) {
     append_problem(to.problem, from.problem, parts_before);
     append_solution(to.solution, from.solution, parts_before);
     if (to.failure.empty()) to.failure = from.failure;
+    if (to.not_folded.empty()) to.not_folded = from.not_folded;
+    to.is_folded = to.is_folded && from.is_folded;
     to.refined_for_walls += from.refined_for_walls;
     to.limited_grids += from.limited_grids;
 }

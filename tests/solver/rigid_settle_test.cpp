@@ -58,5 +58,23 @@ TEST(RigidSettle, TellsWhatNothingBalances) {
     EXPECT_FALSE(settle_rigidly(qp).balanced);
 }
 
+TEST(RigidSettle, SettlesAtOnceOnTheRowsThatEndUpPressed) {
+    std::mt19937 random(9);
+    int settled = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const ContactQp qp = table(random, 2 + trial % 30, trial % 2 != 0, 0.01, 1e-3, 1);
+        const Settled s = settle_rigidly(qp);
+        ASSERT_TRUE(s.balanced);
+        std::vector<char> pressed;
+        for (double l : s.multipliers) pressed.push_back(l > 0);
+        if (const std::optional<VectorXd> found = settle_on(qp, pressed)) {
+            EXPECT_LT((*found - s.amplitudes).norm(), 1e-9 * s.amplitudes.norm()) << trial;
+            ++settled;
+        }
+        EXPECT_FALSE(settle_on(qp, std::vector<char>(pressed.size(), 0)).has_value());
+    }
+    EXPECT_GT(settled, 150);
+}
+
 }  // namespace
 }  // namespace abut::solver

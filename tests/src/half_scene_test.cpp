@@ -78,6 +78,19 @@ TEST(HalfSceneWarnings, SayWhyAllOfItWasSolved) {
     EXPECT_NE(turned.warnings[0].find("its grid is turned against the mirror line"), std::string::npos) << turned.warnings[0];
 }
 
+/// Of groups that do not interact, too.
+TEST(HalfSceneWarnings, AreNotLostWithSeveralGroups) {
+    const std::string blocks = R"({"abut": 1, "symmetry": "auto", "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [
+        {"name": "a", "material": "m", "geometry": {"rectangle": {"min": [-1, 0], "max": [1, 1]}}},
+        {"name": "b", "material": "m", "geometry": {"rectangle": {"min": [-1, 9], "max": [1, 10]}}}],
+        "supports": [{"on": ["a/bottom", "b/bottom"], "fix": ["x", "y"]}], "loads": [{"on": ["a/top", "b/top"], "pressure": 1}],
+        "accuracy": {"grids": {"a": {"cells": [6, 4]}, "b": {"cells": [6, 4], "offset": [0.1, 0]}}}})";
+    const Result r = test::answer(blocks);
+    ASSERT_EQ(r.warnings.size(), 1u);
+    EXPECT_NE(r.warnings[0].find("part b: its grid lines have no mirror image"), std::string::npos) << r.warnings[0];
+    EXPECT_FALSE(symmetry_of(r).on);
+}
+
 /// Adapted to the stress, without contact: every pass is folded.
 TEST(HalfSceneWarnings, AreNoneWithoutContact) {
     const Result notched = test::answer(block(

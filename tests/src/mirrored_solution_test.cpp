@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Symmetric scenes solved on the half give what the whole gives on the same grids.
+#include "solver/mirrored_solution.hpp"
+
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <algorithm>
 
 #include "solver/fold.hpp"
 #include "src/adaptive.hpp"
 #include "src/mirror_symmetry.hpp"
 #include "src/mirrored_grids.hpp"
-#include "tests/src/temporary_folder.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut {
 namespace {
@@ -131,6 +133,20 @@ std::string block(const std::string& material, const std::string& loads, const s
 
 const std::string squeezed = R"({"on": ["block/left", "block/right"], "pressure": "1 + y"}, {"gravity": [0, -10]})";
 
+/// Three bonded blocks that nothing holds along the mirror line: two mirrored ones pressed from below, the middle one from
+/// above; off: by how much the loads are out of balance.
+std::string free_blocks(double off) {
+    return scene(part("l", R"({"rectangle": {"min": [-3, 0], "max": [-1, 1]}})") + "," +
+                     part("r", R"({"rectangle": {"min": [1, 0], "max": [3, 1]}})") + "," +
+                     part("o", R"({"rectangle": {"min": [-3, 1], "max": [3, 2]}})"),
+                 R"("supports": [{"part": "o", "rigid": {"translation": [0, null], "rotation": 0}}],
+                    "loads": [{"on": ["l/bottom", "r/bottom"], "pressure": 3}, {"on": "o/top", "pressure": )" +
+                     test::number(2 + off) + R"(}],
+                    "contacts": {"pairs": [{"between": ["l/top", "o/bottom"], "kind": "bonded"},
+                                           {"between": ["r/top", "o/bottom"], "kind": "bonded"}]},
+                    "accuracy": {"cell_size": 0.23})");
+}
+
 std::vector<Case> cases() {
     std::vector<Case> list{
         {"case A", case_a, 2, 0},
@@ -195,6 +211,8 @@ std::vector<Case> cases() {
                                        {"part": "mid", "body_force": ["x", "y^2"]}],
                              "accuracy": {"cell_size": 0.11})"),
                     1, 1});
+    list.push_back({"free blocks", free_blocks(0), 1, 1});
+    list.push_back({"free blocks out of balance by rounding", free_blocks(1e-11), 1, 1});
     for (int degree : {1, 2, 3, 4})
         list.push_back({"block of degree " + std::to_string(degree),
                         block("m", squeezed, R"(, "degree": )" + std::to_string(degree)), 1, 0});
@@ -254,6 +272,35 @@ TEST_P(MirroredSolution, EqualsTheWhole) {
     for (std::size_t k = 0; k < whole.pressure.size(); ++k)
         EXPECT_LT((whole.pressure[k] - half.pressure[k]).lpNorm<Eigen::Infinity>(), 1e-9 * highest) << k;
     for (std::size_t k = 0; k < whole.load.size(); ++k) EXPECT_LT(relative_difference(whole.load[k], half.load[k]), 1e-9) << k;
+}
+
+/// Every comparison sees a difference that is ten times what it lets pass.
+TEST(Asymmetry, OfAPartIsSeen) {
+    const Scene scene = read_scene_text(case_a, "scene.json");
+    ResolvedConditions conditions = resolve_conditions(scene);
+    conditions.mirror = find_mirror_symmetry(scene, conditions).line;
+    Stopwatches seconds;
+    const SolvedAssembly solved =
+        solve_pass(scene, conditions, find_candidates(scene, 1), {true, true}, WantedSizes(2), 1, seconds);
+    const auto seen = [&](const auto& change) {
+        SolvedAssembly again =
+            solve_pass(scene, conditions, find_candidates(scene, 1), {true, true}, WantedSizes(2), 1, seconds);
+        change(again.problem);
+        return solver::solve_mirrored(again.problem).failure;
+    };
+    const double off = 10 * solver::asymmetry;
+    EXPECT_EQ(seen([](auto&) {}), "");
+    EXPECT_NE(seen([&](auto& p) { p.parts[0].load[0] += off * p.parts[0].load.cwiseAbs().maxCoeff(); }), "");
+    EXPECT_NE(seen([&](auto& p) { p.parts[1].prescribed[0] += off; }), "");
+    EXPECT_NE(seen([&](auto& p) { p.parts[0].stiffness.block[0] *= 1 + off; }), "");
+    EXPECT_NE(seen([&](auto& p) { p.parts[0].dropped[0] = !p.parts[0].dropped[0]; }), "");
+    EXPECT_NE(seen([&](auto& p) { p.interfaces[0].points[2].gap += 1e-6; }), "");
+    EXPECT_NE(seen([&](auto& p) { p.interfaces[0].points[2].weight *= 1 + 100 * off; }), "");
+    EXPECT_NE(seen([&](auto& p) {
+                  p.interfaces[0].bilateral = !p.interfaces[0].bilateral;
+                  p.interfaces[0].points[2].gap = 1;
+              }),
+              "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, MirroredSolution, testing::ValuesIn(cases()), [](const testing::TestParamInfo<Case>& info) {

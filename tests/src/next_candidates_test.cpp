@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/verification/true_errors.hpp"
 
 namespace abut {
@@ -78,18 +80,18 @@ TEST(NextCandidates, PressuresAreExpectedWhereTheyWereFound) {
     expect_pressures(pin.solved, next);
     const ExpectedPressure& expected = next[0].expected;
     ASSERT_EQ(expected.s1.size(), expected.pressure.size());
-    ASSERT_EQ(expected.s1, pin.solved.contacts[0].s1);
-    const ContactRun& run = pin.solved.runs[0][0];
-    for (std::size_t k = 0; k < expected.s1.size(); ++k) {
-        const double s = pin.solved.contacts[0].s[k];
-        EXPECT_EQ(expected.pressure[k] > 0, run.begin < s && s < run.end) << s;
-    }
+    ASSERT_TRUE(std::is_sorted(expected.s1.begin(), expected.s1.end()));
+    const auto is_pressed = [](double p) { return p > 0; };
+    const auto& coefficients = pin.solved.solution.pressure[0];
+    EXPECT_EQ(std::count_if(expected.pressure.begin(), expected.pressure.end(), is_pressed),
+              std::count_if(coefficients.begin(), coefficients.end(), is_pressed));
     Stopwatches seconds;
     const int before = pin.solved.solution.iterations;
     const Eigen::VectorXd pressure = pin.solved.solution.pressure[0];
     next[0].ends = pin.candidates[0].ends;
     solve_contacts_again(pin_scene(), resolve_conditions(pin_scene()), next, pin.solved, seconds, 1);
-    EXPECT_LE(pin.solved.solution.iterations, std::min(before, 2));
+    EXPECT_GT(before, 1);
+    EXPECT_EQ(pin.solved.solution.iterations, 1);
     EXPECT_LT((pin.solved.solution.pressure[0] - pressure).norm(), 1e-9 * pressure.norm());
 }
 
