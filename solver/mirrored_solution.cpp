@@ -222,7 +222,7 @@ MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
     AssemblySolution& solution = result.solution = std::move(answer.solution);
     solution.seconds.rows = result.seconds;
     solution.n_multipliers = whole.rows.n;
-    for (std::vector<PartMotion>* motions : {&solution.driven, &solution.mechanism}) append_images(problem, *motions);
+    for (std::vector<PartMotion>* named : {&solution.driven, &solution.mechanism}) append_images(problem, *named);
     if (!solution.mechanism.empty()) return result;
     if (solution.driven.empty()) solution.neutral = motions.neutral;
     const VectorXd multipliers = unfolded(answer.multipliers, rows);

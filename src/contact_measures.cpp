@@ -24,6 +24,31 @@ double peak_of(const SolvedAssembly& s, std::size_t contact) {
     return peak;
 }
 
+namespace {
+
+void add_force(const solver::Interface& face, const Eigen::VectorXd& pressure, const Frame& frame, ContactForce& total) {
+    for (const solver::InterfacePoint& p : face.points) {
+        const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
+        const Vec2 force = -f * frame.vector_to_global(p.normal[0]);
+        total.force += force;
+        total.moment += geometry::cross(frame.to_global(p.x[0]), force);
+    }
+}
+
+}  // namespace
+
+ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact) {
+    ContactForce total;
+    const ContactInterface& c = solved.contacts[contact];
+    const PartOnGrid& grid = solved.grids[static_cast<std::size_t>(c.face.part[0])];
+    add_force(c.face, pressure_of(solved, contact), grid.frame, total);
+    if (const int shear = solved.shear_of[contact]; shear >= 0)
+        add_force(solved.problem.interfaces[static_cast<std::size_t>(shear)],
+                  solved.solution.pressure[static_cast<std::size_t>(shear)], grid.frame, total);
+    if (grid.input.axis) total.moment = 0;  // moments of a ring's forces balance by themselves
+    return total;
+}
+
 bool any_run(const SolvedAssembly& s) {
     return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
 }

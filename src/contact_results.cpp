@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/interface_kind.hpp"
+#include "src/contact_measures.hpp"
 
 namespace abut {
 
@@ -124,17 +125,6 @@ void name_edges(const std::vector<std::string>& edge, const std::vector<double>&
         }
 }
 
-/// Resultant on the first part, from the same quadrature that the solution used.
-void integrate_force(const solver::Interface& face, const PartOnGrid& grid, const Eigen::VectorXd& pressure,
-                     ContactResult& result) {
-    for (const solver::InterfacePoint& p : face.points) {
-        const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
-        const Vec2 force = -f * grid.frame.vector_to_global(p.normal[0]);
-        result.force += force;
-        result.moment += geometry::cross(grid.frame.to_global(p.x[0]), force);
-    }
-}
-
 int edge_named(const ScenePart& part, const std::string& qualified) {
     for (std::size_t e = 0; e < part.part.edges.size(); ++e)
         if (part.name + "/" + part.part.edges[e].name == qualified) return static_cast<int>(e);
@@ -167,7 +157,6 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         result.status = "open";
         return result;
     }
-    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
     result.status = status_of(c, solved.runs[contact]);
     for (const ContactRun& run : solved.runs[contact]) {
         result.contact_length += run.end - run.begin;
@@ -179,11 +168,9 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);
     result.interface = interface_of(scene, candidate, result.between);
     if (result.status == "open") return result;
-    const PartOnGrid& grid = solved.grids[at(solved.solver_part[at(candidate.first)])];
-    integrate_force(c.face, grid, pressure, result);
-    if (solved.shear_of[contact] >= 0)
-        integrate_force(solved.problem.interfaces[at(solved.shear_of[contact])], grid, shear_of(solved, contact), result);
-    if (grid.input.axis) result.moment = 0;  // moments of a ring's forces balance by themselves
+    const ContactForce total = contact_force(solved, contact);
+    result.force = total.force;
+    result.moment = total.moment;
     return result;
 }
 

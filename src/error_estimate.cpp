@@ -57,7 +57,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
         e.peak = std::max(e.peak, before->peak);
     }
     e.pressure = std::hypot(e.ends, e.inside);
-    e.force = missing * std::abs(c.force - c.force_before) / std::abs(c.force);
+    e.force = missing * c.force_change;
     return e;
 }
 

@@ -58,7 +58,13 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
         record.contacts.emplace_back();
         if (solved.interface_of[k] < 0) continue;
         const ContactInterface& c = solved.contacts[k];
-        record.contacts.back() = {c.s1, c.s, c.face.pressure, pressure_of(solved, k), solved.runs[k], c.face.thickness};
+        record.contacts.back() = {c.s1,
+                                  c.s,
+                                  c.face.pressure,
+                                  pressure_of(solved, k),
+                                  solved.runs[k],
+                                  c.face.thickness,
+                                  contact_force(solved, k).force};
     }
     return record;
 }
@@ -69,6 +75,9 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
     if (now.s.empty() || before.s.empty()) return change;
     change.force = force_of(now);
     change.force_before = force_of(before);
+    change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);
+    if (now.resultant && before.resultant && !now.resultant->isZero(0))
+        change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
     const auto& rule = geometry::gauss_rule(points_per_interval);
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
         const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is kept of a solution to compare later ones with, without its grids and matrices.
 #pragma once
+#include <optional>
+
 #include "src/assembly_model.hpp"
 
 namespace abut {
@@ -11,6 +13,7 @@ struct ContactRecord {
     Eigen::VectorXd coefficients;
     std::vector<ContactRun> runs;
     double thickness = 1;
+    std::optional<Vec2> resultant{};  ///< force on the first part
 };
 
 struct PassRecord {
@@ -30,6 +33,7 @@ struct PressureChange {
     double norm = 0;        ///< L2 of the pressure
     double peak = 0, peak_before = 0;
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
+    double force_change = 0;             ///< of the resultant, relative to it; where it is not known, of the integral
 };
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
 

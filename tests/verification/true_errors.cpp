@@ -37,7 +37,7 @@ TrueErrors errors_against(const Outcome& out, const Outcome& reference) {
         largest_force = std::max(largest_force, std::abs(c.force_before));
         e.contact_pressure = std::max(e.contact_pressure, c.difference);
         if (estimate && !estimate->at_corner) e.peak = std::max(e.peak, std::abs(c.peak - c.peak_before));
-        e.force = std::max(e.force, std::abs(c.force - c.force_before));
+        e.force = std::max(e.force, c.force_change * std::abs(c.force));
         if (estimate) e.force_estimate = std::max(e.force_estimate, estimate->force * std::abs(c.force));
     }
     if (strongest > 0) {
