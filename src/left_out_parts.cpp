@@ -10,7 +10,8 @@
 namespace abut {
 
 Effect left_out_effect(const Scene& scene, const ResolvedConditions& conditions) {
-    Effect effect{.name = "parts left out"};
+    Effect effect;
+    effect.name = "parts left out";
     try {
         const std::vector<Candidate> candidates = find_candidates(scene, 1);
         const std::vector<bool> solved =
