@@ -147,11 +147,12 @@ HeldAnswer solve_held(const AssemblyProblem& problem, ContactQp qp, const Motion
         answer.qp.mode_load = split.resisted.transpose() * mode_load;
     }
     answer.result = solve_contact_qp(answer.qp);
-    const bool solved = answer.result.feasible && answer.result.converged;
-    if (!solved || !some_neutral || balance_neutral_motions(modes, mode_load, split, answer)) return answer;
+    if (!answer.result.feasible || !answer.result.converged || !some_neutral) return answer;
     const VectorXd work = split.neutral.transpose() * (mode_load + modes.transpose() * answer.result.multipliers);
-    solution.driven_work =
+    const double fraction =
         work.cwiseAbs().maxCoeff() / std::max(problem.load_scale, answer.result.multipliers.cwiseAbs().sum());
+    if (fraction <= balanced_work_fraction || balance_neutral_motions(modes, mode_load, split, answer)) return answer;
+    solution.driven_work = fraction;
     if (solution.driven_work > driven_work_fraction) {
         solution.neutral.clear();
         solution.driven = part_motions(problem.parts, split.neutral * work);

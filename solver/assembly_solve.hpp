@@ -29,6 +29,8 @@ struct PartMotion {
 inline constexpr double neutral_motion_fraction = 1e-3;
 /// The loads may do this much work in a neutral motion, relative to load times size.
 inline constexpr double neutral_work_fraction = 1e-9;
+/// Contact forces that do no more work than this in the neutral motions balance there but for rounding.
+inline constexpr double balanced_work_fraction = 1e-12;
 /// Contact forces that do more work than this in a neutral motion show that it is driven after all: no contact can balance it.
 inline constexpr double driven_work_fraction = 1e-4;
 
