@@ -303,11 +303,12 @@ TEST(Asymmetry, OfAPartIsSeen) {
               "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, MirroredSolution, testing::ValuesIn(cases()), [](const testing::TestParamInfo<Case>& instance) {
-    std::string name = instance.param.name;
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, MirroredSolution, testing::ValuesIn(cases()),
+                         [](const testing::TestParamInfo<Case>& instance) {
+                             std::string name = instance.param.name;
+                             std::replace(name.begin(), name.end(), ' ', '_');
+                             return name;
+                         });
 
 }  // namespace
 }  // namespace abut
