@@ -28,12 +28,7 @@ namespace {
 std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
-    for (Effect& effect : plan)
-        if (effect.name == "symmetry") {
-            const MirrorSymmetry symmetry = find_mirror_symmetry(scene, conditions);
-            effect.on = symmetry.found && scene.fold_symmetry;
-            effect.why = symmetry_text(symmetry, scene.fold_symmetry);
-        }
+    plan_symmetry(scene, conditions, plan);
     plan.push_back(left_out_effect(scene, conditions));
     return plan;
 }

@@ -24,6 +24,10 @@ struct RowsSolution {
 RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::MatrixXd& resistance,
                         int threads);
 
+/// Fills in the loads of one part, those of contact alone and all.
+void set_loads(const AssemblyProblem& problem, const Rows& rows, const Eigen::VectorXd& multipliers, std::size_t part,
+               AssemblySolution& solution);
+
 /// The multipliers as pressures of the interfaces and forces of the constraints.
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::VectorXd& multipliers,
                        AssemblySolution& solution);

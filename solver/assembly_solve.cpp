@@ -69,14 +69,10 @@ void recover_displacements(const AssemblyProblem& problem, const Rows& rows, con
     solution.contact_load.resize(n);
     solution.load.resize(n);
     solution.displacement.resize(n);
-    VectorXd contact_only = multipliers;
-    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
     parallel_for(static_cast<int>(n), threads, [&](int k) {
         const auto i = static_cast<std::size_t>(k);
-        const PartSystem& part = problem.parts[i];
-        solution.contact_load[i] = transposed_times(rows.by_part[i], contact_only, 2 * part.n());
-        solution.load[i] = part.load + transposed_times(rows.by_part[i], multipliers, 2 * part.n());
-        solution.displacement[i] = solve(part, solution.load[i]);
+        set_loads(problem, rows, multipliers, i, solution);
+        solution.displacement[i] = solve(problem.parts[i], solution.load[i]);
     });
 }
 
@@ -206,6 +202,15 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
     return answered;
+}
+
+void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, std::size_t part,
+               AssemblySolution& solution) {
+    const Index n = 2 * problem.parts[part].n();
+    VectorXd contact_only = multipliers;
+    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
+    solution.contact_load[part] = transposed_times(rows.by_part[part], contact_only, static_cast<int>(n));
+    solution.load[part] = problem.parts[part].load + transposed_times(rows.by_part[part], multipliers, static_cast<int>(n));
 }
 
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,

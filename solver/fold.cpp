@@ -55,13 +55,6 @@ void append_column(Column column, SparseSymmetric& s) {
     s.first.push_back(static_cast<int>(s.row.size()));
 }
 
-/// The same field at every call: of size 1, without any symmetry.
-VectorXd test_field(Index n) {
-    std::mt19937_64 random(20261121);
-    std::uniform_real_distribution<double> any(-1, 1);
-    return VectorXd::NullaryExpr(n, [&] { return any(random); });
-}
-
 bool differ(const VectorXd& a, const VectorXd& b) {
     const double largest = std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
     return (a - b).lpNorm<Eigen::Infinity>() > asymmetry * largest;
@@ -69,12 +62,12 @@ bool differ(const VectorXd& a, const VectorXd& b) {
 
 }  // namespace
 
-PartMirror part_mirror(MirrorRole role, int image, int axis, const std::vector<int>& function) {
-    PartMirror mirror{role, image, axis, {}, {}};
+PartMirror part_mirror(MirrorRole role, int image, const PlaceImage& place, const std::vector<int>& function) {
+    PartMirror mirror{role, image, place, {}, {}};
     for (int f : function)
         for (int c : {0, 1}) {
             mirror.coefficient.push_back(2 * f + c);
-            mirror.sign.push_back(c == axis ? -1 : 1);
+            mirror.sign.push_back(c == place.axis ? -1 : 1);
         }
     return mirror;
 }
@@ -100,7 +93,7 @@ void keep_symmetric_motions(PartSystem& s) {
     if (is_follower(s.input)) s.free_motions.clear();
     if (!is_folded(s.input) || s.free_motions.empty()) return;
     // what is free is as symmetric as the supports: the motion along the line is free, or wholly held
-    const Vec2 along = s.input.mirror->axis == 0 ? Vec2(0, 1) : Vec2(1, 0);
+    const Vec2 along = s.input.mirror->place.axis == 0 ? Vec2(0, 1) : Vec2(1, 0);
     const RigidMotion motion{along, 0, s.free_motions[0].center};
     double free = 0;
     for (const RigidMotion& m : s.free_motions) free += std::pow(m.translation.dot(along), 2);
@@ -152,12 +145,18 @@ void add_unfolded(const PartSystem& s, const VectorXd& y, VectorXd& u) {
         if (s.number[i] >= 0) u[static_cast<Index>(i)] += s.share[i] * y[s.number[i]];
 }
 
+VectorXd test_field(Index n, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> any(-1, 1);
+    return VectorXd::NullaryExpr(n, [&] { return any(random); });
+}
+
 std::string asymmetry_of(const PartSystem& part, const PartSystem& image) {
     const PartMirror& mirror = *part.input.mirror;
     for (std::size_t i = 0; i < part.dropped.size(); ++i)
         if (part.dropped[i] != image.dropped[at(mirror.coefficient[i])]) return "its supports are imposed differently there";
     if (differ(mirrored(mirror, part.prescribed), image.prescribed)) return "other displacements are prescribed there";
-    const VectorXd u = test_field(2 * part.n());
+    const VectorXd u = test_field(2 * part.n(), 0);
     if (differ(mirrored(mirror, stiffness_times(part, u)), stiffness_times(image, mirrored(mirror, u))))
         return "it is not equally stiff there";
     if (differ(mirrored(mirror, part.load), image.load)) return "it is not loaded alike there";

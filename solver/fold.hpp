@@ -7,9 +7,11 @@
 // where M e_i = -e_i. Of two parts that are each other's images the first, the leader, is solved: u_1 = y / sqrt(2),
 // u_2 = M u_1. Pressures of mirrored rows are equal, or opposite for tangential ones.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "solver/mirror.hpp"
 #include "solver/part_system.hpp"
 
 namespace abut::solver {
@@ -18,14 +20,14 @@ enum class MirrorRole { own_image, leader, follower };
 
 struct PartMirror {
     MirrorRole role;
-    int image;  ///< among the assembly's parts
-    int axis;   ///< direction of the part's frame that the mirror reverses
+    int image;         ///< among the assembly's parts
+    PlaceImage place;  ///< in the image's frame
     /// (2n) coefficient of the image, and the sign that goes with it.
     std::vector<int> coefficient;
     std::vector<double> sign;
 };
 /// function: of the image, by function.
-PartMirror part_mirror(MirrorRole role, int image, int axis, const std::vector<int>& function);
+PartMirror part_mirror(MirrorRole role, int image, const PlaceImage& place, const std::vector<int>& function);
 
 /// What a displacement of the part is on its image (2n).
 Eigen::VectorXd mirrored(const PartMirror& mirror, const Eigen::VectorXd& displacement);
@@ -47,6 +49,9 @@ SparseSymmetric folded(const BlockMatrix& a, const std::vector<int>& number, con
 /// T'f, and u += T y.
 Eigen::VectorXd folded_load(const PartSystem& system, const Eigen::VectorXd& load);
 void add_unfolded(const PartSystem& system, const Eigen::VectorXd& y, Eigen::VectorXd& u);
+
+/// Of size 1, without any symmetry; the same at every call.
+Eigen::VectorXd test_field(Eigen::Index n, std::uint64_t seed);
 
 /// Entries of a matrix or a load that differ from their image by more than this fraction of the largest are not symmetric.
 inline constexpr double asymmetry = 1e-8;

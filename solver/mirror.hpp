@@ -15,6 +15,11 @@ struct PlaceImage {
     Vec2 shift;
 
     double along(int direction, double v) const { return shift[direction] + (direction == axis ? -v : v); }
+    PlaceImage inverse() const {
+        Vec2 back = -shift;
+        back[axis] = shift[axis];
+        return {axis, back};
+    }
     Vec2 operator()(const Vec2& x) const { return {along(0, x.x()), along(1, x.y())}; }
 };
 

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <random>
 
 #include "solver/fold.hpp"
-#include "solver/mirror.hpp"
 
 namespace abut::solver {
 
@@ -22,12 +20,10 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-Fields test_fields(const AssemblyProblem& problem, std::uint64_t seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> any(-1, 1);
+/// set: 0 or 1.
+Fields test_fields(const AssemblyProblem& problem, std::uint64_t set) {
     Fields fields;
-    for (const PartSystem& part : problem.parts)
-        fields.push_back(VectorXd::NullaryExpr(2 * part.n(), [&] { return any(random); }));
+    for (const PartSystem& part : problem.parts) fields.push_back(test_field(2 * part.n(), 2 * fields.size() + set));
     return fields;
 }
 
@@ -67,8 +63,8 @@ class RowMatch {
 public:
     RowMatch(const AssemblyProblem& problem, const Rows& rows)
         : rows_(rows), size_(sizes_of(rows)), near_(rounding_of(problem)) {
-        for (std::uint64_t seed : {1U, 2U}) {
-            const Fields fields = test_fields(problem, seed);
+        for (std::uint64_t set : {0U, 1U}) {
+            const Fields fields = test_fields(problem, set);
             own_.push_back(openings(rows, fields));
             images_.push_back(openings(rows, mirrored(problem, fields)));
         }
@@ -149,12 +145,12 @@ void number_rows(const std::vector<RowImage>& image, FoldedRows& folded) {
     }
 }
 
-/// Values by row of the whole, those of mirrored rows added up.
-VectorXd added_up(const VectorXd& whole, const FoldedRows& folded) {
+/// Values by row of the whole, those of mirrored rows added up; sign: by row of the whole.
+VectorXd added_up(const VectorXd& whole, const FoldedRows& folded, const std::vector<double>& sign) {
     VectorXd sum = VectorXd::Zero(whole.size() == 0 ? 0 : folded.all.rows.n);
     for (Index r = 0; r < whole.size(); ++r)
         if (const int row = folded.folded[static_cast<std::size_t>(r)]; row >= 0)
-            sum[row] += folded.sign[static_cast<std::size_t>(r)] * whole[r];
+            sum[row] += sign[static_cast<std::size_t>(r)] * whole[r];
     return sum;
 }
 
@@ -193,15 +189,10 @@ FoldedRows fold_rows(const AssemblyProblem& problem, const AssemblyRows& whole, 
         rows.by_part.emplace_back();
         for (const auto& [place, value] : of_part) rows.by_part.back().push_back({place.first, place.second, value});
     }
-    rows.gap0 = added_up(whole.rows.gap0, folded);
-    VectorXd weight = VectorXd::Zero(rows.n), softness = VectorXd::Zero(rows.n);
-    for (std::size_t r = 0; r < image.size(); ++r)
-        if (const int row = folded.folded[r]; row >= 0) {
-            weight[row] += whole.rows.weight[static_cast<Index>(r)];
-            if (static_cast<Index>(r) < whole.rows.softness.size()) softness[row] += whole.rows.softness[static_cast<Index>(r)];
-        }
-    rows.weight = weight;
-    if (whole.rows.softness.size() > 0) rows.softness = softness;
+    const std::vector<double> plus(image.size(), 1);
+    rows.gap0 = added_up(whole.rows.gap0, folded, folded.sign);
+    rows.weight = added_up(whole.rows.weight, folded, plus);
+    rows.softness = added_up(whole.rows.softness, folded, plus);
     for (std::size_t r = 0; r < image.size(); ++r)
         if (folded.kept[r]) rows.unilateral.push_back(whole.rows.unilateral[r]);
     folded.all.foundation = picked(whole.foundation, folded);

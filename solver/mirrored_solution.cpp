@@ -28,17 +28,6 @@ const PartMirror& mirror_of(const PartSystem& part) {
     return *part.input.mirror;
 }
 
-/// True: a part and its image do not answer alike.
-bool find_asymmetry(const AssemblyProblem& problem, MirroredSolution& result) {
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        if (mirror_of(problem.parts[i]).role == MirrorRole::follower) continue;
-        result.failure = asymmetry_of(problem.parts[i], problem.parts[at(mirror_of(problem.parts[i]).image)]);
-        result.part = static_cast<int>(i);
-        if (!result.failure.empty()) return true;
-    }
-    return false;
-}
-
 /// The leaders stand for two parts, their unknowns for sqrt(2) times their displacements, a unit of their motions for half a
 /// unit of either part's: forces do the work in it that they do in one part's own. The constraints that are left.
 class Folded {
@@ -86,31 +75,16 @@ void unfold_displacements(const AssemblyProblem& problem, AssemblySolution& solu
     }
 }
 
-void unfold_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, AssemblySolution& solution) {
-    VectorXd contact_only = multipliers;
-    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        const PartSystem& part = problem.parts[i];
-        solution.contact_load[i] = transposed_times(rows.by_part[i], contact_only, 2 * part.n());
-        solution.load[i] = part.load + transposed_times(rows.by_part[i], multipliers, 2 * part.n());
-    }
-}
-
 /// The same motions of the leaders' images.
 void append_images(const AssemblyProblem& problem, std::vector<PartMotion>& motions) {
     const std::size_t n = motions.size();
     for (std::size_t k = 0; k < n; ++k) {
         const PartMirror& mirror = mirror_of(problem.parts[at(motions[k].part)]);
         if (mirror.role != MirrorRole::leader) continue;
-        const auto line = [&](int part) -> const KnotVector& {
-            const SplineSpace& space = problem.parts[at(part)].input.space;
-            return mirror.axis == 0 ? space.x : space.y;
-        };
         PartMotion image{mirror.image, motions[k].motion};
-        image.motion.translation[mirror.axis] *= -1;
+        image.motion.translation[mirror.place.axis] *= -1;
         image.motion.rotation *= -1;
-        image.motion.center[mirror.axis] = line(mirror.image).breakpoints.front() +
-                                           (line(motions[k].part).breakpoints.back() - motions[k].motion.center[mirror.axis]);
+        image.motion.center = mirror.place(motions[k].motion.center);
         motions.push_back(image);
     }
 }
@@ -121,9 +95,7 @@ public:
     explicit AllMotions(AssemblyProblem& problem) : problem_(problem) {
         for (PartSystem& part : problem.parts) {
             std::swap(part.free_motions, part.all_free_motions);
-            MatrixXd modes(2 * part.n(), static_cast<Index>(part.free_motions.size()));
-            for (std::size_t k = 0; k < part.free_motions.size(); ++k)
-                modes.col(static_cast<Index>(k)) = coefficients_of(part.input.space, part.free_motions[k]);
+            MatrixXd modes = coefficients_of(part.input.space, part.free_motions);
             std::swap(part.modes, modes);
             symmetric_.push_back(std::move(modes));
         }
@@ -199,16 +171,23 @@ WholeMotions motions_of(AssemblyProblem& problem, const Rows& rows) {
 
 }  // namespace
 
+MirrorFailure asymmetry_of_parts(const AssemblyProblem& problem) {
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartMirror& mirror = mirror_of(problem.parts[i]);
+        if (mirror.role == MirrorRole::follower) continue;
+        const std::string what = asymmetry_of(problem.parts[i], problem.parts[at(mirror.image)]);
+        if (!what.empty()) return {what, static_cast<int>(i), -1};
+    }
+    return {};
+}
+
 MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
     MirroredSolution result;
     const auto begin = std::chrono::steady_clock::now();
-    if (find_asymmetry(problem, result)) return result;
     const AssemblyRows whole = assembly_rows(problem);
     const RowImages images = row_images(problem, whole.rows);
     if (images.lonely_parts[0] >= 0) {
-        result.part = images.lonely_parts[0];
-        result.other_part = images.lonely_parts[1];
-        result.failure = "has no mirror image";
+        result.failure = {"has no mirror image", images.lonely_parts[0], images.lonely_parts[1]};
         return result;
     }
     const FoldedRows rows = fold_rows(problem, whole, images.image);
@@ -227,7 +206,7 @@ MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
     if (solution.driven.empty()) solution.neutral = motions.neutral;
     const VectorXd multipliers = unfolded(answer.multipliers, rows);
     unfold_displacements(problem, solution);
-    unfold_loads(problem, whole.rows, multipliers, solution);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) set_loads(problem, whole.rows, multipliers, i, solution);
     split_multipliers(problem, whole, multipliers, solution);
     return result;
 }

@@ -114,12 +114,9 @@ void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
 }
 
 void set_modes(PartSystem& s) {
-    s.modes.resize(2 * s.n(), static_cast<Index>(s.free_motions.size()));
-    for (std::size_t k = 0; k < s.free_motions.size(); ++k) {
-        s.modes.col(static_cast<Index>(k)) = coefficients_of(s.input.space, s.free_motions[k]);
-        for (std::size_t i = 0; i < s.dropped.size(); ++i)
-            if (s.dropped[i]) s.modes(static_cast<Index>(i), static_cast<Index>(k)) = 0;
-    }
+    s.modes = coefficients_of(s.input.space, s.free_motions);
+    for (std::size_t i = 0; i < s.dropped.size(); ++i)
+        if (s.dropped[i]) s.modes.row(static_cast<Index>(i)).setZero();
 }
 
 /// The projection of the volume strain, which Nitsche's supports have a share in.
@@ -170,6 +167,12 @@ Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& mot
     for (int f = 0; f < space.n_functions; ++f)
         c.segment<2>(2 * f) = coefficient_of_one(space, f) * motion.at(greville_point(space, f));
     return c;
+}
+
+Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<RigidMotion>& motions) {
+    Eigen::MatrixXd modes(2 * space.n_functions, static_cast<Index>(motions.size()));
+    for (std::size_t k = 0; k < motions.size(); ++k) modes.col(static_cast<Index>(k)) = coefficients_of(space, motions[k]);
+    return modes;
 }
 
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,

@@ -84,6 +84,9 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
 /// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
 
+/// The same of several motions, by column.
+Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<RigidMotion>& motions);
+
 /// K u of the whole space (2n), nothing dropped.
 Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
 

@@ -89,9 +89,7 @@ PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> condi
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.number.assign(s.dropped.size(), -1);
-    s.modes.resize(2 * s.n(), static_cast<Index>(s.free_motions.size()));
-    for (std::size_t k = 0; k < s.free_motions.size(); ++k)
-        s.modes.col(static_cast<Index>(k)) = coefficients_of(s.input.space, s.free_motions[k]);
+    s.modes = coefficients_of(s.input.space, s.free_motions);
     s.body = std::make_shared<const RigidBody>(std::move(body));
     return s;
 }

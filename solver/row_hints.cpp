@@ -10,7 +10,7 @@ namespace abut::solver {
 RowHints row_hints(const PartInput& input, const std::vector<int>& number) {
     const SplineSpace& space = input.space;
     const int nx = space.x.n_functions(), ny = space.y.n_functions();
-    const int axis = is_folded(input) ? input.mirror->axis : -1;  // places of folded rows: in the first half along it
+    const int axis = is_folded(input) ? input.mirror->place.axis : -1;  // places of folded rows: in the first half along it
     RowHints hints;
     hints.reach = std::max(space.x.degree, space.y.degree);
     hints.place.reserve(number.size());

@@ -93,26 +93,17 @@ std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
 }
 
 /// Whether half of the scene is to be solved.
-void plan_symmetry(const Scene& scene, ResolvedConditions& conditions, Result& result) {
-    const MirrorSymmetry symmetry = find_mirror_symmetry(scene, conditions);
-    if (symmetry.found) conditions.mirror = symmetry.line;
-    for (Effect& e : result.effects)
-        if (e.name == "symmetry") {
-            e.on = symmetry.found;
-            e.why = symmetry_text(symmetry, symmetry.found);
-        }
-    if (!symmetry.found)
-        result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
+std::optional<MirrorLine> mirror_to_use(const Scene& scene, const ResolvedConditions& conditions, Result& result) {
+    const MirrorSymmetry symmetry = plan_symmetry(scene, conditions, result.effects);
+    if (symmetry.found) return symmetry.line;
+    result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
+    return std::nullopt;
 }
 
 /// The grids turned out not to be symmetric.
 void note_not_folded(const std::string& why, Result& result) {
     const std::string text = "solved as drawn, because the scene on its grids is not symmetric: " + why;
-    for (Effect& e : result.effects)
-        if (e.name == "symmetry") {
-            e.on = false;
-            e.why = text;
-        }
+    set_symmetry(false, text, result.effects);
     result.warnings.push_back("\"symmetry\": \"auto\": " + text);
 }
 
@@ -128,7 +119,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     check_probes(scene);
     ResolvedConditions conditions = resolve_conditions(scene);
     result.effects = plan_effects(scene, conditions);
-    if (scene.fold_symmetry) plan_symmetry(scene, conditions, result);
+    if (scene.fold_symmetry) conditions.mirror = mirror_to_use(scene, conditions, result);
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
 

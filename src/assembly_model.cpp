@@ -296,6 +296,15 @@ void add_symmetry_use(double seconds, SolvedAssembly& solved) {
     for (const solver::PartSystem& s : solved.problem.parts) use.items += 2L * s.n() - s.n_kept;
 }
 
+/// True: something is not symmetric, and noted.
+bool note_failure(const Scene& scene, const solver::MirrorFailure& failure, SolvedAssembly& solved) {
+    if (failure.what.empty()) return false;
+    const auto name = [&](int part) { return scene.parts[at(solved.grids[at(part)].part)].name; };
+    solved.not_folded = "part " + name(failure.part) + ": " +
+                        (failure.other_part < 0 ? "" : "its contact with " + name(failure.other_part) + " ") + failure.what;
+    return true;
+}
+
 /// On the half where the systems are folded. False: the interfaces are not symmetric.
 bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
     if (!solved.is_folded) {
@@ -303,15 +312,10 @@ bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
         return true;
     }
     solver::MirroredSolution half = solve_mirrored(solved.problem, threads);
+    if (note_failure(scene, half.failure, solved)) return false;
     solved.solution = std::move(half.solution);
-    if (half.failure.empty()) {
-        add_symmetry_use(half.seconds, solved);
-        return true;
-    }
-    const auto name = [&](int part) { return scene.parts[at(solved.grids[at(part)].part)].name; };
-    solved.not_folded = "part " + name(half.part) + ": " +
-                        (half.other_part < 0 ? "" : "its contact with " + name(half.other_part) + " ") + half.failure;
-    return false;
+    add_symmetry_use(half.seconds, solved);
+    return true;
 }
 
 /// Systems of all unknowns.
@@ -382,6 +386,10 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         const double before = timed.seconds();
         make_systems(scene, conditions, threads, solved);
         seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
+        if (!solved.failure.empty()) return solved;
+    }
+    if (solved.is_folded && note_failure(scene, asymmetry_of_parts(solved.problem), solved)) {
+        unfold(scene, conditions, seconds, threads, solved);
         if (!solved.failure.empty()) return solved;
     }
     solve_contacts(scene, conditions, solved, seconds, threads);

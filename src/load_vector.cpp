@@ -33,30 +33,6 @@ double length_times_radius(const geometry::Curve& curve, double t0, double t1) {
     return sum;
 }
 
-double selected_area(const Scene& scene, const std::vector<EdgePortion>& portions) {
-    double sum = 0;
-    for (const EdgePortion& p : portions) {
-        const ScenePart& part = scene.parts[at(p.part)];
-        const geometry::Curve& curve = part.part.edges[at(p.edge)].curve;
-        sum += part.thickness *
-               (scene.analysis == Analysis::axisymmetric ? length_times_radius(curve, p.t0, p.t1) : length(curve, p.t0, p.t1));
-    }
-    return sum;
-}
-
-/// Force per volume of a volume load, in the assembly's frame; volume: of the part over its thickness.
-Vec2 volume_force(const Scene& scene, const Load& load, const PartOnGrid& g, double volume, const Vec2& x) {
-    const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
-    const ScenePart& part = scene.parts[at(g.part)];
-    if (load.kind == Load::Kind::spin) {
-        const Vec2 arm = g.input.axis ? Vec2(x.x(), 0) : Vec2(x - load.about);
-        return scene.materials[at(part.material)].density * load.omega * load.omega * arm;
-    }
-    if (load.kind == Load::Kind::part_force) return value / (volume * part.thickness);
-    if (load.kind == Load::Kind::gravity) return value * scene.materials[at(part.material)].density;
-    return value;
-}
-
 void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g,
                    PartLoad& result) {
     const double total = selected_area(scene, portions);
@@ -86,7 +62,7 @@ void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, 
     MeteredCall call(result.uses, effect_of(load));
     const auto at_point = [&](const Vec2& local) -> Vec2 {
         call.count(1);
-        const Vec2 force = volume_force(scene, load, g, volume, g.frame.to_global(local));
+        const Vec2 force = volume_force(scene, load, g.part, volume, g.frame.to_global(local));
         largest = std::max(largest, force.norm());
         return g.frame.vector_to_local(force);
     };
@@ -106,6 +82,29 @@ void check_temperature(const Scene& scene, const Load& load, const PartOnGrid& g
 }
 
 }  // namespace
+
+double selected_area(const Scene& scene, const std::vector<EdgePortion>& portions) {
+    double sum = 0;
+    for (const EdgePortion& p : portions) {
+        const ScenePart& part = scene.parts[at(p.part)];
+        const geometry::Curve& curve = part.part.edges[at(p.edge)].curve;
+        sum += part.thickness *
+               (scene.analysis == Analysis::axisymmetric ? length_times_radius(curve, p.t0, p.t1) : length(curve, p.t0, p.t1));
+    }
+    return sum;
+}
+
+Vec2 volume_force(const Scene& scene, const Load& load, int part, double volume, const Vec2& x) {
+    const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
+    const ScenePart& own = scene.parts[at(part)];
+    if (load.kind == Load::Kind::spin) {
+        const Vec2 arm = scene.analysis == Analysis::axisymmetric ? Vec2(x.x(), 0) : Vec2(x - load.about);
+        return scene.materials[at(own.material)].density * load.omega * load.omega * arm;
+    }
+    if (load.kind == Load::Kind::part_force) return value / (volume * own.thickness);
+    if (load.kind == Load::Kind::gravity) return value * scene.materials[at(own.material)].density;
+    return value;
+}
 
 Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area) {
     const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
@@ -135,10 +134,14 @@ bool is_edge_load(const Load& load) {
 std::string effect_of(const Load& load) {
     if (is_edge_load(load)) return "edge loads";
     switch (load.kind) {
-        case Load::Kind::gravity: return "gravity";
-        case Load::Kind::spin: return "spin";
-        case Load::Kind::temperature: return "temperature";
-        default: return "body force";
+        case Load::Kind::gravity:
+            return "gravity";
+        case Load::Kind::spin:
+            return "spin";
+        case Load::Kind::temperature:
+            return "temperature";
+        default:
+            return "body force";
     }
 }
 

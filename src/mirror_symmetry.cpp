@@ -185,21 +185,14 @@ private:
         return point(curve, portion.t0 + t * (portion.t1 - portion.t0));
     }
 
-    double loaded_area(std::size_t load) const {
-        double sum = 0;
-        for (const EdgePortion& p : conditions_.loads[load]) {
-            const ScenePart& part = scene_.parts[at(p.part)];
-            sum += part.thickness * length(part.part.edges[at(p.edge)].curve, p.t0, p.t1);
-        }
-        return sum;
-    }
-
     Vec2 traction(int part, const Vec2& p) const {
         Vec2 sum(0, 0);
         for (std::size_t k = 0; k < scene_.loads.size(); ++k)
             if (is_edge_load(scene_.loads[k]))
                 for (const EdgePortion& portion : conditions_.loads[k])
-                    if (covers(portion, part, p)) sum += traction_at(scene_.loads[k], p, normal_at(portion, p), loaded_area(k));
+                    if (covers(portion, part, p))
+                        sum +=
+                            traction_at(scene_.loads[k], p, normal_at(portion, p), selected_area(scene_, conditions_.loads[k]));
         return sum;
     }
 
@@ -208,17 +201,7 @@ private:
         Vec2 sum(0, 0);
         for (const Load& load : scene_.loads) {
             if (is_edge_load(load) || load.kind == Load::Kind::temperature || !acts_on_volume_of(scene_, load, part)) continue;
-            if (load.kind == Load::Kind::spin) {
-                const bool on_axis = scene_.analysis == Analysis::axisymmetric;
-                sum += scene_.materials[at(own.material)].density * load.omega * load.omega *
-                       (on_axis ? Vec2(p.x(), 0) : Vec2(p - load.about));
-                continue;
-            }
-            const Vec2 value(load.value[0](p.x(), p.y()), load.value[1](p.x(), p.y()));
-            const double factor = load.kind == Load::Kind::gravity      ? scene_.materials[at(own.material)].density
-                                  : load.kind == Load::Kind::part_force ? 1 / (area(own.part) * own.thickness)
-                                                                        : 1.0;
-            sum += factor * value;
+            sum += abut::volume_force(scene_, load, part, area(own.part), p);
         }
         return sum;
     }
@@ -336,6 +319,20 @@ std::string symmetry_text(const MirrorSymmetry& s, bool folded) {
     return "mirror symmetric about " + std::string(upright ? "x = " : "y = ") +
            number_text(upright ? s.line.point.x() : s.line.point.y(), 6) + " in parts, supports and loads; " +
            (folded ? "half of it is solved" : "solved as drawn (\"symmetry\": \"auto\" solves half of it)");
+}
+
+void set_symmetry(bool on, const std::string& why, std::vector<Effect>& plan) {
+    for (Effect& effect : plan) {
+        if (effect.name != "symmetry") continue;
+        effect.on = on;
+        effect.why = why;
+    }
+}
+
+MirrorSymmetry plan_symmetry(const Scene& scene, const ResolvedConditions& conditions, std::vector<Effect>& plan) {
+    MirrorSymmetry symmetry = find_mirror_symmetry(scene, conditions);
+    set_symmetry(symmetry.found && scene.fold_symmetry, symmetry_text(symmetry, scene.fold_symmetry), plan);
+    return symmetry;
 }
 
 }  // namespace abut

@@ -21,4 +21,9 @@ MirrorSymmetry find_mirror_symmetry(const Scene& scene, const ResolvedConditions
 /// In one line, for the plan; folded: half of the scene is to be solved.
 std::string symmetry_text(const MirrorSymmetry& symmetry, bool folded);
 
+/// Looks for the symmetry, and says in the plan what was found, and whether half of the scene is to be solved.
+MirrorSymmetry plan_symmetry(const Scene& scene, const ResolvedConditions& conditions, std::vector<Effect>& plan);
+/// The plan's effect "symmetry".
+void set_symmetry(bool on, const std::string& why, std::vector<Effect>& plan);
+
 }  // namespace abut

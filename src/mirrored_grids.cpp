@@ -6,6 +6,7 @@
 
 #include "solver/fold.hpp"
 #include "solver/mirror.hpp"
+#include "src/next_candidates.hpp"
 
 namespace abut {
 
@@ -15,25 +16,9 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-/// Coordinates in the frame of the image's grid: local' = M local + shift, along both axes of the frame.
-class FrameImage {
-public:
-    FrameImage(const Frame& from, const Frame& to, const MirrorLine& mirror) : from_(from), to_(to), mirror_(mirror) {}
-
-    Vec2 operator()(const Vec2& local) const { return to_.to_local(mirror_.image_of(from_.to_global(local))); }
-
-private:
-    const Frame &from_, &to_;
-    const MirrorLine& mirror_;
-};
-
-std::vector<double> mirrored_lines(const std::vector<double>& lines, const FrameImage& image, int axis) {
+std::vector<double> mirrored_lines(const std::vector<double>& lines, const solver::PlaceImage& place, int direction) {
     std::vector<double> result;
-    for (double v : lines) {
-        Vec2 p(0, 0);
-        p[axis] = v;
-        result.push_back(image(p)[axis]);
-    }
+    for (double v : lines) result.push_back(place.along(direction, v));
     std::sort(result.begin(), result.end());
     return result;
 }
@@ -50,7 +35,7 @@ void symmetrize(std::vector<double>& lines, double twice_center) {
 
 /// axis -1: the frame is turned against the mirror line.
 solver::PlaceImage place_image(const Frame& from, const Frame& to, const MirrorLine& mirror) {
-    const FrameImage image(from, to, mirror);
+    const auto image = [&](const Vec2& local) { return to.to_local(mirror.image_of(from.to_global(local))); };
     const Vec2 origin = image({0, 0}), x = image({1, 0}) - origin, y = image({0, 1}) - origin;
     for (int axis : {0, 1}) {
         const Vec2 expected_x(axis == 0 ? -1 : 1, 0), expected_y(0, axis == 0 ? 1 : -1);
@@ -75,11 +60,11 @@ std::string add_mirrors(const MirrorLine& mirror, int part, int image, const Sol
     if (place.axis < 0) return "its grid is turned against the mirror line";
     const solver::SpaceImage map = solver::space_image(own.input, other.input, place);
     if (!map.failure.empty()) return map.failure;
-    const auto made = [&](solver::MirrorRole role, int of, const std::vector<int>& function) {
-        return std::make_shared<const solver::PartMirror>(solver::part_mirror(role, of, place.axis, function));
-    };
-    mirrors[at(part)] = made(part == image ? solver::MirrorRole::own_image : solver::MirrorRole::leader, image, map.function);
-    if (part != image) mirrors[at(image)] = made(solver::MirrorRole::follower, part, inverse(map.function));
+    const auto made = [](solver::PartMirror m) { return std::make_shared<const solver::PartMirror>(std::move(m)); };
+    const solver::MirrorRole role = part == image ? solver::MirrorRole::own_image : solver::MirrorRole::leader;
+    mirrors[at(part)] = made(part_mirror(role, image, place, map.function));
+    if (part != image)
+        mirrors[at(image)] = made(part_mirror(solver::MirrorRole::follower, part, place.inverse(), inverse(map.function)));
     return "";
 }
 
@@ -96,7 +81,7 @@ PartGrid mirrored_grid(const Scene& scene, int part, const PartOnGrid& image, co
     PartGrid result;
     result.frame = frame_for(source.part, std::atan2(-image.frame.s, image.frame.c));
     result.local = transformed(source.part, result.frame.c, -result.frame.s, -result.frame.shift);
-    const FrameImage to_own(image.frame, result.frame, mirror);
+    const solver::PlaceImage to_own = place_image(image.frame, result.frame, mirror);
     const solver::SplineSpace& space = image.input.space;
     result.grid = {mirrored_lines(space.x.breakpoints, to_own, 0), mirrored_lines(space.y.breakpoints, to_own, 1)};
     result.degree = {space.x.degree, space.y.degree};
@@ -123,16 +108,16 @@ namespace {
 
 constexpr int seam_samples = 64;
 
+/// Of the first chain's point at an arc length of a closed zone.
+geometry::FacingPair pair_of(const Scene& scene, const Candidate& c, double s1) {
+    const double share = (s1 - c.zone.begin1) / (c.zone.end1 - c.zone.begin1);
+    return pair_from_first(scene.parts[at(c.first)].part, scene.parts[at(c.second)].part, c.zone, s1,
+                           c.zone.begin2 + share * (c.zone.end2 - c.zone.begin2));
+}
+
 void put_seam(const Scene& scene, double s1, Candidate& c) {
-    geometry::FacingZone& zone = c.zone;
-    const double share = (s1 - zone.begin1) / (zone.end1 - zone.begin1);
-    const geometry::FacingPair pair = pair_from_first(scene.parts[at(c.first)].part, scene.parts[at(c.second)].part, zone, s1,
-                                                      zone.begin2 + share * (zone.end2 - zone.begin2));
-    if (!pair.found) return;
-    zone.begin1 = pair.s1;
-    zone.end1 = pair.s1 + zone.chain1.length;
-    zone.begin2 = pair.s2;
-    zone.end2 = pair.s2 - zone.chain2.length;
+    const geometry::FacingPair pair = pair_of(scene, c, s1);
+    if (pair.found) begin_at(pair, c.zone);
 }
 
 /// Signed distance from the mirror line.
@@ -154,13 +139,6 @@ std::vector<double> crossings(const geometry::Part& part, const geometry::Facing
         found.push_back(low);
     }
     return found;
-}
-
-double gap_at(const Scene& scene, const Candidate& c, double s1) {
-    const double share = (s1 - c.zone.begin1) / (c.zone.end1 - c.zone.begin1);
-    return pair_from_first(scene.parts[at(c.first)].part, scene.parts[at(c.second)].part, c.zone, s1,
-                           c.zone.begin2 + share * (c.zone.end2 - c.zone.begin2))
-        .gap;
 }
 
 /// Arc length of the first chain's point nearest to a place.
@@ -190,7 +168,7 @@ void put_seams_on_mirror(const Scene& scene, const MirrorLine& mirror, std::vect
             if (places.empty()) continue;
             put_seam(scene,
                      *std::max_element(places.begin(), places.end(),
-                                       [&](double s, double t) { return gap_at(scene, c, s) < gap_at(scene, c, t); }),
+                                       [&](double s, double t) { return pair_of(scene, c, s).gap < pair_of(scene, c, t).gap; }),
                      c);
             continue;
         }
