@@ -9,6 +9,7 @@
 
 #include "apps/arguments.hpp"
 #include "apps/commands.hpp"
+#include "apps/keep_heap.hpp"
 #include "apps/print_text.hpp"
 #include "apps/version.hpp"
 #include "geometry/input_error.hpp"
@@ -78,6 +79,7 @@ int check_output(int status) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keep_heap();
     try {
         return check_output(run({argv + std::min(argc, 1), argv + argc}));
     } catch (const InputError& error) {

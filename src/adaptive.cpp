@@ -11,6 +11,7 @@
 #include "solver/fold.hpp"
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
+#include "src/extent_by_theory.hpp"
 #include "src/mirrored_grids.hpp"
 #include "src/next_candidates.hpp"
 #include "src/next_grids.hpp"
@@ -31,7 +32,7 @@ constexpr int max_passes = 7;  // on the same candidates
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
 /// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
-constexpr double affordable_unknowns = 30000, affordable_growth = 12;
+constexpr double affordable_unknowns = 40000, affordable_growth = 12;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
 
@@ -271,7 +272,7 @@ private:
         if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-        prepare_next(now, out_.errors.back());
+        prepare_next(std::move(now), out_.errors.back());
         return false;
     }
 
@@ -280,8 +281,9 @@ private:
         return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target;
     }
 
-    void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
+    void prepare_next(SolvedAssembly&& now, const ErrorEstimate& error) {
         if (next_.goal.empty()) {
+            now.runs = runs_by_theory(scene_, now);
             set_first_goals(now, next_);
             coarsen_less(next_);
         } else {

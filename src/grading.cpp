@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/assembly_model.hpp"
+#include "src/contact_joints.hpp"
 
 namespace abut {
 
@@ -15,6 +15,8 @@ constexpr double cells_in_first_contact = 16;
 /// Cells at the ends from which on the growth towards the middle follows them, by the fourth root: the ends' errors fall with
 /// the cell size, those of the rest with its third power and more.
 constexpr double fast_end = 0.02;
+/// Distance of a joint from the end of contact, times this: the length that the end's cells are a fraction of.
+constexpr double lengths_beside_joint = 4;
 constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
 
 std::size_t at(int i) {
@@ -29,30 +31,27 @@ double growth_for(const ContactResolution& r) {
     return std::clamp(fastest_growth * std::pow(r.end_fraction / fast_end, 0.25), slowest_growth, fastest_growth);
 }
 
-double end_size(const RunEnd& end, const ContactResolution& r) {
-    return end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction;
+/// length: of the pressure's steep end.
+double end_size(const RunEnd& end, double length, const ContactResolution& r) {
+    return length * (end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction);
 }
 
-/// Where a straight edge meets an arc within a contact the pressure has a steep peak: fine cells at the joints of either chain.
-void want_at_joints(const Scene& scene, const ContactInterface& contact, const ContactRun& run,
-                    const ContactResolution& resolution, WantedSizes& wanted) {
-    const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
-    if (!begin.found || !end.found) return;
-    const std::array<const geometry::Chain*, 2> chain{&contact.zone.chain1, &contact.zone.chain2};
-    const std::array<double, 2> low{begin.s1, std::min(begin.s2, end.s2)}, high{end.s1, std::max(begin.s2, end.s2)};
-    for (std::size_t side = 0; side < 2; ++side) {
-        const geometry::Part& part = scene.parts[at(contact.part[side])].part;
-        const std::size_t n = chain[side]->edges.size();
-        for (std::size_t k = chain[side]->closed ? 0 : 1; k < n && n > 1; ++k) {
-            double s = chain[side]->begin[k];
-            if (chain[side]->closed)
-                while (s < low[side]) s += chain[side]->length;
-            if (s <= low[side] || s >= high[side]) continue;
-            const Vec2 x = geometry::at(part, *chain[side], s).x;
-            for (int p : contact.part)
-                want(wanted, p, {x}, (run.end - run.begin) * resolution.corner_fraction, growth_for(resolution));
-        }
+/// Joints within a run, and how near to its free ends the nearest ones are: there the pressure's steep end is so long.
+struct RunJoints {
+    std::vector<ContactJoint> inside;
+    double at_begin, at_end;
+};
+
+RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& run) {
+    RunJoints in{{}, run.end - run.begin, run.end - run.begin};
+    for (const ContactJoint& joint : joints) {
+        if (joint.s <= run.begin || joint.s >= run.end) continue;
+        in.inside.push_back(joint);
+        if (run.at_begin.kind == RunEnd::Kind::free)
+            in.at_begin = std::min(in.at_begin, lengths_beside_joint * (joint.s - run.begin));
+        if (run.at_end.kind == RunEnd::Kind::free) in.at_end = std::min(in.at_end, lengths_beside_joint * (run.end - joint.s));
     }
+    return in;
 }
 
 }  // namespace
@@ -82,7 +81,9 @@ WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candid
 
 WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const std::vector<ContactResolution>& resolution) {
     WantedSizes wanted(scene.parts.size());
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const std::vector<ContactJoint> all_joints =
+            solved.runs[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
         for (const ContactRun& run : solved.runs[k]) {
             const ContactInterface& contact = solved.contacts[k];
             const double length = run.end - run.begin, growth = growth_for(resolution[k]);
@@ -93,17 +94,21 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const s
                 points[0].push_back(pair.on1.x);
                 points[1].push_back(pair.on2.x);
             }
-            want_at_joints(scene, contact, run, resolution[k], wanted);
+            const RunJoints joints = joints_in(all_joints, run);
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 const int part = contact.part[side];
                 want(wanted, part, points[side], length / resolution[k].cells, growth);
                 if (run.at_begin.kind != RunEnd::Kind::plain)
-                    want(wanted, part, {points[side].front()}, length * end_size(run.at_begin, resolution[k]), growth);
+                    want(wanted, part, {points[side].front()}, end_size(run.at_begin, joints.at_begin, resolution[k]), growth);
                 if (run.at_end.kind != RunEnd::Kind::plain)
-                    want(wanted, part, {points[side].back()}, length * end_size(run.at_end, resolution[k]), growth);
+                    want(wanted, part, {points[side].back()}, end_size(run.at_end, joints.at_end, resolution[k]), growth);
+                for (const ContactJoint& joint : joints.inside)
+                    want(wanted, part, {joint.x[side]},
+                         std::min(joints.at_begin, joints.at_end) * resolution[k].corner_fraction, growth);
             }
         }
+    }
     return wanted;
 }
 

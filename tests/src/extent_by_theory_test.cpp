@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/extent_by_theory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "src/adaptive.hpp"
+#include "tests/verification/true_errors.hpp"
+
+namespace abut {
+namespace {
+
+/// Solved once, on uniform cells.
+Outcome on_cells(Scene scene, double cell_size) {
+    scene.accuracy.cell_size = cell_size;
+    Stopwatches seconds;
+    return solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
+}
+
+}  // namespace
+
+TEST(ExtentByTheory, OfHalfACylinderInOneCell) {
+    const Scene scene = test::adaptive_scene({"verification/hertz_001.json"});
+    for (double cell_size : {0.02, 0.05, 0.1, 0.25}) {
+        SCOPED_TRACE(cell_size);
+        const Outcome out = on_cells(scene, cell_size);
+        ASSERT_EQ(out.solved.runs[0].size(), 1u);
+        const ContactRun found = out.solved.runs[0][0], moved = runs_by_theory(scene, out.solved)[0][0];
+        EXPECT_GT(found.end, 1.2 * 0.01);
+        EXPECT_NEAR(moved.end, 0.01, 2e-4);
+        EXPECT_EQ(moved.begin, found.begin);
+    }
+}
+
+TEST(ExtentByTheory, OfACylinderOnAPlaneInPlaneStrain) {
+    const Scene scene = test::adaptive_scene({"verification/cylinder_on_plane.json", {{"Q", 5}}, Analysis::plane_strain});
+    const Outcome out = on_cells(scene, 0.1);
+    // a^2 = 4 P R / (pi E*)
+    const double a = std::sqrt(4 * 5 / (std::numbers::pi * 1e5 / (2 * (1 - 0.3 * 0.3))));
+    EXPECT_NEAR(runs_by_theory(scene, out.solved)[0][0].end, a, 0.02 * a);
+}
+
+TEST(ExtentByTheory, OfAWedge) {
+    const Scene scene = test::adaptive_scene({"verification/wedge.json"});
+    const Outcome out = on_cells(scene, 0.1);
+    EXPECT_NEAR(runs_by_theory(scene, out.solved)[0][0].end, 0.02, 0.02 * 0.02);
+}
+
+TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {
+    // a contact of many cells; one of flat faces
+    const test::EstimateCase wide{"verification/cylinder_on_plane.json", {{"Q", 5000}}}, flat{"scenes/vise.json"};
+    for (const auto& [source, cell_size] : {std::pair{wide, 0.04}, {flat, 0.3}}) {
+        SCOPED_TRACE(source.scene);
+        const Scene scene = test::adaptive_scene(source);
+        const Outcome out = on_cells(scene, cell_size);
+        ASSERT_FALSE(out.solved.runs[0].empty());
+        const auto moved = runs_by_theory(scene, out.solved);
+        for (std::size_t k = 0; k < moved.size(); ++k)
+            for (std::size_t r = 0; r < moved[k].size(); ++r) {
+                EXPECT_EQ(moved[k][r].begin, out.solved.runs[k][r].begin);
+                EXPECT_EQ(moved[k][r].end, out.solved.runs[k][r].end);
+            }
+    }
+}
+
+}  // namespace abut
