@@ -2,7 +2,10 @@
 #include "src/extent_by_theory.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -13,12 +16,11 @@ namespace abut {
 
 namespace {
 
-constexpr int few_intervals = 6;       // of the pressure's knots in a contact
-constexpr int samples = 48;            // of the pressure along the run
-constexpr int gauss_points = 8;        // of the integral over the angle
-constexpr double step_of_slope = 0.1;  // of the half width, each way
+constexpr int few_intervals = 6;  // of the pressure's knots in a contact
+constexpr int samples = 48;       // of the pressure along the run
+constexpr int gauss_points = 8;   // of the integral over the angle, between joints
 constexpr int max_steps = 20;
-constexpr double tolerance = 0.01;  // of the half width
+constexpr double tolerance = 1e-4;  // of the half width
 constexpr double most_growth = 2;   // of the half width that was found: beyond, the parts are not like half planes
 constexpr double near_joint = 2;    // knot spacings between a fillet's joint and a contact's end that is put there
 
@@ -49,71 +51,89 @@ int intervals_in(const ContactInterface& contact, const ContactRun& run) {
     return static_cast<int>(std::count_if(knots.begin(), knots.end(), [&](double s) { return run.begin < s && s < run.end; }));
 }
 
-/// The drawn gap around a place, the mean of both sides; one side alone at an end of the interface.
+/// The drawn gap's derivative, away from a place; the mean of both sides, or of the one that there is.
 class Profile {
 public:
-    Profile(const Scene& scene, const ContactInterface& contact, double middle, bool has_left, bool has_right)
-        : scene_(scene), contact_(contact), middle_(middle), has_left_(has_left), has_right_(has_right) {}
-
-    std::optional<double> slope(double x, double step) const {
-        const std::optional<double> before = gap(x - step), after = gap(x + step);
-        if (!before || !after) return std::nullopt;
-        return (*after - *before) / (2 * step);
+    Profile(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double middle)
+        : scene_(scene), contact_(contact), middle_(middle), has_left_(!run.from_start), has_right_(!run.to_end) {
+        for (const ContactJoint& joint : contact_joints(scene, contact)) joints_.push_back(std::abs(joint.s - middle));
+        std::sort(joints_.begin(), joints_.end());
     }
 
-private:
-    std::optional<double> gap(double x) const {
+    double largest() const {
+        double x = std::numeric_limits<double>::infinity();
+        if (has_left_) x = std::min(x, middle_ - contact_.s.front());
+        if (has_right_) x = std::min(x, contact_.s.back() - middle_);
+        return x;
+    }
+
+    /// Places where it is not smooth, ascending.
+    const std::vector<double>& joints() const { return joints_; }
+
+    std::optional<double> slope(double x) const {
         double sum = 0;
         for (double side : {-1.0, 1.0}) {
             if (!(side < 0 ? has_left_ : has_right_)) continue;
-            const double s = middle_ + side * x;
-            if (s < contact_.s.front() || s > contact_.s.back()) return std::nullopt;
-            const geometry::FacingPair pair = pair_at(scene_, contact_, s);
+            const geometry::FacingPair pair = pair_at(scene_, contact_, middle_ + side * x);
             if (!pair.found) return std::nullopt;
-            sum += pair.gap;
+            Vec2 along(-pair.normal.y(), pair.normal.x());
+            if (along.dot(pair.on1.tangent) < 0) along = -along;
+            const Vec2 &n1 = pair.on1.normal, &n2 = pair.on2.normal;
+            sum += side * (n1.dot(along) / n1.dot(pair.normal) - n2.dot(along) / n2.dot(pair.normal));
         }
         return has_left_ && has_right_ ? 0.5 * sum : sum;
     }
 
+private:
     const Scene& scene_;
     const ContactInterface& contact_;
     double middle_;
     bool has_left_, has_right_;
+    std::vector<double> joints_;
 };
 
 /// Force per thickness over E* at which the contact is 2a wide.
 std::optional<double> galin_integral(const Profile& profile, double a) {
     const geometry::GaussRule& rule = geometry::gauss_rule(gauss_points);
+    std::vector<double> ends{0};  // of the angle
+    for (double x : profile.joints())
+        if (x > 0 && x < a) ends.push_back(std::asin(x / a));
+    ends.push_back(0.5 * std::numbers::pi);
     double sum = 0;
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
-        const double x = a * std::sin(0.5 * std::numbers::pi * rule.points[q]);
-        // beside the middle a shorter step, so that both gaps are on one side
-        const std::optional<double> slope = profile.slope(x, std::min(step_of_slope * a, x));
-        if (!slope) return std::nullopt;
-        sum += 0.5 * std::numbers::pi * rule.weights[q] * x * *slope;
-    }
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const double x = a * std::sin(ends[i] + rule.points[q] * (ends[i + 1] - ends[i]));
+            const std::optional<double> slope = profile.slope(x);
+            if (!slope) return std::nullopt;
+            sum += (ends[i + 1] - ends[i]) * rule.weights[q] * x * *slope;
+        }
     return sum;
 }
 
-/// force: over E*. For gaps that grow with the square one step is enough.
-std::optional<double> half_width(const Profile& profile, double force, double a) {
-    const double largest = most_growth * a;
-    for (int step = 0; step < max_steps; ++step) {
+/// force: over E*; found: about this, or less.
+std::optional<double> half_width(const Profile& profile, double force, double found) {
+    bool is_known = true;
+    // the root: linear in the half width for gaps that grow with the square
+    const auto excess = [&](double a) {
         const std::optional<double> integral = galin_integral(profile, a);
-        if (!integral || !(*integral > 0)) return std::nullopt;
-        const double next = a * std::sqrt(force / *integral);
-        if (next > largest) return std::nullopt;
-        if (std::abs(next - a) <= tolerance * a) return next;
-        a = next;
-    }
-    return std::nullopt;
+        is_known = is_known && integral;
+        return std::sqrt(std::max(0.0, integral.value_or(0))) - std::sqrt(force);
+    };
+    const double largest = std::min(most_growth * found, profile.largest()), at_largest = excess(largest);
+    if (!is_known || !(at_largest > 0)) return std::nullopt;
+    const auto is_near = [](double a, double b) { return std::abs(a - b) <= tolerance * b; };
+    std::uintmax_t steps = max_steps;
+    const auto [low, high] =
+        boost::math::tools::toms748_solve(excess, 0.0, largest, -std::sqrt(force), at_largest, is_near, steps);
+    if (!is_known || !is_near(low, high)) return std::nullopt;
+    return 0.5 * (low + high);
 }
 
 /// force: per thickness and E*.
 void move_by_galin(const Scene& scene, const ContactInterface& contact, const RunLoad& load, ContactRun& run) {
     const bool is_half = run.from_start || run.to_end;
     const double middle = run.from_start ? run.begin : run.to_end ? run.end : load.middle;
-    const Profile profile(scene, contact, middle, !run.from_start, !run.to_end);
+    const Profile profile(scene, contact, run, middle);
     const double found = is_half ? run.end - run.begin : 0.5 * (run.end - run.begin);
     const std::optional<double> a = half_width(profile, (is_half ? 2 : 1) * load.force, found);
     if (!a) return;

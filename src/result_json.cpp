@@ -216,36 +216,56 @@ std::string primitive_text(const Json& j) {
 
 constexpr std::size_t line_width = 120;
 
-/// Brackets around the members, which are printed by print_member and parted by the separator.
-template <class PrintMember>
-std::string bracketed(const Json& j, const std::string& open_with, const std::string& separator, const std::string& close_with,
-                      PrintMember print_member) {
-    std::string text = j.is_array() ? "[" : "{", between = open_with;
-    for (const auto& [key, value] : j.items()) {
-        text += between + (j.is_object() ? primitive_text(key) + ": " : "") + print_member(value);
-        between = separator;
-    }
-    return text + close_with + (j.is_array() ? "]" : "}");
+bool is_list_of_primitives(const Json& j) {
+    return j.is_array() && std::all_of(j.begin(), j.end(), [](const Json& x) { return x.is_primitive(); });
 }
 
-std::string on_one_line(const Json& j) {
-    return j.is_structured() ? bracketed(j, "", ", ", "", on_one_line) : primitive_text(j);
+/// Brackets around the members, which are appended by append_member and parted by the separator. Ends early, without the rest,
+/// once the text is longer than `most`.
+template <class AppendMember>
+void append_bracketed(const Json& j, const std::string& open_with, const std::string& separator, const std::string& close_with,
+                      std::size_t most, std::string& text, AppendMember append_member) {
+    text += j.is_array() ? '[' : '{';
+    const std::string* between = &open_with;
+    for (const auto& [key, value] : j.items()) {
+        if (text.size() > most) return;
+        text += *between;
+        if (j.is_object()) text += primitive_text(key) + ": ";
+        append_member(value);
+        between = &separator;
+    }
+    text += close_with;
+    text += j.is_array() ? ']' : '}';
+}
+
+void append_line(const Json& j, std::size_t most, std::string& text) {
+    if (j.is_structured())
+        append_bracketed(j, "", ", ", "", most, text, [&](const Json& member) { append_line(member, most, text); });
+    else
+        text += primitive_text(j);
 }
 
 /// One line for what fits on one, and for lists of numbers or names however long; else one member a line.
-std::string print(const Json& j, const std::string& indent) {
-    const auto primitive = [](const Json& x) { return x.is_primitive(); };
-    const std::string line = on_one_line(j);
-    if (primitive(j) || (j.is_array() && std::all_of(j.begin(), j.end(), primitive))) return line;
-    if (!indent.empty() && line.size() + indent.size() <= line_width) return line;
+void print(const Json& j, const std::string& indent, std::string& text) {
+    constexpr std::size_t no_limit = std::string::npos;
+    if (j.is_primitive() || is_list_of_primitives(j)) return append_line(j, no_limit, text);
+    if (!indent.empty()) {
+        const std::size_t before = text.size(), most = before + line_width - std::min(line_width, indent.size());
+        append_line(j, most, text);
+        if (text.size() <= most) return;
+        text.resize(before);
+    }
     const std::string inner = indent + "  ";
-    return bracketed(j, "\n" + inner, ",\n" + inner, "\n" + indent, [&](const Json& member) { return print(member, inner); });
+    append_bracketed(j, "\n" + inner, ",\n" + inner, "\n" + indent, no_limit, text,
+                     [&](const Json& member) { print(member, inner, text); });
 }
 
 }  // namespace
 
 std::string result_json(const Result& result) {
-    return print(to_json(result), "") + "\n";
+    std::string text;
+    print(to_json(result), "", text);
+    return text + "\n";
 }
 
 }  // namespace abut

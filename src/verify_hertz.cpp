@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Line contact of curved bodies: Hertz (C1), the roller on a block of NAFEMS (C2), a wedge (C5), the dissertation's cases B and
-// C with sizes of our own (S-B, S-C).
+// Line contact of curved bodies: Hertz (C1), the roller on a block of NAFEMS (C2), flats with fillets (C4), a wedge (C5), the
+// dissertation's cases B and C with sizes of our own (S-B, S-C).
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -18,14 +19,15 @@ double half_width_of(const Answers& answers) {
 }
 
 /// Of the pressure, in the mean square over the profile; of models cut at x = 0.
-double pressure_deviation(const ContactProfile& profile, const Hertz& exact) {
-    std::vector<double> pressure, hertz;
+template <class Theory>
+double pressure_deviation(const ContactProfile& profile, const Theory& exact) {
+    std::vector<double> pressure, theory;
     for (std::size_t i = 0; i + 1 < profile.x.size(); ++i) {
         const double weight = std::sqrt(std::abs(profile.x[i + 1] - profile.x[i]));
         pressure.push_back(weight * 0.5 * (profile.pressure[i] + profile.pressure[i + 1]));
-        hertz.push_back(weight * exact.pressure(0.5 * (profile.x[i] + profile.x[i + 1])));
+        theory.push_back(weight * exact.pressure(0.5 * (profile.x[i] + profile.x[i + 1])));
     }
-    return relative_error_norm(pressure, hertz);
+    return relative_error_norm(pressure, theory);
 }
 
 /// Scenes that model half of the contact carry half of the load.
@@ -94,6 +96,44 @@ VerifyProblem wedge() {
     return problem;
 }
 
+/// A flat of half width b with fillets of radius R, pressed until it touches to a half width a (Ciavarella, Hills, Monno 1998).
+struct FilletedPunch {
+    double b, radius, modulus, a;
+
+    double angle() const { return std::asin(b / a); }
+    double load() const {
+        const double t = angle(), sine = std::sin(t);
+        return modulus * b * b / (2 * radius) * ((std::numbers::pi - 2 * t) / (2 * sine * sine) - 1 / std::tan(t));
+    }
+    double pressure(double x) const {
+        if (std::abs(x) >= a) return 0;
+        const double t0 = angle(), t = std::asin(std::abs(x) / a), open = std::numbers::pi - 2 * t0;
+        const double roots = open * std::cos(t) + std::sin(t) * std::log(std::abs(std::sin(t + t0) / std::sin(t - t0))) +
+                             std::sin(t0) * std::log(std::abs(std::tan((t + t0) / 2) * std::tan((t - t0) / 2)));
+        return 2 / std::numbers::pi * load() / a * roots / (open - std::sin(2 * t0));
+    }
+    double peak() const {
+        constexpr int steps = 10000;  // between the fillet's joint, beyond which it stands, and the end
+        double largest = 0;
+        for (int i = 0; i < steps; ++i) largest = std::max(largest, pressure(b + (i + 0.5) / steps * (a - b)));
+        return largest;
+    }
+};
+
+/// beyond: how far the contact reaches into the fillet, of the flat's half width.
+VerifyProblem filleted_punch(const std::string& name, double radius, double beyond) {
+    constexpr double b = 0.02, E = 1e5 / (1 + 1e-4), five_percent = 0.05;
+    const FilletedPunch exact{b, radius, E, (1 + beyond) * b};
+    return {
+        name,
+        "a flat with fillets, pressed on over " + std::to_string(beyond).substr(0, 5) + " of its width beyond them",
+        {{"verification/filleted_punch.json", {{"R", radius}, {"P", exact.load()}}}},
+        {{"pressure, L2 error", [=](const Answers& r) { return pressure_deviation(contact_of(r).profile, exact); }, 0, {}, 1},
+         {"largest pressure", peak, exact.peak(), fine},
+         {"contact beyond the flat", [](const Answers& r) { return half_width_of(r) - b; }, exact.a - b, five_percent},
+         {"contact force along y", vertical_force, 0.5 * exact.load(), statics}}};
+}
+
 }  // namespace
 
 std::vector<VerifyProblem> hertz_problems() {
@@ -105,6 +145,8 @@ std::vector<VerifyProblem> hertz_problems() {
                       hertz(1 / (12 / 49.0 + 1 / 37.5), 105000, load_per_thickness), 2000, ten_cells)};
     for (VerifyProblem& problem : c1_variants()) problems.push_back(std::move(problem));
     problems.push_back(roller());
+    problems.push_back(filleted_punch("C4-fillet", 0.1, 0.1));
+    problems.push_back(filleted_punch("C4-fillet-small", 0.01, 0.005));
     problems.push_back(wedge());
     problems.push_back(hertz_problem("S-B", "the dissertation's convex cylinders", {"scenes/case_b.json"}, {0.0921318, 3452.24},
                                      250, ten_cells));

@@ -48,6 +48,18 @@ TEST(ExtentByTheory, OfAWedge) {
     EXPECT_NEAR(runs_by_theory(scene, out.solved)[0][0].end, 0.02, 0.02 * 0.02);
 }
 
+/// A hundredth of the flat's half width beyond it: the load of Ciavarella, Hills and Monno's closed form.
+TEST(ExtentByTheory, OfAFlatWithFillets) {
+    const double b = 0.02, R = 0.01, a = 1.01 * b, t = std::asin(b / a), sine = std::sin(t);
+    const double load = 1e5 / (1 + 1e-4) * b * b / (2 * R) * ((std::numbers::pi - 2 * t) / (2 * sine * sine) - 1 / std::tan(t));
+    const Scene scene = test::adaptive_scene({"verification/filleted_punch.json", {{"R", R}, {"P", load}}});
+    const Outcome out = on_cells(scene, 0.005);
+    const ContactRun found = out.solved.runs[0][0], moved = runs_by_theory(scene, out.solved)[0][0];
+    EXPECT_GT(std::abs(found.end - a), 0.5 * (a - b));
+    EXPECT_NEAR(moved.end, a, 0.05 * (a - b));
+    EXPECT_EQ(moved.begin, found.begin);
+}
+
 TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {
     // a contact of many cells; one of flat faces
     const test::EstimateCase wide{"verification/cylinder_on_plane.json", {{"Q", 5000}}}, flat{"scenes/vise.json"};

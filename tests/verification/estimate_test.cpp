@@ -139,6 +139,7 @@ TEST(Estimates, PressuresOfOneContactOfEachKind) {
                                                            {"verification/pin_in_hole.json"},
                                                            {"verification/shrink_fit.json"},
                                                            {"verification/wedge.json"},
+                                                           {"verification/filleted_punch.json"},
                                                            {"scenes/vise.json"},
                                                            {"scenes/case_a.json"}})
         expect_honest_contact(c, targets);
@@ -169,9 +170,11 @@ TEST(LongEstimates, PressuresOfPinsRingsAndCorners) {
                                                            {"verification/pin_in_hole.json", {{"dR", 0}}},
                                                            {"verification/shrink_fit.json"},
                                                            {"verification/wedge.json"},
+                                                           {"verification/filleted_punch.json"},
                                                            {"scenes/vise.json"},
                                                            {"scenes/case_a.json"}})
         expect_honest_contact(c, all_targets);
+    expect_honest_contact({"verification/filleted_punch.json", {{"R", 0.01}, {"P", 1.3}}}, {0.05, 0.02, 0.01});
 }
 
 TEST(LongEstimates, Stress) {
