@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh.hpp"
 
+#include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <string_view>
 
 #include "geometry/input_error.hpp"
+#include "geometry/late_library.hpp"
 #include "geometry/mesh_3mf.hpp"
 #include "geometry/mesh_bodies.hpp"
 #include "geometry/mesh_prechecks.hpp"
@@ -140,22 +142,38 @@ std::string obj_with_whole_names(const std::string& path) {
     return text;
 }
 
-const aiScene* read_by_assimp(Assimp::Importer& importer, const std::string& path, const std::string& format) {
-    if (format != "OBJ") return importer.ReadFile(path, aiProcess_Triangulate);
-    const std::string text = obj_with_whole_names(path);
-    return importer.ReadFileFromMemory(text.data(), text.size(), aiProcess_Triangulate, "obj");
+/// A function of assimp's by its name.
+#define CALL(name) library.function<decltype(name)>(#name)
+
+/// Released when it goes; empty, and why, where assimp cannot read the file.
+std::shared_ptr<const aiScene> read_by_assimp(const std::string& path, const std::string& format, std::string& message) {
+    static const LateLibrary library(ABUT_ASSIMP, path);
+    const std::shared_ptr<aiPropertyStore> properties(CALL(aiCreatePropertyStore)(), CALL(aiReleasePropertyStore));
+    for (const char* name : {AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,  // the file's own coordinates
+                             AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES})   // not the identifiers
+        CALL(aiSetImportPropertyInteger)(properties.get(), name, 1);
+    const auto from_file = CALL(aiImportFileExWithProperties);
+    const auto from_memory = CALL(aiImportFileFromMemoryWithProperties);
+    const auto last_error = CALL(aiGetErrorString);
+    const aiScene* scene = nullptr;
+    try {
+        if (format == "OBJ") {
+            const std::string text = obj_with_whole_names(path);
+            const auto size = static_cast<unsigned>(text.size());
+            scene = from_memory(text.data(), size, aiProcess_Triangulate, "obj", properties.get());
+        } else {
+            scene = from_file(path.c_str(), aiProcess_Triangulate, nullptr, properties.get());
+        }
+        if (scene == nullptr) message = last_error();
+    } catch (const std::exception& error) { message = error.what(); }
+    return {scene, CALL(aiReleaseImport)};
 }
 
+#undef CALL
+
 void read_scene(const std::string& path, const std::string& format, MeshBodies& bodies) {
-    Assimp::Importer importer;
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // the file's own coordinates
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);    // not the identifiers
-    const aiScene* scene = nullptr;
     std::string message;
-    try {
-        scene = read_by_assimp(importer, path, format);
-        if (!scene) message = importer.GetErrorString();
-    } catch (const std::exception& error) { message = error.what(); }
+    const std::shared_ptr<const aiScene> scene = read_by_assimp(path, format, message);
     if (!scene || !scene->mRootNode)
         throw InputError(path, "the file is no " + format + ", or damaged" + first_line(message), "export it again");
     SceneReader(*scene, path, format, bodies).read(*scene->mRootNode, Eigen::Affine3d::Identity(), 0);

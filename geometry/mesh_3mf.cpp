@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "geometry/input_error.hpp"
+#include "geometry/late_library.hpp"
 
 namespace abut::geometry {
 
@@ -14,8 +15,16 @@ namespace {
 
 using NMR::PLib3MFBase;
 
+const LateLibrary& lib3mf(const std::string& file) {
+    static const LateLibrary library(ABUT_LIB3MF, file);
+    return library;
+}
+
+/// A function of lib3mf's by its name; file: for errors.
+#define CALL(file, name) lib3mf(file).function<decltype(NMR::name)>(#name)
+
 struct Release {
-    void operator()(PLib3MFBase* handle) const { NMR::lib3mf_release(handle); }
+    void operator()(PLib3MFBase* handle) const { CALL("", lib3mf_release)(handle); }
 };
 using Handle = std::unique_ptr<PLib3MFBase, Release>;
 
@@ -61,19 +70,19 @@ Eigen::Affine3d placement_of(const NMR::MODELTRANSFORM& t) {
 }
 
 void Reader::open() {
-    model_ = get(path_, NMR::lib3mf_createmodel);
-    const Handle reader = get(path_, NMR::lib3mf_model_queryreader, model_.get(), "3mf");
-    if (NMR::lib3mf_reader_readfromfileutf8(reader.get(), path_.c_str()) == 0) return;
+    model_ = get(path_, CALL(path_, lib3mf_createmodel));
+    const Handle reader = get(path_, CALL(path_, lib3mf_model_queryreader), model_.get(), "3mf");
+    if (CALL(path_, lib3mf_reader_readfromfileutf8)(reader.get(), path_.c_str()) == 0) return;
     DWORD code = 0;
     const char* message = nullptr;
-    NMR::lib3mf_getlasterror(reader.get(), &code, &message);
+    CALL(path_, lib3mf_getlasterror)(reader.get(), &code, &message);
     throw InputError(path_, "the file is no 3MF, or damaged" + (message ? " (" + std::string(message) + ")" : std::string()),
                      "export it again");
 }
 
 std::string Reader::unit() const {
     DWORD unit = 0;
-    ask(NMR::lib3mf_model_getunit(model_.get(), &unit), path_);
+    ask(CALL(path_, lib3mf_model_getunit)(model_.get(), &unit), path_);
     switch (unit) {
         case NMR::MODELUNIT_MICROMETER:
             return "um";
@@ -92,21 +101,21 @@ std::string Reader::unit() const {
 
 std::string Reader::name_of(PLib3MFBase* object) const {
     ULONG needed = 0;
-    if (NMR::lib3mf_object_getnameutf8(object, nullptr, 0, &needed) != 0 || needed == 0) return "";
+    if (CALL(path_, lib3mf_object_getnameutf8)(object, nullptr, 0, &needed) != 0 || needed == 0) return "";
     std::string name(static_cast<std::size_t>(needed) + 1, '\0');
-    ask(NMR::lib3mf_object_getnameutf8(object, name.data(), static_cast<ULONG>(name.size()), &needed), path_);
+    ask(CALL(path_, lib3mf_object_getnameutf8)(object, name.data(), static_cast<ULONG>(name.size()), &needed), path_);
     return name.c_str();
 }
 
 void Reader::add_mesh(PLib3MFBase* object, const Eigen::Affine3d& placement) {
     DWORD n_vertices = 0, n_triangles = 0;
-    ask(NMR::lib3mf_meshobject_getvertexcount(object, &n_vertices), path_);
-    ask(NMR::lib3mf_meshobject_gettrianglecount(object, &n_triangles), path_);
+    ask(CALL(path_, lib3mf_meshobject_getvertexcount)(object, &n_vertices), path_);
+    ask(CALL(path_, lib3mf_meshobject_gettrianglecount)(object, &n_triangles), path_);
     if (n_vertices == 0 || n_triangles == 0) return bodies_.ignore("object", 1, "without triangles");
     std::vector<NMR::MODELMESHVERTEX> vertices(n_vertices);
     std::vector<NMR::MODELMESHTRIANGLE> triangles(n_triangles);
-    ask(NMR::lib3mf_meshobject_getvertices(object, vertices.data(), n_vertices, nullptr), path_);
-    ask(NMR::lib3mf_meshobject_gettriangleindices(object, triangles.data(), n_triangles, nullptr), path_);
+    ask(CALL(path_, lib3mf_meshobject_getvertices)(object, vertices.data(), n_vertices, nullptr), path_);
+    ask(CALL(path_, lib3mf_meshobject_gettriangleindices)(object, triangles.data(), n_triangles, nullptr), path_);
     Mesh mesh{name_of(object), {}, {}};
     mesh.vertices.reserve(n_vertices);
     for (const NMR::MODELMESHVERTEX& v : vertices)
@@ -123,13 +132,13 @@ void Reader::add_mesh(PLib3MFBase* object, const Eigen::Affine3d& placement) {
 
 void Reader::add_components(PLib3MFBase* object, const Eigen::Affine3d& placement, int depth) {
     DWORD n = 0;
-    ask(NMR::lib3mf_componentsobject_getcomponentcount(object, &n), path_);
+    ask(CALL(path_, lib3mf_componentsobject_getcomponentcount)(object, &n), path_);
     for (DWORD k = 0; k < n; ++k) {
         if (++n_components_ > most_bodies) throw InputError(path_, "the file places too many components", "export fewer parts");
-        const Handle component = get(path_, NMR::lib3mf_componentsobject_getcomponent, object, k);
-        const Handle inner = get(path_, NMR::lib3mf_component_getobjectresource, component.get());
+        const Handle component = get(path_, CALL(path_, lib3mf_componentsobject_getcomponent), object, k);
+        const Handle inner = get(path_, CALL(path_, lib3mf_component_getobjectresource), component.get());
         NMR::MODELTRANSFORM transform;
-        ask(NMR::lib3mf_component_gettransform(component.get(), &transform), path_);
+        ask(CALL(path_, lib3mf_component_gettransform)(component.get(), &transform), path_);
         add_object(inner.get(), placement * placement_of(transform), depth + 1);
     }
 }
@@ -137,10 +146,10 @@ void Reader::add_components(PLib3MFBase* object, const Eigen::Affine3d& placemen
 void Reader::add_object(PLib3MFBase* object, const Eigen::Affine3d& placement, int depth) {
     if (depth > deepest_components) throw InputError(path_, "components are nested too deeply", "export the file again");
     BOOL is_mesh = 0, is_components = 0;
-    ask(NMR::lib3mf_object_ismeshobject(object, &is_mesh), path_);
-    ask(NMR::lib3mf_object_iscomponentsobject(object, &is_components), path_);
+    ask(CALL(path_, lib3mf_object_ismeshobject)(object, &is_mesh), path_);
+    ask(CALL(path_, lib3mf_object_iscomponentsobject)(object, &is_components), path_);
     DWORD type = 0;
-    ask(NMR::lib3mf_object_gettype(object, &type), path_);
+    ask(CALL(path_, lib3mf_object_gettype)(object, &type), path_);
     if (type == NMR::MODELOBJECTTYPE_SUPPORT || type == NMR::MODELOBJECTTYPE_SOLIDSUPPORT)
         return bodies_.ignore("object", 1, "only supports the print");
     if (is_mesh) return add_mesh(object, placement);
@@ -148,26 +157,28 @@ void Reader::add_object(PLib3MFBase* object, const Eigen::Affine3d& placement, i
 }
 
 void Reader::add_item(PLib3MFBase* item) {
-    const Handle object = get(path_, NMR::lib3mf_builditem_getobjectresource, item);
+    const Handle object = get(path_, CALL(path_, lib3mf_builditem_getobjectresource), item);
     NMR::MODELTRANSFORM transform;
-    ask(NMR::lib3mf_builditem_getobjecttransform(item, &transform), path_);
+    ask(CALL(path_, lib3mf_builditem_getobjecttransform)(item, &transform), path_);
     add_object(object.get(), placement_of(transform), 0);
 }
 
 void Reader::read() {
     open();
     bodies_.set_unit(unit());
-    const Handle items = get(path_, NMR::lib3mf_model_getbuilditems, model_.get());
+    const Handle items = get(path_, CALL(path_, lib3mf_model_getbuilditems), model_.get());
     BOOL has_next = 0;
     int n_items = 0;
     for (;; ++n_items) {
-        ask(NMR::lib3mf_builditemiterator_movenext(items.get(), &has_next), path_);
+        ask(CALL(path_, lib3mf_builditemiterator_movenext)(items.get(), &has_next), path_);
         if (!has_next) break;
-        const Handle item = get(path_, NMR::lib3mf_builditemiterator_getcurrent, items.get());
+        const Handle item = get(path_, CALL(path_, lib3mf_builditemiterator_getcurrent), items.get());
         add_item(item.get());
     }
     if (n_items == 0) throw InputError(path_, "the 3MF file lists nothing to build", "export the parts themselves");
 }
+
+#undef CALL
 
 }  // namespace
 
