@@ -227,7 +227,11 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
 
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) {
     if (!field.failure.empty()) return Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN());
-    const Eigen::Vector3d s = local_stress(field, element).value(x);
+    return stress_at(field, local_stress(field, element), element, x);
+}
+
+Eigen::Vector4d stress_at(const StressField& field, const LocalSpline<3>& in_plane, int element, const Vec2& x) {
+    const Eigen::Vector3d s = in_plane.value(x);
     if (field.zz.size() == 0) return {s[0], s[1], s[2], field.out_of_plane * (s[0] + s[1])};
     const LocalSpline<1> zz(field.space, element, [&](int function) { return field.zz.segment<1>(function); });
     return {s[0], s[1], s[2], zz.value(x)[0]};

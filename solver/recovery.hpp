@@ -36,5 +36,7 @@ inline LocalSpline<3> local_stress(const StressField& field, int element) {
 
 /// (xx, yy, xy, zz) at a point of an element; not numbers where the fit has failed.
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x);
+/// The same where local_stress(field, element) is at hand; of fields without a failure.
+Eigen::Vector4d stress_at(const StressField& field, const LocalSpline<3>& in_plane, int element, const Vec2& x);
 
 }  // namespace abut::solver

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/gauss.hpp"
+#include "solver/local_spline.hpp"
 
 namespace abut {
 
@@ -29,6 +31,38 @@ Stress turned(const Eigen::Vector4d& s, const Frame& f) {
     return {c * c * s[0] + q * q * s[1] - 2 * c * q * s[2], q * q * s[0] + c * c * s[1] + 2 * c * q * s[2],
             c * q * (s[0] - s[1]) + (c * c - q * q) * s[2], s[3]};
 }
+
+/// Fields of a part at points, of which those of one element in turn share what can be shared.
+class FieldSampler {
+public:
+    FieldSampler(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress)
+        : grid_(grid), displacement_(displacement), stress_(stress) {}
+
+    FieldSample operator()(int element, const Vec2& local) {
+        if (element != element_) take(element);
+        const Vec2 u =
+            moved_ ? moved_->value(local) : solver::displacement_at(grid_.input, displacement_, element, local).value;
+        return {grid_.frame.to_global(local), grid_.frame.vector_to_global(u),
+                turned(pressed_ ? solver::stress_at(stress_, *pressed_, element, local)
+                                : solver::stress_at(stress_, element, local),
+                       grid_.frame)};
+    }
+
+private:
+    void take(int element) {
+        element_ = element;
+        if (!grid_.input.structure)
+            moved_.emplace(grid_.input.space, element, [&](int f) { return displacement_.segment<2>(2 * f); });
+        if (stress_.failure.empty()) pressed_.emplace(local_stress(stress_, element));
+    }
+
+    const PartOnGrid& grid_;
+    const Eigen::VectorXd& displacement_;
+    const solver::StressField& stress_;
+    int element_ = -1;
+    std::optional<solver::LocalSpline<2>> moved_;    // without a solution structure
+    std::optional<solver::LocalSpline<3>> pressed_;  // where there are stresses
+};
 
 void take_maximum(PartFieldResult& r, const FieldSample& sample) {
     const double u = sample.displacement.norm(), v = von_mises(sample.stress);
@@ -69,14 +103,12 @@ solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& 
 
 FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                          int element, const Vec2& local) {
-    const solver::DisplacementAt u = solver::displacement_at(grid.input, displacement, element, local);
-    return {grid.frame.to_global(local), grid.frame.vector_to_global(u.value),
-            turned(solver::stress_at(stress, element, local), grid.frame)};
+    return FieldSampler(grid, displacement, stress)(element, local);
 }
 
 PartFieldResult part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress) {
     PartFieldResult r;
-    const auto sample = [&](int element, const Vec2& p) { return sample_field(grid, displacement, stress, element, p); };
+    FieldSampler sample(grid, displacement, stress);
     const int n = patches_per_side(grid.cells.cell_class.size());
     for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {
         if (grid.cells.cell_class[c] == CellClass::outer) continue;
