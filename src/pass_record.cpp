@@ -12,6 +12,8 @@ namespace abut {
 
 namespace {
 
+/// Of the pressure's integral: resultants below are rounding (a ring pressed all round).
+constexpr double balanced = 1e-9;
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
 
 double spacing(const solver::KnotVector& knots, double s) {
@@ -76,7 +78,7 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
     change.force = force_of(now);
     change.force_before = force_of(before);
     change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);
-    if (now.resultant && before.resultant && !now.resultant->isZero(0))
+    if (now.resultant && before.resultant && now.resultant->norm() > balanced * std::abs(change.force))
         change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
     const auto& rule = geometry::gauss_rule(points_per_interval);
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {

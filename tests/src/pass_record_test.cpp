@@ -74,6 +74,17 @@ TEST(PassRecord, ForcesAreIntegralsOfEitherSpline) {
     EXPECT_NEAR(change_of(kinked, coarse).force, 1.5 + area, 1e-13);
 }
 
+/// A ring pressed all round: its resultant is rounding, which says nothing of its pressure.
+TEST(PassRecord, ForcesChangeByTheIntegralWhereResultantsAreRounding) {
+    ContactRecord now = record(20, smooth), before = record(20, [](double s) { return 0.9 * smooth(s); });
+    now.resultant = Vec2(1e-15, 0);
+    before.resultant = Vec2(-3e-15, 0);
+    EXPECT_NEAR(change_of(now, before).force_change, 0.1, 1e-13);
+    now.resultant = Vec2(2, 0);
+    before.resultant = Vec2(1, 0);
+    EXPECT_NEAR(change_of(now, before).force_change, 0.5, 1e-13);
+}
+
 TEST(PassRecord, PlacesAreComparedAlongTheFirstChain) {
     ContactRecord before = record(20, smooth);
     before.s = {0, 1};
