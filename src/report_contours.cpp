@@ -29,15 +29,26 @@ struct DirectedEdge {
 };
 
 struct Corner {
-    Vec2 at;
-    double value;
+    Vec2 at{0, 0};
+    double value = 0;
 };
 
 using BandEdges = std::array<std::vector<DirectedEdge>, n_bands>;
 
+/// Convex: a quadrilateral, or a triangle cut twice, each time with at most one corner more. On the stack: there are millions.
+struct Polygon {
+    std::array<Corner, 5> corner;
+    std::size_t n = 0;
+
+    void add(const Corner& c) { corner[n++] = c; }
+    const Corner& after(std::size_t i) const { return corner[i + 1 < n ? i + 1 : 0]; }
+};
+
+std::int32_t rounded(double v) {
+    return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5);
+}
 GridPoint rounded(const Vec2& p) {
-    return {static_cast<std::int32_t>(std::lround(p.x() * steps_per_pixel)),
-            static_cast<std::int32_t>(std::lround(p.y() * steps_per_pixel))};
+    return {rounded(p.x() * steps_per_pixel), rounded(p.y() * steps_per_pixel)};
 }
 
 int band_of(double value) {
@@ -52,10 +63,18 @@ bool drawable(const Patch& patch) {
     return true;
 }
 
-void add_polygon(const std::vector<Corner>& polygon, std::vector<DirectedEdge>& edges) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const GridPoint a = rounded(polygon[i].at), b = rounded(polygon[(i + 1) % polygon.size()].at);
+/// Patches of graded grids often are smaller than a step: their pieces leave no edge.
+bool is_one_point(const Patch& patch) {
+    const GridPoint first = rounded(patch.at[0]);
+    return first == rounded(patch.at[1]) && first == rounded(patch.at[2]) && first == rounded(patch.at[3]);
+}
+
+void add_polygon(const Polygon& polygon, std::vector<DirectedEdge>& edges) {
+    GridPoint a = rounded(polygon.corner[0].at);
+    for (std::size_t i = 0; i < polygon.n; ++i) {
+        const GridPoint b = rounded(polygon.after(i).at);
         if (a != b) edges.push_back({a, b});
+        a = b;
     }
 }
 
@@ -67,44 +86,48 @@ Vec2 crossing(const Corner& a, const Corner& b, double level) {
 }
 
 /// The part of a convex polygon with sign * (value - level) >= 0.
-std::vector<Corner> clipped(const std::vector<Corner>& polygon, double level, double sign) {
-    std::vector<Corner> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+Polygon clipped(const Polygon& polygon, double level, double sign) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.n; ++i) {
+        const Corner &a = polygon.corner[i], &b = polygon.after(i);
         const double da = sign * (a.value - level), db = sign * (b.value - level);
-        if (da >= 0) kept.push_back(a);
-        if ((da > 0 && db < 0) || (da < 0 && db > 0)) kept.push_back({crossing(a, b, level), level});
+        if (da >= 0) kept.add(a);
+        if ((da > 0 && db < 0) || (da < 0 && db > 0)) kept.add({crossing(a, b, level), level});
     }
     return kept;
 }
 
-void add_triangle(const std::vector<Corner>& triangle, BandEdges& bands) {
-    const auto [low, high] = std::minmax({triangle[0].value, triangle[1].value, triangle[2].value});
+void add_triangle(const Corner& a, const Corner& b, const Corner& c, BandEdges& bands) {
+    const auto [low, high] = std::minmax({a.value, b.value, c.value});
+    const Polygon triangle{{a, b, c, {}, {}}, 3};
     for (int band = band_of(low); band <= band_of(high); ++band) {
-        std::vector<Corner> piece = triangle;
+        Polygon piece = triangle;
         if (band > 0) piece = clipped(piece, static_cast<double>(band) / n_bands, 1);
         if (band + 1 < n_bands) piece = clipped(piece, static_cast<double>(band + 1) / n_bands, -1);
-        if (piece.size() > 2) add_polygon(piece, bands[static_cast<std::size_t>(band)]);
+        if (piece.n > 2) add_polygon(piece, bands[static_cast<std::size_t>(band)]);
     }
 }
 
 void add_patch(const Patch& patch, BandEdges& bands) {
-    std::vector<Corner> corners;
+    if (is_one_point(patch)) return;
+    Polygon corners;
     Corner middle{Vec2(0, 0), 0};
     double twice_area = 0;
     for (std::size_t i = 0; i < 4; ++i) {
-        corners.push_back({patch.at[i], patch.value[i]});
+        corners.add({patch.at[i], patch.value[i]});
         middle.at += 0.25 * patch.at[i];
         middle.value += 0.25 * patch.value[i];
         twice_area += geometry::cross(patch.at[i], patch.at[(i + 1) % 4]);
     }
-    if (twice_area < 0) std::reverse(corners.begin(), corners.end());  // edges cancel only between patches of one orientation
-    const auto band = [&](std::size_t i) { return band_of(corners[i].value); };
+    if (twice_area < 0)
+        std::reverse(corners.corner.begin(),
+                     corners.corner.begin() + 4);  // edges cancel only between patches of one orientation
+    const auto band = [&](std::size_t i) { return band_of(corners.corner[i].value); };
     if (band(0) == band(1) && band(0) == band(2) && band(0) == band(3)) {
         add_polygon(corners, bands[static_cast<std::size_t>(band(0))]);
         return;
     }
-    for (std::size_t i = 0; i < 4; ++i) add_triangle({corners[i], corners[(i + 1) % 4], middle}, bands);
+    for (std::size_t i = 0; i < 4; ++i) add_triangle(corners.corner[i], corners.after(i), middle, bands);
 }
 
 /// An edge without its direction, by numbers that are ordered like its points, lower one first; and which way it ran.
