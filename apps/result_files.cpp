@@ -9,6 +9,7 @@
 
 #include "apps/output_folder.hpp"
 #include "geometry/input_error.hpp"
+#include "src/accuracy_results.hpp"
 #include "src/nearest_name.hpp"
 
 namespace abut {
@@ -69,6 +70,7 @@ void write_results(Result& result, const std::string& folder, const std::vector<
     if (holds(formats, "html")) write_file(folder, "report.html", report_html(result));
     set_time(result, "output", output.seconds());
     set_time(result, "total", since_start.seconds());
+    predict_next_level(result);  // with the time of writing
     if (holds(formats, "json")) write_file(folder, "result.json", result_json(result));
 }
 

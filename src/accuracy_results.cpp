@@ -93,7 +93,7 @@ namespace {
 /// Solution time grows a little faster than unknowns.
 constexpr double time_exponent = 1.2;
 /// Passes that a finer target adds, of the last one's size.
-constexpr double passes_added = 2.5;
+constexpr double passes_added = 1.5;
 constexpr double finer = 5;
 /// Bounds on the growth of unknowns per fall of the error, as an exponent.
 constexpr double least_growth = 0.1, most_growth = 1;
@@ -134,8 +134,9 @@ void predict_next_level(Result& result) {
     NextLevel next = next_target(result.accuracy.target);
     const double more = std::pow(std::max(1.0, *last.estimated_error / next.target), growth);
     const double last_seconds = last.seconds - seconds_before;
-    next.seconds = last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) +
-                   more * stage_seconds_of(result, "recovery") + stage_seconds_of(result, "import");
+    const double import = stage_seconds_of(result, "import");
+    const double answers = std::max(0.0, stage_seconds_of(result, "total") - last.seconds - import);
+    next.seconds = import + last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) + more * answers;
     result.next_level = next;
 }
 

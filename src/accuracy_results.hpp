@@ -12,7 +12,7 @@ void fill_errors(const Outcome& out, Result& result);
 
 /// The next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over the
 /// passes and from the seconds they took; nothing where there is no estimate to go by, or where this level
-/// was missed. Call with the timing filled in.
+/// was missed. Call with the timing filled in, and again when more of the total is known.
 void predict_next_level(Result& result);
 
 }  // namespace abut

@@ -165,9 +165,9 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
         result.timing.emplace_back(stage, seconds[stage]);
     result.stages = fine_stages(seconds);
-    predict_next_level(result);
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
+    predict_next_level(result);
     return result;
 }
 

@@ -83,12 +83,13 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
     const ContactInterface& contact = solved.contacts[k];
     const Eigen::VectorXd& pressure = pressure_of(solved, k);
     const Side first = side_of(scene, solved, candidate.first), second = side_of(scene, solved, candidate.second);
+    const bool is_open = solved.runs[k].empty();  // but for rounding
     for (double s : profile_places(contact, solved.runs[k])) {
         const geometry::FacingPair pair = pair_at(scene, contact, s);
         if (!pair.found) continue;
         const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing;
         const double gap = drawn + pair.normal.dot(second.displacement_at(pair.on2) - first.displacement_at(pair.on1));
-        const double p = pressure_for(contact, pressure, s, gap);
+        const double p = is_open ? 0 : pressure_for(contact, pressure, s, gap);
         ContactProfile& profile = result.profile;
         profile.edge.push_back(first.edge_name(pair.on1.edge));
         profile.s.push_back(first.arc_length(pair.on1));
