@@ -3,21 +3,27 @@
 
 #include <dlfcn.h>
 
+#include <cstring>
+
 #include "geometry/input_error.hpp"
 
 namespace abut::geometry {
 
-LateLibrary::LateLibrary(const std::string& name, const std::string& what_for)
-    : name_(name), what_for_(what_for), handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
-    if (handle_ == nullptr)
-        throw InputError(what_for_, "the library " + name_ + " that reads files of this kind cannot be loaded",
-                         "install it; it was there when this program was built");
+LateLibrary::LateLibrary(const std::string& name, const std::string& path)
+    : name_(name), handle_(dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+    if (handle_ == nullptr) failure_ = dlerror();
+    if (handle_ == nullptr) handle_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
 }
 
-void* LateLibrary::symbol(const char* name) const {
-    void* address = dlsym(handle_, name);
+void* LateLibrary::symbol(const char* function_name, const std::string& file) const {
+    if (handle_ == nullptr)
+        throw InputError(file, "the library " + name_ + " that reads files of this kind cannot be loaded (" + failure_ + ")",
+                         "install it; it was there when this program was built");
+    const char* scope = std::strrchr(function_name, ':');
+    if (scope != nullptr) function_name = scope + 1;  // C knows no namespaces
+    void* address = dlsym(handle_, function_name);
     if (address == nullptr)
-        throw InputError(what_for_, "the library " + name_ + " that reads files of this kind has no " + name,
+        throw InputError(file, "the library " + name_ + " that reads files of this kind has no " + function_name,
                          "install the version that this program was built with");
     return address;
 }

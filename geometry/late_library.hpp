@@ -8,21 +8,23 @@ namespace abut::geometry {
 
 class LateLibrary {
 public:
-    /// name: as the loader knows it ("libassimp.so.5"). what_for: the file that asks for it, in the error. Throws InputError
-    /// (what_for) where there is no such library. Stays loaded to the program's end.
-    LateLibrary(const std::string& name, const std::string& what_for);
+    /// Loads it, for good: by its name ("libassimp.so.5"), or from where it was when the program was built.
+    LateLibrary(const std::string& name, const std::string& path);
 
-    /// Of C linkage. Throws InputError (what_for) where it has none of this name.
+    /// Of C linkage. Throws InputError (file: what is to be read) where there is no such library or function.
     template <class Function>
-    Function* function(const char* name) const {
-        return reinterpret_cast<Function*>(symbol(name));
+    Function* function(const char* function_name, const std::string& file) const {
+        return reinterpret_cast<Function*>(symbol(function_name, file));
     }
 
 private:
-    void* symbol(const char* name) const;
+    void* symbol(const char* function_name, const std::string& file) const;
 
-    std::string name_, what_for_;
+    std::string name_, failure_;
     void* handle_;
 };
+
+/// A function of a library's by its name in a header, with its namespace.
+#define ABUT_LATE(library, name, file) (library).function<decltype(name)>(#name, file)
 
 }  // namespace abut::geometry

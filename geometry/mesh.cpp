@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -142,34 +143,34 @@ std::string obj_with_whole_names(const std::string& path) {
     return text;
 }
 
-/// A function of assimp's by its name.
-#define CALL(name) library.function<decltype(name)>(#name)
-
 /// Released when it goes; empty, and why, where assimp cannot read the file.
 std::shared_ptr<const aiScene> read_by_assimp(const std::string& path, const std::string& format, std::string& message) {
-    static const LateLibrary library(ABUT_ASSIMP, path);
-    const std::shared_ptr<aiPropertyStore> properties(CALL(aiCreatePropertyStore)(), CALL(aiReleasePropertyStore));
+    static const LateLibrary library(ABUT_ASSIMP, ABUT_ASSIMP_PATH);
+    const std::shared_ptr<aiPropertyStore> properties(ABUT_LATE(library, aiCreatePropertyStore, path)(),
+                                                      ABUT_LATE(library, aiReleasePropertyStore, path));
     for (const char* name : {AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION,  // the file's own coordinates
                              AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES})   // not the identifiers
-        CALL(aiSetImportPropertyInteger)(properties.get(), name, 1);
-    const auto from_file = CALL(aiImportFileExWithProperties);
-    const auto from_memory = CALL(aiImportFileFromMemoryWithProperties);
-    const auto last_error = CALL(aiGetErrorString);
+        ABUT_LATE(library, aiSetImportPropertyInteger, path)(properties.get(), name, 1);
+    const auto from_file = ABUT_LATE(library, aiImportFileExWithProperties, path);
+    const auto from_memory = ABUT_LATE(library, aiImportFileFromMemoryWithProperties, path);
+    const auto last_error = ABUT_LATE(library, aiGetErrorString, path);
     const aiScene* scene = nullptr;
     try {
         if (format == "OBJ") {
             const std::string text = obj_with_whole_names(path);
-            const auto size = static_cast<unsigned>(text.size());
-            scene = from_memory(text.data(), size, aiProcess_Triangulate, "obj", properties.get());
+            if (text.size() > std::numeric_limits<unsigned>::max())
+                throw InputError(path, "the file is larger than 4 GiB", "export fewer parts, or as STL");
+            scene =
+                from_memory(text.data(), static_cast<unsigned>(text.size()), aiProcess_Triangulate, "obj", properties.get());
         } else {
             scene = from_file(path.c_str(), aiProcess_Triangulate, nullptr, properties.get());
         }
         if (scene == nullptr) message = last_error();
-    } catch (const std::exception& error) { message = error.what(); }
-    return {scene, CALL(aiReleaseImport)};
+    } catch (const InputError&) { throw; } catch (const std::exception& error) {
+        message = error.what();
+    }
+    return {scene, ABUT_LATE(library, aiReleaseImport, path)};
 }
-
-#undef CALL
 
 void read_scene(const std::string& path, const std::string& format, MeshBodies& bodies) {
     std::string message;

@@ -15,16 +15,13 @@ namespace {
 
 using NMR::PLib3MFBase;
 
-const LateLibrary& lib3mf(const std::string& file) {
-    static const LateLibrary library(ABUT_LIB3MF, file);
+const LateLibrary& lib3mf() {
+    static const LateLibrary library(ABUT_LIB3MF, ABUT_LIB3MF_PATH);
     return library;
 }
 
-/// A function of lib3mf's by its name; file: for errors.
-#define CALL(file, name) lib3mf(file).function<decltype(NMR::name)>(#name)
-
 struct Release {
-    void operator()(PLib3MFBase* handle) const { CALL("", lib3mf_release)(handle); }
+    void operator()(PLib3MFBase* handle) const { ABUT_LATE(lib3mf(), NMR::lib3mf_release, "")(handle); }
 };
 using Handle = std::unique_ptr<PLib3MFBase, Release>;
 
@@ -70,19 +67,19 @@ Eigen::Affine3d placement_of(const NMR::MODELTRANSFORM& t) {
 }
 
 void Reader::open() {
-    model_ = get(path_, CALL(path_, lib3mf_createmodel));
-    const Handle reader = get(path_, CALL(path_, lib3mf_model_queryreader), model_.get(), "3mf");
-    if (CALL(path_, lib3mf_reader_readfromfileutf8)(reader.get(), path_.c_str()) == 0) return;
+    model_ = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_createmodel, path_));
+    const Handle reader = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_model_queryreader, path_), model_.get(), "3mf");
+    if (ABUT_LATE(lib3mf(), NMR::lib3mf_reader_readfromfileutf8, path_)(reader.get(), path_.c_str()) == 0) return;
     DWORD code = 0;
     const char* message = nullptr;
-    CALL(path_, lib3mf_getlasterror)(reader.get(), &code, &message);
+    ABUT_LATE(lib3mf(), NMR::lib3mf_getlasterror, path_)(reader.get(), &code, &message);
     throw InputError(path_, "the file is no 3MF, or damaged" + (message ? " (" + std::string(message) + ")" : std::string()),
                      "export it again");
 }
 
 std::string Reader::unit() const {
     DWORD unit = 0;
-    ask(CALL(path_, lib3mf_model_getunit)(model_.get(), &unit), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_model_getunit, path_)(model_.get(), &unit), path_);
     switch (unit) {
         case NMR::MODELUNIT_MICROMETER:
             return "um";
@@ -101,21 +98,24 @@ std::string Reader::unit() const {
 
 std::string Reader::name_of(PLib3MFBase* object) const {
     ULONG needed = 0;
-    if (CALL(path_, lib3mf_object_getnameutf8)(object, nullptr, 0, &needed) != 0 || needed == 0) return "";
+    if (ABUT_LATE(lib3mf(), NMR::lib3mf_object_getnameutf8, path_)(object, nullptr, 0, &needed) != 0 || needed == 0) return "";
     std::string name(static_cast<std::size_t>(needed) + 1, '\0');
-    ask(CALL(path_, lib3mf_object_getnameutf8)(object, name.data(), static_cast<ULONG>(name.size()), &needed), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_object_getnameutf8, path_)(object, name.data(), static_cast<ULONG>(name.size()),
+                                                                   &needed),
+        path_);
     return name.c_str();
 }
 
 void Reader::add_mesh(PLib3MFBase* object, const Eigen::Affine3d& placement) {
     DWORD n_vertices = 0, n_triangles = 0;
-    ask(CALL(path_, lib3mf_meshobject_getvertexcount)(object, &n_vertices), path_);
-    ask(CALL(path_, lib3mf_meshobject_gettrianglecount)(object, &n_triangles), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_meshobject_getvertexcount, path_)(object, &n_vertices), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_meshobject_gettrianglecount, path_)(object, &n_triangles), path_);
     if (n_vertices == 0 || n_triangles == 0) return bodies_.ignore("object", 1, "without triangles");
     std::vector<NMR::MODELMESHVERTEX> vertices(n_vertices);
     std::vector<NMR::MODELMESHTRIANGLE> triangles(n_triangles);
-    ask(CALL(path_, lib3mf_meshobject_getvertices)(object, vertices.data(), n_vertices, nullptr), path_);
-    ask(CALL(path_, lib3mf_meshobject_gettriangleindices)(object, triangles.data(), n_triangles, nullptr), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_meshobject_getvertices, path_)(object, vertices.data(), n_vertices, nullptr), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_meshobject_gettriangleindices, path_)(object, triangles.data(), n_triangles, nullptr),
+        path_);
     Mesh mesh{name_of(object), {}, {}};
     mesh.vertices.reserve(n_vertices);
     for (const NMR::MODELMESHVERTEX& v : vertices)
@@ -132,13 +132,13 @@ void Reader::add_mesh(PLib3MFBase* object, const Eigen::Affine3d& placement) {
 
 void Reader::add_components(PLib3MFBase* object, const Eigen::Affine3d& placement, int depth) {
     DWORD n = 0;
-    ask(CALL(path_, lib3mf_componentsobject_getcomponentcount)(object, &n), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_componentsobject_getcomponentcount, path_)(object, &n), path_);
     for (DWORD k = 0; k < n; ++k) {
         if (++n_components_ > most_bodies) throw InputError(path_, "the file places too many components", "export fewer parts");
-        const Handle component = get(path_, CALL(path_, lib3mf_componentsobject_getcomponent), object, k);
-        const Handle inner = get(path_, CALL(path_, lib3mf_component_getobjectresource), component.get());
+        const Handle component = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_componentsobject_getcomponent, path_), object, k);
+        const Handle inner = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_component_getobjectresource, path_), component.get());
         NMR::MODELTRANSFORM transform;
-        ask(CALL(path_, lib3mf_component_gettransform)(component.get(), &transform), path_);
+        ask(ABUT_LATE(lib3mf(), NMR::lib3mf_component_gettransform, path_)(component.get(), &transform), path_);
         add_object(inner.get(), placement * placement_of(transform), depth + 1);
     }
 }
@@ -146,10 +146,10 @@ void Reader::add_components(PLib3MFBase* object, const Eigen::Affine3d& placemen
 void Reader::add_object(PLib3MFBase* object, const Eigen::Affine3d& placement, int depth) {
     if (depth > deepest_components) throw InputError(path_, "components are nested too deeply", "export the file again");
     BOOL is_mesh = 0, is_components = 0;
-    ask(CALL(path_, lib3mf_object_ismeshobject)(object, &is_mesh), path_);
-    ask(CALL(path_, lib3mf_object_iscomponentsobject)(object, &is_components), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_object_ismeshobject, path_)(object, &is_mesh), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_object_iscomponentsobject, path_)(object, &is_components), path_);
     DWORD type = 0;
-    ask(CALL(path_, lib3mf_object_gettype)(object, &type), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_object_gettype, path_)(object, &type), path_);
     if (type == NMR::MODELOBJECTTYPE_SUPPORT || type == NMR::MODELOBJECTTYPE_SOLIDSUPPORT)
         return bodies_.ignore("object", 1, "only supports the print");
     if (is_mesh) return add_mesh(object, placement);
@@ -157,28 +157,26 @@ void Reader::add_object(PLib3MFBase* object, const Eigen::Affine3d& placement, i
 }
 
 void Reader::add_item(PLib3MFBase* item) {
-    const Handle object = get(path_, CALL(path_, lib3mf_builditem_getobjectresource), item);
+    const Handle object = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_builditem_getobjectresource, path_), item);
     NMR::MODELTRANSFORM transform;
-    ask(CALL(path_, lib3mf_builditem_getobjecttransform)(item, &transform), path_);
+    ask(ABUT_LATE(lib3mf(), NMR::lib3mf_builditem_getobjecttransform, path_)(item, &transform), path_);
     add_object(object.get(), placement_of(transform), 0);
 }
 
 void Reader::read() {
     open();
     bodies_.set_unit(unit());
-    const Handle items = get(path_, CALL(path_, lib3mf_model_getbuilditems), model_.get());
+    const Handle items = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_model_getbuilditems, path_), model_.get());
     BOOL has_next = 0;
     int n_items = 0;
     for (;; ++n_items) {
-        ask(CALL(path_, lib3mf_builditemiterator_movenext)(items.get(), &has_next), path_);
+        ask(ABUT_LATE(lib3mf(), NMR::lib3mf_builditemiterator_movenext, path_)(items.get(), &has_next), path_);
         if (!has_next) break;
-        const Handle item = get(path_, CALL(path_, lib3mf_builditemiterator_getcurrent), items.get());
+        const Handle item = get(path_, ABUT_LATE(lib3mf(), NMR::lib3mf_builditemiterator_getcurrent, path_), items.get());
         add_item(item.get());
     }
     if (n_items == 0) throw InputError(path_, "the 3MF file lists nothing to build", "export the parts themselves");
 }
-
-#undef CALL
 
 }  // namespace
 

@@ -72,7 +72,7 @@ void fill_errors(const Outcome& out, Result& result) {
             {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
     fill_target(out, result);
     const ErrorEstimate& error = out.errors.back();
-    if (!error.energy) {
+    if (!error.energy && !error.contact_pressure) {
         result.error_estimate.method = "none: nothing is strained";
         return;
     }

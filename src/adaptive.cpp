@@ -125,7 +125,7 @@ private:
         if (scene_.contacts.penalty) return false;
         int moved = 0;
         for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
-            expect_ends(scene_, now, out_.candidates);
+            expect_ends(scene_, now, now.runs, out_.candidates);
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, conditions_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
@@ -161,8 +161,9 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
-            set_first_goals(now, next_);
-            wanted_ = sizes_from(scene_, now, next_.resolution);
+            const ContactRuns runs = runs_by_theory(scene_, now);
+            set_first_goals(now, runs, next_);
+            wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         }
     }
 
@@ -272,7 +273,7 @@ private:
         if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-        prepare_next(std::move(now), out_.errors.back());
+        prepare_next(now, out_.errors.back());
         return false;
     }
 
@@ -281,18 +282,19 @@ private:
         return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target;
     }
 
-    void prepare_next(SolvedAssembly&& now, const ErrorEstimate& error) {
-        if (next_.goal.empty()) {
-            now.runs = runs_by_theory(scene_, now);
-            set_first_goals(now, next_);
+    void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
+        const bool is_first = next_.goal.empty();
+        const ContactRuns runs = is_first ? runs_by_theory(scene_, now) : now.runs;
+        if (is_first) {
+            set_first_goals(now, runs, next_);
             coarsen_less(next_);
         } else {
             refine(error, next_);
         }
-        wanted_ = sizes_from(scene_, now, next_.resolution);
+        wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         move_seams(scene_, now, out_.candidates);
         if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
-        expect_ends(scene_, now, out_.candidates);
+        expect_ends(scene_, now, runs, out_.candidates);
         expect_pressures(now, out_.candidates);
     }
 

@@ -30,13 +30,13 @@ struct SolvedAssembly {
     std::vector<int> shear_of;               ///< the same of the tangential traction of bonded ones
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
-    std::vector<std::vector<ContactRun>> runs;  ///< by contact
-    std::string failure;                        ///< not empty: not solvable, and why
-    int refined_for_walls = 0;                  ///< parts whose grid had to be refined to hold the basis
-    EffectUses uses;                            ///< of the effects' code in this pass
-    bool is_folded = false;                     ///< half of it was solved (solver/fold.hpp)
-    std::string not_folded;                     ///< not empty: a mirror symmetric scene that was solved as drawn, and why
-    int limited_grids = 0;                      ///< parts whose grid is coarser than wanted, to bound the number of cells
+    ContactRuns runs;
+    std::string failure;        ///< not empty: not solvable, and why
+    int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
+    EffectUses uses;            ///< of the effects' code in this pass
+    bool is_folded = false;     ///< half of it was solved (solver/fold.hpp)
+    std::string not_folded;     ///< not empty: a mirror symmetric scene that was solved as drawn, and why
+    int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
 /// What is asked of the grids of a pass: features by scene part, in assembly coordinates.
@@ -70,8 +70,10 @@ struct ContactResolution {
     double corner_fraction;  ///< the same at corners, and where a straight edge meets an arc
 };
 
-/// Sizes wanted from a solution: cells within every contact, finer towards its ends. resolution: by contact.
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const std::vector<ContactResolution>& resolution);
+/// Sizes wanted from a solution: cells within every contact, finer towards its ends. runs: as they were found, or where they
+/// are expected; resolution: by contact.
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
+                       const std::vector<ContactResolution>& resolution);
 
 /// Pressure spline's coefficients of a contact.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);

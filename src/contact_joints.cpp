@@ -10,16 +10,17 @@ namespace abut {
 
 namespace {
 
-/// Of the larger curvature: circles that CAD has cut to pieces go on alike.
-constexpr double least_change = 1e-3;
+/// Of the larger curvature: circles that CAD has cut to pieces go on alike. And of the gap's: where it bends before nearly as
+/// much as after, the pressure is hardly any steeper.
+constexpr double least_change = 1e-3, least_share_of_gap = 0.5;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
 struct ChainJoint {
-    double s;       // on the chain
-    double change;  // of the curvature, along the chain
+    double s;              // on the chain
+    double before, after;  // curvatures, along the chain
 };
 
 std::vector<ChainJoint> joints_of(const geometry::Part& part, const geometry::Chain& chain) {
@@ -29,7 +30,7 @@ std::vector<ChainJoint> joints_of(const geometry::Part& part, const geometry::Ch
         const double before = curvature(part.edges[at(chain.edges[(k + n - 1) % n])].curve, 1);
         const double after = curvature(part.edges[at(chain.edges[k])].curve, 0);
         if (std::abs(after - before) > least_change * std::max(std::abs(after), std::abs(before)))
-            joints.push_back({chain.begin[k], after - before});
+            joints.push_back({chain.begin[k], before, after});
     }
     return joints;
 }
@@ -50,7 +51,13 @@ std::vector<ContactJoint> contact_joints(const Scene& scene, const ContactInterf
             if (!(s > along.front() && s < along.back())) continue;
             const double middle = interpolate(along, contact.s, s);
             const geometry::FacingPair pair = pair_at(scene, contact, middle);
-            if (pair.found) joints.push_back({middle, {pair.on1.x, pair.on2.x}, sign * joint.change});
+            if (!pair.found) continue;
+            // the gap's second derivative is the sum of both curvatures
+            const double partner = side == 0 ? pair.on2.curvature : pair.on1.curvature;
+            const double largest = std::max(std::abs(joint.before + partner), std::abs(joint.after + partner));
+            const double opening = sign * (joint.after - joint.before);
+            if (std::abs(opening) >= least_share_of_gap * largest)
+                joints.push_back({middle, {pair.on1.x, pair.on2.x}, opening});
         }
     }
     std::sort(joints.begin(), joints.end(), [](const ContactJoint& a, const ContactJoint& b) { return a.s < b.s; });

@@ -15,7 +15,7 @@ constexpr double open_fraction = 1e-9;  // of the largest coefficient: below, a 
 // negative overshoots, and farther the pressure is no root any more. Measured on pins in holes (16 grids, h = R/10, half angle
 // of 61 degrees): off by 0.18 degrees at most; 1 to 3 intervals 0.85.
 constexpr double fit_from = 1.5, fit_to = 4;
-constexpr int steps = 40;          // of the integral over the stretch
+constexpr int steps = 40;  // of the integral over the stretch
 /// An interface's end counts as a corner where the pressure is so much larger there than so far away, of the contact's length;
 /// errors so near to it are left out.
 constexpr double corner_rise = 1.05, corner_test = 0.1, corner_reach = 0.05;

@@ -20,8 +20,9 @@ struct ContactError {
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double change = 0;            ///< of the rest, from the grids before
     double peak = 0, force = 0;
-    double share = 1;        ///< of the strongest contact's pressure (L2)
-    bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
+    double share = 1;          ///< of the strongest contact's pressure (L2)
+    double share_of_peak = 1;  ///< of the largest pressure of all contacts
+    bool at_corner = false;    ///< the largest pressure stands at a corner, where it may have no limit
 };
 
 /// Unset: nothing to compare with.

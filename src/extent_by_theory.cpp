@@ -16,47 +16,92 @@ namespace abut {
 
 namespace {
 
-constexpr int few_intervals = 6;  // of the pressure's knots in a contact
-constexpr int samples = 48;       // of the pressure along the run
-constexpr int gauss_points = 8;   // of the integral over the angle, between joints
-constexpr int max_steps = 20;
-constexpr double tolerance = 1e-4;  // of the half width
-constexpr double most_growth = 2;   // of the half width that was found: beyond, the parts are not like half planes
-constexpr double near_joint = 2;    // knot spacings between a fillet's joint and a contact's end that is put there
+/// Inner knots of the pressure in a contact below which the grid does not tell its length: the fit of an end alone takes four
+/// intervals (contact_runs), so a contact with two ends has eight.
+constexpr int few_knots = 6;
+/// Of the half width that was found: beyond, the parts are not like half planes. And knot spacings between a fillet's joint and
+/// a contact's end that is put there: as far off as the first grids' ends are.
+constexpr double most_growth = 2, near_joint = 2;
+constexpr int samples = 48;                    // of the pressure along the run
+constexpr int places = 16;                     // along the run, between which the gap may be lowest
+constexpr int gauss_points = 8;                // of the integral over the angle, between joints
+constexpr int max_steps = 20;                  // of a root
+constexpr double half_width_tolerance = 1e-4;  // relative
 
-struct RunLoad {
-    double force = 0, middle = 0;  // per thickness
+/// A run as one contact of half planes.
+struct PlaneContact {
+    double force;                       // per thickness and E*; of both halves
+    double middle;                      // of the pressure, or the end of the interface where the run is half a contact
+    double half_width;                  // as it was found
+    double begin_spacing, end_spacing;  // of knots at its ends
 };
 
-RunLoad load_of(const ContactInterface& contact, const Eigen::VectorXd& pressure, const ContactRun& run) {
-    RunLoad load;
+/// E' = E in plane stress, E / (1 - nu^2) in plane strain. Per thickness of the interface: a thicker part is stiffer.
+double half_plane_compliance(const PartOnGrid& g, double thickness) {
+    const solver::Elasticity& d = g.input.elasticity;
+    return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12) * thickness / g.input.thickness;
+}
+
+PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorXd& pressure, double compliance,
+                           const ContactRun& run) {
+    double force = 0, moment = 0;
     const double step = (run.end - run.begin) / samples;
     for (int i = 0; i < samples; ++i) {
-        const double s = run.begin + (i + 0.5) * step, force = step * solver::pressure_at(contact.face.pressure, pressure, s);
-        load.force += force;
-        load.middle += force * s;
+        const double s = run.begin + (i + 0.5) * step, part = step * solver::pressure_at(contact.face.pressure, pressure, s);
+        force += part;
+        moment += part * s;
     }
-    load.middle /= load.force;
-    return load;
+    const std::vector<double>& knots = contact.face.pressure.breakpoints;
+    const auto spacing = [&](double s) {
+        const auto i = static_cast<std::size_t>(solver::interval_of(contact.face.pressure, s));
+        return knots[i + 1] - knots[i];
+    };
+    const bool is_half = run.from_start || run.to_end;
+    return {(is_half ? 2 : 1) * force * compliance, run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
+            (is_half ? 1 : 0.5) * (run.end - run.begin), spacing(run.begin), spacing(std::nextafter(run.end, run.begin))};
 }
 
-/// 1 / E', E' = E in plane stress, E / (1 - nu^2) in plane strain.
-double half_plane_compliance(const PartOnGrid& g) {
-    const solver::Elasticity& d = g.input.elasticity;
-    return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12);
-}
-
-int intervals_in(const ContactInterface& contact, const ContactRun& run) {
+int knots_in(const ContactInterface& contact, const ContactRun& run) {
     const std::vector<double>& knots = contact.face.pressure.breakpoints;
     return static_cast<int>(std::count_if(knots.begin(), knots.end(), [&](double s) { return run.begin < s && s < run.end; }));
 }
 
-/// The drawn gap's derivative, away from a place; the mean of both sides, or of the one that there is.
+/// d(drawn gap)/ds, from the directions of both surfaces.
+std::optional<double> gap_slope(const Scene& scene, const ContactInterface& contact, double s) {
+    const geometry::FacingPair pair = pair_at(scene, contact, s);
+    if (!pair.found) return std::nullopt;
+    Vec2 along(-pair.normal.y(), pair.normal.x());
+    if (along.dot(pair.on1.tangent) < 0) along = -along;
+    const Vec2 &n1 = pair.on1.normal, &n2 = pair.on2.normal;
+    return n1.dot(along) / n1.dot(pair.normal) - n2.dot(along) / n2.dot(pair.normal);
+}
+
+/// Where within the run the drawn gap is lowest: a coarse pressure's middle is farther off than a small contact is wide.
+std::optional<double> lowest_place(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
+    const auto place = [&](int i) { return run.begin + (run.end - run.begin) * i / places; };
+    std::optional<double> before = gap_slope(scene, contact, place(0));
+    for (int i = 1; i <= places; ++i) {
+        const std::optional<double> now = gap_slope(scene, contact, place(i));
+        if (before && now && *before < 0 && *now >= 0) {
+            const auto slope = [&](double s) { return gap_slope(scene, contact, s).value_or(0); };
+            const boost::math::tools::eps_tolerance<double> digits(std::numeric_limits<double>::digits - 4);
+            std::uintmax_t steps = max_steps;
+            const auto [low, high] =
+                boost::math::tools::toms748_solve(slope, place(i - 1), place(i), *before, *now, digits, steps);
+            return 0.5 * (low + high);
+        }
+        before = now;
+    }
+    return std::nullopt;
+}
+
+/// The drawn gap's derivative away from a middle; the mean of both sides, or of the one that there is.
 class Profile {
 public:
-    Profile(const Scene& scene, const ContactInterface& contact, const ContactRun& run, double middle)
+    Profile(const Scene& scene, const ContactInterface& contact, const std::vector<ContactJoint>& joints, const ContactRun& run,
+            double middle)
         : scene_(scene), contact_(contact), middle_(middle), has_left_(!run.from_start), has_right_(!run.to_end) {
-        for (const ContactJoint& joint : contact_joints(scene, contact)) joints_.push_back(std::abs(joint.s - middle));
+        for (const ContactJoint& joint : joints) joints_.push_back(std::abs(joint.s - middle));
         std::sort(joints_.begin(), joints_.end());
     }
 
@@ -74,12 +119,9 @@ public:
         double sum = 0;
         for (double side : {-1.0, 1.0}) {
             if (!(side < 0 ? has_left_ : has_right_)) continue;
-            const geometry::FacingPair pair = pair_at(scene_, contact_, middle_ + side * x);
-            if (!pair.found) return std::nullopt;
-            Vec2 along(-pair.normal.y(), pair.normal.x());
-            if (along.dot(pair.on1.tangent) < 0) along = -along;
-            const Vec2 &n1 = pair.on1.normal, &n2 = pair.on2.normal;
-            sum += side * (n1.dot(along) / n1.dot(pair.normal) - n2.dot(along) / n2.dot(pair.normal));
+            const std::optional<double> there = gap_slope(scene_, contact_, middle_ + side * x);
+            if (!there) return std::nullopt;
+            sum += side * *there;
         }
         return has_left_ && has_right_ ? 0.5 * sum : sum;
     }
@@ -110,85 +152,90 @@ std::optional<double> galin_integral(const Profile& profile, double a) {
     return sum;
 }
 
-/// force: over E*; found: about this, or less.
-std::optional<double> half_width(const Profile& profile, double force, double found) {
+/// At most most_growth times what was found.
+std::optional<double> half_width(const Profile& profile, const PlaneContact& plane) {
     bool is_known = true;
     // the root: linear in the half width for gaps that grow with the square
     const auto excess = [&](double a) {
         const std::optional<double> integral = galin_integral(profile, a);
         is_known = is_known && integral;
-        return std::sqrt(std::max(0.0, integral.value_or(0))) - std::sqrt(force);
+        return std::sqrt(std::max(0.0, integral.value_or(0))) - std::sqrt(plane.force);
     };
-    const double largest = std::min(most_growth * found, profile.largest()), at_largest = excess(largest);
+    const double largest = std::min(most_growth * plane.half_width, profile.largest());
+    if (!(largest > 0)) return std::nullopt;
+    const double at_largest = excess(largest);
     if (!is_known || !(at_largest > 0)) return std::nullopt;
-    const auto is_near = [](double a, double b) { return std::abs(a - b) <= tolerance * b; };
+    const auto is_near = [](double a, double b) { return std::abs(a - b) <= half_width_tolerance * b; };
     std::uintmax_t steps = max_steps;
     const auto [low, high] =
-        boost::math::tools::toms748_solve(excess, 0.0, largest, -std::sqrt(force), at_largest, is_near, steps);
+        boost::math::tools::toms748_solve(excess, 0.0, largest, -std::sqrt(plane.force), at_largest, is_near, steps);
     if (!is_known || !is_near(low, high)) return std::nullopt;
     return 0.5 * (low + high);
 }
 
-/// force: per thickness and E*.
-void move_by_galin(const Scene& scene, const ContactInterface& contact, const RunLoad& load, ContactRun& run) {
+void move_by_galin(const Scene& scene, const ContactInterface& contact, const std::vector<ContactJoint>& joints,
+                   const PlaneContact& plane, ContactRun& run) {
     const bool is_half = run.from_start || run.to_end;
-    const double middle = run.from_start ? run.begin : run.to_end ? run.end : load.middle;
-    const Profile profile(scene, contact, run, middle);
-    const double found = is_half ? run.end - run.begin : 0.5 * (run.end - run.begin);
-    const std::optional<double> a = half_width(profile, (is_half ? 2 : 1) * load.force, found);
+    const double middle = is_half ? plane.middle : lowest_place(scene, contact, run).value_or(plane.middle);
+    const std::optional<double> a = half_width(Profile(scene, contact, joints, run, middle), plane);
     if (!a) return;
     if (!run.from_start) run.begin = middle - *a;
     if (!run.to_end) run.end = middle + *a;
 }
 
 /// The end at s, if a joint is near from which on the gap opens; outward: 1 or -1.
-std::optional<double> end_beyond_joint(const std::vector<ContactJoint>& joints, double s, int outward, double reach,
-                                       double half_width, double force) {
+std::optional<double> end_beyond_joint(const std::vector<ContactJoint>& joints, const PlaneContact& plane, double s,
+                                       int outward, double reach) {
     const ContactJoint* nearest = nullptr;
     for (const ContactJoint& joint : joints)
         if (outward * joint.opening > 0 && std::abs(joint.s - s) <= reach &&
             (nearest == nullptr || std::abs(joint.s - s) < std::abs(nearest->s - s)))
             nearest = &joint;
     if (nearest == nullptr) return std::nullopt;
+    // the header's limit of a - b, for a flat with a centred load
     const double radius = 1 / std::abs(nearest->opening);
-    const double beyond = std::pow(0.75 * force * radius / std::sqrt(0.5 * half_width), 2.0 / 3);
+    const double beyond = std::pow(0.75 * plane.force * radius / std::sqrt(0.5 * plane.half_width), 2.0 / 3);
     if (beyond > reach) return std::nullopt;
     return nearest->s + outward * beyond;
 }
 
-void move_to_fillets(const Scene& scene, const ContactInterface& contact, const RunLoad& load, ContactRun& run) {
-    const std::vector<ContactJoint> joints = contact_joints(scene, contact);
-    if (joints.empty()) return;
-    const bool is_half = run.from_start || run.to_end;
-    const double force = (is_half ? 2 : 1) * load.force, half_width = (is_half ? 1 : 0.5) * (run.end - run.begin);
-    const std::vector<double>& knots = contact.face.pressure.breakpoints;
-    const auto reach = [&](double s) {
-        const auto i = static_cast<std::size_t>(solver::interval_of(contact.face.pressure, s));
-        return near_joint * (knots[i + 1] - knots[i]);
-    };
+void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact& plane, ContactRun& run) {
     const ContactRun found = run;
     if (!run.from_start)
-        run.begin = end_beyond_joint(joints, found.begin, -1, reach(found.begin), half_width, force).value_or(found.begin);
-    if (!run.to_end) run.end = end_beyond_joint(joints, found.end, 1, reach(found.end), half_width, force).value_or(found.end);
+        run.begin = end_beyond_joint(joints, plane, found.begin, -1, near_joint * plane.begin_spacing).value_or(found.begin);
+    if (!run.to_end)
+        run.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
+}
+
+/// Statics know the force per length away from an axis only.
+bool is_at_axis(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
+    if (scene.analysis != Analysis::axisymmetric) return false;
+    const double reach = run.end - run.begin;
+    const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
+    return (begin.found && begin.on1.x.x() < reach) || (end.found && end.on1.x.x() < reach);
 }
 
 }  // namespace
 
-std::vector<std::vector<ContactRun>> runs_by_theory(const Scene& scene, const SolvedAssembly& solved) {
-    std::vector<std::vector<ContactRun>> runs = solved.runs;
+ContactRuns runs_by_theory(const Scene& scene, const SolvedAssembly& solved) {
+    ContactRuns runs = solved.runs;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
         if (runs[k].empty() || contact.face.bilateral || contact.pairing != Pairing::middle) continue;
-        double both = 0;
-        for (int part : contact.face.part) both += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)]);
+        const std::vector<ContactJoint> joints = contact_joints(scene, contact);
+        double compliance = 0;
+        for (int part : contact.face.part)
+            compliance += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], contact.face.thickness);
         for (ContactRun& run : runs[k]) {
-            RunLoad load = load_of(contact, pressure_of(solved, k), run);
-            if (!(both > 0) || !(load.force > 0) || (run.from_start && run.to_end)) continue;
-            load.force *= both;
-            if (intervals_in(contact, run) < few_intervals)
-                move_by_galin(scene, contact, load, run);
+            if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
+            const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, run);
+            if (!(plane.force > 0)) continue;
+            if (knots_in(contact, run) < few_knots)
+                move_by_galin(scene, contact, joints, plane, run);
             else
-                move_to_fillets(scene, contact, load, run);
+                move_to_fillets(joints, plane, run);
+            run.begin = std::max(run.begin, contact.s.front());
+            run.end = std::min(run.end, contact.s.back());
         }
     }
     return runs;

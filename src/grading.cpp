@@ -16,7 +16,8 @@ constexpr double cells_in_first_contact = 16;
 /// the cell size, those of the rest with its third power and more.
 constexpr double fast_end = 0.02;
 /// Distance of a joint from the end of contact, times this: the length that the end's cells are a fraction of.
-constexpr double lengths_beside_joint = 4;
+/// At least this of the run: a joint at the very end tells nothing.
+constexpr double lengths_beside_joint = 4, least_steep_end = 1e-3;
 constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
 
 std::size_t at(int i) {
@@ -36,20 +37,28 @@ double end_size(const RunEnd& end, double length, const ContactResolution& r) {
     return length * (end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction);
 }
 
-/// Joints within a run, and how near to its free ends the nearest ones are: there the pressure's steep end is so long.
+/// Joints within a run from which on the gap opens; and the lengths of the pressure's steep ends, beyond the nearest ones.
 struct RunJoints {
     std::vector<ContactJoint> inside;
+    std::vector<double> length;  // of the steep end that each belongs to
     double at_begin, at_end;
 };
 
 RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& run) {
-    RunJoints in{{}, run.end - run.begin, run.end - run.begin};
+    const double whole = run.end - run.begin;
+    RunJoints in{{}, {}, whole, whole};
     for (const ContactJoint& joint : joints) {
         if (joint.s <= run.begin || joint.s >= run.end) continue;
+        const bool to_end = joint.opening > 0;
+        const double distance = to_end ? run.end - joint.s : joint.s - run.begin;
+        const RunEnd& end = to_end ? run.at_end : run.at_begin;
+        const double length = end.kind == RunEnd::Kind::free
+                                  ? std::clamp(lengths_beside_joint * distance, least_steep_end * whole, whole)
+                                  : whole;
+        double& shortest = to_end ? in.at_end : in.at_begin;
+        shortest = std::min(shortest, length);
         in.inside.push_back(joint);
-        if (run.at_begin.kind == RunEnd::Kind::free)
-            in.at_begin = std::min(in.at_begin, lengths_beside_joint * (joint.s - run.begin));
-        if (run.at_end.kind == RunEnd::Kind::free) in.at_end = std::min(in.at_end, lengths_beside_joint * (run.end - joint.s));
+        in.length.push_back(length);
     }
     return in;
 }
@@ -79,12 +88,13 @@ WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candid
     return wanted;
 }
 
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const std::vector<ContactResolution>& resolution) {
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
+                       const std::vector<ContactResolution>& resolution) {
     WantedSizes wanted(scene.parts.size());
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const std::vector<ContactJoint> all_joints =
-            solved.runs[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
-        for (const ContactRun& run : solved.runs[k]) {
+            runs[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
+        for (const ContactRun& run : runs[k]) {
             const ContactInterface& contact = solved.contacts[k];
             const double length = run.end - run.begin, growth = growth_for(resolution[k]);
             std::array<std::vector<Vec2>, 2> points;
@@ -103,9 +113,8 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const s
                     want(wanted, part, {points[side].front()}, end_size(run.at_begin, joints.at_begin, resolution[k]), growth);
                 if (run.at_end.kind != RunEnd::Kind::plain)
                     want(wanted, part, {points[side].back()}, end_size(run.at_end, joints.at_end, resolution[k]), growth);
-                for (const ContactJoint& joint : joints.inside)
-                    want(wanted, part, {joint.x[side]},
-                         std::min(joints.at_begin, joints.at_end) * resolution[k].corner_fraction, growth);
+                for (std::size_t i = 0; i < joints.inside.size(); ++i)
+                    want(wanted, part, {joints.inside[i].x[side]}, joints.length[i] * resolution[k].corner_fraction, growth);
             }
         }
     }

@@ -81,14 +81,14 @@ void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candida
 
 namespace {
 
-std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, std::size_t contact) {
+std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns& runs, std::size_t contact) {
     std::vector<ExpectedEnd> ends;
     if (s.contacts[contact].face.bilateral) return ends;
     const auto append = [&](double at_s, int outward) {
         const geometry::FacingPair pair = pair_at(scene, s.contacts[contact], at_s);
         if (pair.found) ends.push_back({pair.s1, outward});
     };
-    for (const ContactRun& run : s.runs[contact]) {
+    for (const ContactRun& run : runs[contact]) {
         if (!run.from_start) append(run.begin, -1);
         if (!run.to_end) append(run.end, 1);
     }
@@ -106,8 +106,8 @@ double spacing_at(const SolvedAssembly& s, std::size_t contact) {
 
 }  // namespace
 
-void expect_ends(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
-    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, k);
+void expect_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns& runs, std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, runs, k);
 }
 
 void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
@@ -126,7 +126,7 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
 
 bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const std::vector<ExpectedEnd> now = free_ends(scene, s, k), &expected = candidates[k].ends;
+        const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
         if (now.size() != expected.size()) return true;
         const double limit = noted_move * spacing_at(s, k);
         for (std::size_t i = 0; i < now.size(); ++i)

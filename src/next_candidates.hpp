@@ -18,8 +18,8 @@ void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone);
 /// middle of its hole), the seam moves to the middle of the longest open stretch.
 void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
-/// The free ends of all contacts, as the next pressure splines expect them.
-void expect_ends(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
+/// The free ends of all runs, as the next pressure splines expect them; runs: as they were found, or where they are expected.
+void expect_ends(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs, std::vector<Candidate>& candidates);
 
 /// The pressures of all contacts: where the next search for the active set begins.
 void expect_pressures(const SolvedAssembly& solved, std::vector<Candidate>& candidates);

@@ -11,7 +11,8 @@ namespace {
 /// Cells at the free ends of a contact that was just found, of its length. From one grid to the next they become finer by this
 /// factor at least, or as fine as the end is known, which is about end_known times the end's relative error. None is finer than
 /// the last.
-constexpr double first_end_fraction = 1.0 / 32, least_refinement = 4, end_known = 0.6;
+/// Penalty's ends are no roots, and its points no knots: half steps.
+constexpr double first_end_fraction = 1.0 / 32, first_of_penalty = 1.0 / 8, least_refinement = 4, end_known = 0.6;
 constexpr double least_end_fraction = 1e-4;
 /// Cells along the contact, and at its corners of its length, likewise.
 constexpr double first_cells = 8, cell_refinement = 1.3, first_corner_fraction = 1.0 / 30, corner_refinement = 2;
@@ -32,7 +33,7 @@ int free_ends(const std::vector<ContactRun>& runs) {
 bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
     if (k >= error.contacts.size() || !error.contacts[k]) return false;
     const ContactError& c = *error.contacts[k];
-    return c.share * std::max(c.pressure, c.at_corner ? 0.0 : c.peak) <= aim * target;
+    return std::max(c.share * c.pressure, c.at_corner ? 0.0 : c.share_of_peak * c.peak) <= aim * target;
 }
 
 /// Do the contacts that are not good yet have the cells that they aimed at?
@@ -64,14 +65,16 @@ void coarsen_less(NextGrids& next) {
     if (next.coarsening < least_step * next.coarseness) next.coarsening = next.coarseness;
 }
 
-void set_first_goals(const SolvedAssembly& solved, NextGrids& next) {
+void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs_of_all, NextGrids& next) {
     next.goal.clear();
     next.resolution.clear();
-    for (const auto& runs : solved.runs) {
+    for (std::size_t k = 0; k < runs_of_all.size(); ++k) {
+        const std::vector<ContactRun>& runs = runs_of_all[k];
+        const double first = solved.contacts[k].pairing == Pairing::middle ? first_end_fraction : first_of_penalty;
         const double per_run =
             static_cast<double>(free_ends(runs)) / static_cast<double>(std::max<std::size_t>(1, runs.size()));
-        next.goal.push_back(std::clamp(next.target / (end_error * per_run), least_end_fraction, first_end_fraction));
-        next.resolution.push_back({first_cells, std::max(next.goal.back(), first_end_fraction), first_corner_fraction});
+        next.goal.push_back(std::clamp(next.target / (end_error * per_run), least_end_fraction, first));
+        next.resolution.push_back({first_cells, first, first_corner_fraction});
     }
 }
 
@@ -79,11 +82,12 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
     if (at_goal(error, next) && error.contact_pressure) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (is_good(error, k, next.target)) continue;
-        const double known = error.contacts.size() > k && error.contacts[k] ? end_known * error.contacts[k]->ends : 0.0;
         next.resolution[k].cells *= cell_refinement;
         next.resolution[k].corner_fraction /= corner_refinement;
         double& end_fraction = next.resolution[k].end_fraction;
-        end_fraction = std::max(next.goal[k], std::min(known, end_fraction / least_refinement));
+        const double finer = end_fraction / least_refinement;
+        const bool is_known = error.contacts.size() > k && error.contacts[k];
+        end_fraction = std::max(next.goal[k], is_known ? std::min(end_known * error.contacts[k]->ends, finer) : finer);
     }
     coarsen_less(next);
 }

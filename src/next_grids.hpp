@@ -26,8 +26,8 @@ struct NextGrids {
 /// see in it.
 void coarsen_less(NextGrids& next);
 
-/// Contacts that were just found.
-void set_first_goals(const SolvedAssembly& solved, NextGrids& next);
+/// Contacts that were just found; runs: as they were, or where they are expected.
+void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, NextGrids& next);
 
 /// Contacts whose error still counts get finer cells; where they had what they aimed at, they aim at less.
 void refine(const ErrorEstimate& error, NextGrids& next);

@@ -33,7 +33,7 @@ struct PressureChange {
     double norm = 0;        ///< L2 of the pressure
     double peak = 0, peak_before = 0;
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
-    double force_change = 0;             ///< of the resultant, relative to it; of the integral where that is unknown or rounding
+    double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
 };
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
 

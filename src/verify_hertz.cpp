@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/svg.hpp"
 #include "src/verify_contact_answers.hpp"
 
 namespace abut {
@@ -96,7 +97,7 @@ VerifyProblem wedge() {
     return problem;
 }
 
-/// A flat of half width b with fillets of radius R, pressed until it touches to a half width a (Ciavarella, Hills, Monno 1998).
+/// A flat of half width b with fillets of radius R, pressed until it touches to a half width a [Ciavarella1998].
 struct FilletedPunch {
     double b, radius, modulus, a;
 
@@ -120,17 +121,18 @@ struct FilletedPunch {
     }
 };
 
-/// beyond: how far the contact reaches into the fillet, of the flat's half width.
+/// beyond: how far the contact reaches into the fillet, of the flat's half width. Pressures are 1e-4 E: at 1e-2 the theory
+/// itself is off by per cents.
 VerifyProblem filleted_punch(const std::string& name, double radius, double beyond) {
-    constexpr double b = 0.02, E = 1e5 / (1 + 1e-4), five_percent = 0.05;
+    constexpr double b = 0.02, E = 1e5 / (1 + 1e-4), beyond_the_flat = 0.015;
     const FilletedPunch exact{b, radius, E, (1 + beyond) * b};
     return {
         name,
-        "a flat with fillets, pressed on over " + std::to_string(beyond).substr(0, 5) + " of its width beyond them",
+        "a flat with fillets, pressed on over " + number_text(beyond, 3) + " of its half width beyond them",
         {{"verification/filleted_punch.json", {{"R", radius}, {"P", exact.load()}}}},
-        {{"pressure, L2 error", [=](const Answers& r) { return pressure_deviation(contact_of(r).profile, exact); }, 0, {}, 1},
+        {{"pressure, L2 error", [=](const Answers& r) { return pressure_deviation(contact_of(r).profile, exact); }, 0, fine, 1},
          {"largest pressure", peak, exact.peak(), fine},
-         {"contact beyond the flat", [](const Answers& r) { return half_width_of(r) - b; }, exact.a - b, five_percent},
+         {"contact beyond the flat", [](const Answers& r) { return half_width_of(r) - b; }, exact.a - b, beyond_the_flat},
          {"contact force along y", vertical_force, 0.5 * exact.load(), statics}}};
 }
 
@@ -145,8 +147,8 @@ std::vector<VerifyProblem> hertz_problems() {
                       hertz(1 / (12 / 49.0 + 1 / 37.5), 105000, load_per_thickness), 2000, ten_cells)};
     for (VerifyProblem& problem : c1_variants()) problems.push_back(std::move(problem));
     problems.push_back(roller());
-    problems.push_back(filleted_punch("C4-fillet", 0.1, 0.1));
-    problems.push_back(filleted_punch("C4-fillet-small", 0.01, 0.005));
+    problems.push_back(filleted_punch("C4-fillet", 10, 0.1));
+    problems.push_back(filleted_punch("C4-fillet-small", 1, 0.005));
     problems.push_back(wedge());
     problems.push_back(hertz_problem("S-B", "the dissertation's convex cylinders", {"scenes/case_b.json"}, {0.0921318, 3452.24},
                                      250, ten_cells));

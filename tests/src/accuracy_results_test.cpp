@@ -15,7 +15,7 @@ Outcome outcome(double pressure, double peak, PathEnd end) {
     out.end = end;
     out.passes = {{{ContactRecord{}}, 1, 1000, 10, 0.1}, {{ContactRecord{}}, 1, 2000, 20, 0.3}};
     ErrorEstimate error;
-    error.contacts = {ContactError{pressure, pressure, 0, 0, peak, 0.001, 1, false}};
+    error.contacts = {ContactError{pressure, pressure, 0, 0, peak, 0.001, 1, 1, false}};
     error.contact_pressure = pressure;
     error.peak = peak;
     error.energy = 4e-4;

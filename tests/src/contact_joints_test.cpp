@@ -20,10 +20,10 @@ std::vector<ContactJoint> joints_of(const test::EstimateCase& c) {
 }  // namespace
 
 TEST(ContactJoints, WhereAFlatBecomesAFillet) {
-    const std::vector<ContactJoint> joints = joints_of({"verification/filleted_punch.json", {{"R", 0.05}}});
+    const std::vector<ContactJoint> joints = joints_of({"verification/filleted_punch.json", {{"R", 2}}});
     ASSERT_EQ(joints.size(), 1u);
     EXPECT_NEAR(joints[0].s, 0.02, 1e-6);  // the middle curve is as long as its chords
-    EXPECT_NEAR(joints[0].opening, 1 / 0.05, 1e-9);
+    EXPECT_NEAR(joints[0].opening, 1 / 2.0, 1e-9);
     for (const Vec2& x : joints[0].x) EXPECT_NEAR(x.x(), 0.02, 1e-6);
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "src/adaptive.hpp"
+#include "tests/src/temporary_folder.hpp"
 #include "tests/verification/true_errors.hpp"
 
 namespace abut {
@@ -50,7 +51,7 @@ TEST(ExtentByTheory, OfAWedge) {
 
 /// A hundredth of the flat's half width beyond it: the load of Ciavarella, Hills and Monno's closed form.
 TEST(ExtentByTheory, OfAFlatWithFillets) {
-    const double b = 0.02, R = 0.01, a = 1.01 * b, t = std::asin(b / a), sine = std::sin(t);
+    const double b = 0.02, R = 1, a = 1.01 * b, t = std::asin(b / a), sine = std::sin(t);
     const double load = 1e5 / (1 + 1e-4) * b * b / (2 * R) * ((std::numbers::pi - 2 * t) / (2 * sine * sine) - 1 / std::tan(t));
     const Scene scene = test::adaptive_scene({"verification/filleted_punch.json", {{"R", R}, {"P", load}}});
     const Outcome out = on_cells(scene, 0.005);
@@ -58,6 +59,34 @@ TEST(ExtentByTheory, OfAFlatWithFillets) {
     EXPECT_GT(std::abs(found.end - a), 0.5 * (a - b));
     EXPECT_NEAR(moved.end, a, 0.05 * (a - b));
     EXPECT_EQ(moved.begin, found.begin);
+}
+
+/// A part of thickness 3 on one of thickness 1 is three times as stiff; 1/E* = (1 + 1/3) / E'.
+TEST(ExtentByTheory, OfPartsOfUnequalThickness) {
+    Scene scene = test::adaptive_scene({"verification/cylinder_on_plane.json", {{"Q", 5}}});
+    scene.parts[0].thickness = 3;  // the load is a pressure: three times the force
+    const Outcome out = on_cells(scene, 0.1);
+    const double a = std::sqrt(4 * 3 * 5 / (std::numbers::pi * 1e5 / (1 + 1.0 / 3)));
+    EXPECT_NEAR(runs_by_theory(scene, out.solved)[0][0].end, a, 0.02 * a);
+}
+
+/// Cells of the whole cylinder stand unevenly about the line of contact: the middle is where the gap is lowest.
+TEST(ExtentByTheory, AboutTheLowestPlace) {
+    const TemporaryFolder folder;
+    const Scene scene = read_scene(folder.write("scene.json", R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}},
+        "parts": [{"name": "disc", "material": "m", "geometry": {"circle": {"center": [0.37, 1], "radius": 1}}},
+                  {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-2, -2], "max": [2, 0]}}}],
+        "supports": [{"on": "block/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "disc", "force": [0, -0.01]}], "accuracy": {"cell_size": 0.23}})"),
+                                   {});
+    Stopwatches seconds;
+    const Outcome out = solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
+    const double a = std::sqrt(4 * 0.01 / (std::numbers::pi * 0.5e5));
+    const ContactRun moved = runs_by_theory(scene, out.solved)[0][0];
+    EXPECT_NEAR(moved.end - moved.begin, 2 * a, 0.02 * a);
+    const Vec2 begin = pair_at(scene, out.solved.contacts[0], moved.begin).on1.x;
+    const Vec2 end = pair_at(scene, out.solved.contacts[0], moved.end).on1.x;
+    EXPECT_NEAR(0.5 * (begin.x() + end.x()), 0.37, 0.02 * a);
 }
 
 TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {

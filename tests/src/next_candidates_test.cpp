@@ -64,13 +64,13 @@ TEST(NextCandidates, SeamsMoveOutOfTheContact) {
 TEST(NextCandidates, FreeEndsAreExpectedWhereTheyWereFound) {
     Outcome pin = solved_pin();
     std::vector<Candidate> next = pin.candidates;
-    expect_ends(pin_scene(), pin.solved, next);
+    expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
     ASSERT_EQ(next[0].ends.size(), 2u);
     EXPECT_FALSE(ends_moved(pin_scene(), pin.solved, next));
     next[0].ends.clear();
     EXPECT_TRUE(ends_moved(pin_scene(), pin.solved, next));
     pin.solved.contacts[0].face.bilateral = true;
-    expect_ends(pin_scene(), pin.solved, next);
+    expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
     EXPECT_TRUE(next[0].ends.empty());
 }
 

@@ -174,7 +174,7 @@ TEST(LongEstimates, PressuresOfPinsRingsAndCorners) {
                                                            {"scenes/vise.json"},
                                                            {"scenes/case_a.json"}})
         expect_honest_contact(c, all_targets);
-    expect_honest_contact({"verification/filleted_punch.json", {{"R", 0.01}, {"P", 1.3}}}, {0.05, 0.02, 0.01});
+    expect_honest_contact({"verification/filleted_punch.json", {{"R", 1}, {"P", 0.013}}}, {0.05, 0.02, 0.01});
 }
 
 TEST(LongEstimates, Stress) {
