@@ -18,9 +18,9 @@ constexpr double missing_of_peak = 0.75;
 /// to a ninth, the error not at all).
 constexpr double most_fall = 0.25;
 constexpr double same_cells = 0.95;  // ratio of knot spacings above which they are no finer
-/// An error at the ends of contact shifts its force, and the largest pressure by about this share of it (0.01 to 0.3): of use
-/// where the change from the grid before is small by chance.
-constexpr double ends_in_peak = 0.1;
+/// An error at the ends of contact shifts its force, and the largest pressure by 0.01 to 0.3 of it: of use where the
+/// change from the grid before is small by chance.
+constexpr double ends_in_peak = 0.3;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
 
