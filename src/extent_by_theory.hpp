@@ -15,8 +15,8 @@
 namespace abut {
 
 /// Runs of few knots with their free ends put there, about where the drawn gap is lowest, or about the interface's end where a
-/// run begins or ends with it (a line of symmetry); ends of longer runs near a fillet's joint put beyond it; others as they were
-/// found.
+/// run begins or ends with it (a line of symmetry); ends of longer runs near a fillet's joint put beyond it; others as they
+/// were found.
 ContactRuns runs_by_theory(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut
