@@ -21,12 +21,16 @@ constexpr int kept_heap = 1 << 30;
 constexpr int first_heap = 32 << 20, next_heap = 1 << 20;  // addresses: only what is used takes memory
 constexpr std::uintptr_t page = 2 << 20;
 
-/// Whole large pages of the heap's end.
-void advise_large_pages() {
+std::uintptr_t end_of_heap() {
+    return reinterpret_cast<std::uintptr_t>(sbrk(0));
+}
+
+/// Whole large pages of what the heap has grown by; nothing where another allocator takes its memory elsewhere.
+void advise_large_pages(std::uintptr_t begin, std::uintptr_t end) {
+    begin = (begin + page - 1) / page * page;
+    end = end / page * page;
 #ifdef MADV_HUGEPAGE
-    const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) / page * page;
-    const std::uintptr_t bytes = first_heap - 2 * page;
-    madvise(reinterpret_cast<void*>(end - bytes), bytes, MADV_HUGEPAGE);  // advice: where it is not taken, pages are small
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);  // else pages are small
 #endif
 }
 
@@ -36,10 +40,11 @@ void keep_heap() {
     mallopt(M_MMAP_THRESHOLD, own_mapping);
     mallopt(M_TRIM_THRESHOLD, kept_heap);
     mallopt(M_TOP_PAD, first_heap);
+    const std::uintptr_t before = end_of_heap();
     void* volatile grown = std::malloc(page);  // volatile: the compiler would leave out both
     std::free(grown);
     mallopt(M_TOP_PAD, next_heap);
-    advise_large_pages();
+    advise_large_pages(before, end_of_heap());
 }
 
 #else
