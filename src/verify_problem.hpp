@@ -48,7 +48,7 @@ std::vector<VerifyProblem> membrane_problems();      ///< E8
 std::vector<VerifyProblem> corner_problems();        ///< E9
 std::vector<VerifyProblem> half_plane_problems();    ///< E13
 std::vector<VerifyProblem> spline_beam_problems();   ///< E14
-std::vector<VerifyProblem> hertz_problems();         ///< C1, C2, C5, S-B, S-C
+std::vector<VerifyProblem> hertz_problems();         ///< C1, C2, C4 with fillets, C5, S-B, S-C
 std::vector<VerifyProblem> block_problems();         ///< C3, C4, C9, S-A, S-E
 std::vector<VerifyProblem> pin_problems();           ///< C6, C7, S-D
 std::vector<VerifyProblem> support_problems();       ///< what holds a part and what does not
