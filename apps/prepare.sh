@@ -5,7 +5,8 @@
 
 build_packages=(
     libcgal-dev libeigen3-dev libsuitesparse-dev libassimp-dev lib3mf-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
-    "libopenblas-serial-dev|libopenblas-pthread-dev|libopenblas-openmp-dev|libatlas-base-dev|liblapack-dev"
+    # not the reference BLAS, which takes several times as long; the first one may be called from several threads
+    "libopenblas-pthread-dev|libopenblas-serial-dev|libopenblas-openmp-dev"
 )
 test_packages=(libgtest-dev libbenchmark-dev)
 sources=(geometry solver src apps CMakeLists.txt CMakePresets.json)

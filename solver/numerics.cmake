@@ -11,10 +11,10 @@ target_include_directories(abut_numerics INTERFACE ${CHOLMOD_INCLUDE_DIR})
 set(ABUT_ARCHIVES)
 if(ABUT_STATIC_NUMERICS)
   # METIS comes without an archive; the runtime libraries of Fortran and OpenMP without a name for linkers unless their compiler
-  # is installed.
+  # is installed. Of several OpenBLAS the one that may be called from several threads.
   foreach(name libcholmod.a libccolamd.a libcolamd.a libcamd.a libamd.a libsuitesparseconfig.a libmetis.so.5 libopenblas.a
                libgfortran.so.5 libgomp.so.1)
-    find_library(ABUT_ARCHIVE_${name} NAMES ${name})
+    find_library(ABUT_ARCHIVE_${name} NAMES ${name} PATH_SUFFIXES openblas-pthread)
     mark_as_advanced(ABUT_ARCHIVE_${name})
     list(APPEND ABUT_ARCHIVES ${ABUT_ARCHIVE_${name}})
   endforeach()
