@@ -58,7 +58,7 @@ CommandSpec analyze_spec() {
             "Analyses one scene and writes its results.",
             {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
              {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
-             {"--threads", "N", "parts side by side on at most so many threads (default: one for each processor)"},
+             {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
              {"--quiet", "", "print nothing but errors"}},

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/assembly.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "solver/parallel_for.hpp"
 #include "solver/ring.hpp"
 #include "solver/ring_stiffness.hpp"
 
@@ -83,6 +85,7 @@ struct Stiffness {
         stiffness_blocks(integrals, elasticity, input.thickness, blocks);
     }
     void add_blocks(std::size_t k) { scatter.add(elements.functions[k], blocks); }
+    bool needs(std::size_t k) const { return scatter.reaches(elements.functions[k]); }
 };
 
 void add_full_cells(Stiffness& s) {
@@ -91,6 +94,7 @@ void add_full_cells(Stiffness& s) {
     const IntervalIntegrals y = interval_integrals(space.y, s.input.line_rule);
     std::pair<int, int> last(-1, -1);  // the intervals whose blocks are at hand
     for (std::size_t k = 0; k + s.input.cut_rules.size() < s.elements.element.size(); ++k) {
+        if (!s.needs(k)) continue;
         const int cell = s.elements.element[k];
         const std::pair sides(x.of_interval[static_cast<std::size_t>(space.column_of(cell))],
                               y.of_interval[static_cast<std::size_t>(space.row_of(cell))]);
@@ -107,10 +111,28 @@ void add_full_cells(Stiffness& s) {
 void add_cut_cells(Stiffness& s) {
     std::size_t k = s.elements.element.size() - s.input.cut_rules.size();
     for (const CellRule& rule : s.input.cut_rules) {
-        integrate_cut_cell(s.input.space, rule.element, rule.points, rule.weights, s.integrals);
-        s.make_blocks(k);
-        s.add_blocks(k++);
+        if (s.needs(k)) {
+            integrate_cut_cell(s.input.space, rule.element, rule.points, rule.weights, s.integrals);
+            s.make_blocks(k);
+            s.add_blocks(k);
+        }
+        ++k;
     }
+}
+
+/// Functions from which on a second thread pays.
+constexpr int least_functions = 2000;
+
+/// Ranges of functions with about as many blocks each: shares + 1 offsets.
+std::vector<int> shared_rows(const BlockMatrix& k, int threads) {
+    const int shares = k.n < least_functions ? 1 : std::max(1, threads);
+    std::vector<int> first;
+    for (int i = 0; i < shares; ++i) {
+        const int blocks = static_cast<int>(static_cast<double>(k.first.back()) * i / shares);
+        first.push_back(static_cast<int>(std::lower_bound(k.first.begin(), k.first.end(), blocks) - k.first.begin()));
+    }
+    first.push_back(k.n);
+    return first;
 }
 
 void add_at(VectorXd& to, const Extraction& e, const VectorXd& local) {
@@ -130,9 +152,14 @@ BlockMatrix assemble_stiffness(const PartInput& input) {
     if (input.axis) return assemble_ring_stiffness(input);
     const Elements elements = elements_of(input);
     BlockMatrix k = make_block_matrix(input.space.n_functions, elements.functions);
-    Stiffness stiffness{input, local_elasticity(input), elements, BlockScatter(k), {}, {}};
-    add_full_cells(stiffness);
-    add_cut_cells(stiffness);
+    // every row takes in its elements in their order, whoever adds them
+    const std::vector<int> first = shared_rows(k, input.threads);
+    parallel_for(static_cast<int>(first.size()) - 1, input.threads, [&](int share) {
+        const auto i = static_cast<std::size_t>(share);
+        Stiffness stiffness{input, local_elasticity(input), elements, BlockScatter(k, first[i], first[i + 1]), {}, {}};
+        add_full_cells(stiffness);
+        add_cut_cells(stiffness);
+    });
     return k;
 }
 

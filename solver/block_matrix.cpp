@@ -74,13 +74,19 @@ BlockMatrix make_block_matrix(int n, const FunctionSets& coupled) {
     return m;
 }
 
-BlockScatter::BlockScatter(BlockMatrix& matrix) : matrix_(matrix), place_(index(matrix.n), -1) {}
+BlockScatter::BlockScatter(BlockMatrix& matrix, int begin, int end)
+    : matrix_(matrix), begin_(begin), end_(end), place_(index(matrix.n), -1) {}
+
+bool BlockScatter::reaches(std::span<const int> functions) const {
+    return std::any_of(functions.begin(), functions.end(), [this](int f) { return has(f); });
+}
 
 void BlockScatter::add(std::span<const int> functions, const std::vector<Eigen::Matrix2d>& blocks) {
     const std::size_t n = functions.size();
     for (std::size_t j = 0; j < n; ++j) place_[index(functions[j])] = static_cast<int>(j * n);
     for (std::size_t i = 0; i < n; ++i) {
         const int row = functions[i];
+        if (!has(row)) continue;
         for (int k = matrix_.first[index(row)]; k < matrix_.first[index(row) + 1]; ++k) {
             const int place = place_[index(matrix_.column[index(k)])];
             if (place >= 0) matrix_.block[index(k)] += blocks[index(place) + i];

@@ -37,14 +37,21 @@ BlockMatrix make_block_matrix(int n, const FunctionSets& coupled);
 /// up in a table of n numbers.
 class BlockScatter {
 public:
-    explicit BlockScatter(BlockMatrix& matrix);
+    explicit BlockScatter(BlockMatrix& matrix) : BlockScatter(matrix, 0, matrix.n) {}
+    /// To the rows of functions begin to end only: several, of rows that do not meet, may add at the same time.
+    BlockScatter(BlockMatrix& matrix, int begin, int end);
+
+    bool reaches(std::span<const int> functions) const;  ///< has any of them a row here?
 
     /// blocks: by columns, block (i, j) of functions[i] and functions[j] at j * size + i; those of the upper triangle are not
     /// read. Functions in any order, each once.
     void add(std::span<const int> functions, const std::vector<Eigen::Matrix2d>& blocks);
 
 private:
+    bool has(int row) const { return row >= begin_ && row < end_; }
+
     BlockMatrix& matrix_;
+    int begin_, end_;
     std::vector<int> place_;  ///< of a function in the set at hand; -1: not in it
 };
 

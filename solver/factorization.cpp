@@ -240,7 +240,7 @@ Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 Factorization::~Factorization() = default;
 
-void Factorization::factorize(SparseSymmetric matrix) {
+void Factorization::factorize(SparseSymmetric matrix, int threads) {
     Data& d = *data_;
     d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
     if (d.failed_at >= 0 || matrix.n == 0) return;
@@ -248,21 +248,21 @@ void Factorization::factorize(SparseSymmetric matrix) {
     if (const Band* band = std::get_if<Band>(&structure))
         d.factor.emplace<BandedFactor>(matrix, *band);
     else if (const auto* frontal = std::get_if<FrontalStructure>(&structure))
-        d.factor.emplace<FrontalFactor>(matrix, frontal->fronts);
+        d.factor.emplace<FrontalFactor>(matrix, frontal->fronts, threads);
     else
         d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
     d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
 }
 
-Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints)
+Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads)
     : data_(new Data{SymbolicFactorization(matrix, {}, hints), {}, 0, -1, {}, {}}) {
-    factorize(std::move(matrix));
+    factorize(std::move(matrix), threads);
 }
 
-Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic)
+Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads)
     : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
     if (!data_->symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
-    factorize(std::move(matrix));
+    factorize(std::move(matrix), threads);
 }
 
 Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
@@ -307,6 +307,14 @@ double Factorization::condition_estimate() const {
     return condition_by_lanczos(
         d.schur->n(), [&](const VectorXd& x) -> VectorXd { return s.cwiseProduct(k(s.cwiseProduct(x))); },
         [&](const VectorXd& b) -> VectorXd { return solve(b.cwiseQuotient(s)).cwiseQuotient(s); });
+}
+
+double Factorization::condition_estimate(const LinearMap& matrix) const {
+    const Data& d = *data_;
+    if (d.schur) return condition_estimate();
+    return condition_by_lanczos(
+        d.n(), [&](const VectorXd& x) -> VectorXd { return d.scale.cwiseProduct(matrix(d.scale.cwiseProduct(x))); },
+        [&](const VectorXd& b) { return d.solved(b); });
 }
 
 double Factorization::unscaled_condition_two() const {

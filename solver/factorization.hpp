@@ -31,6 +31,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -79,10 +80,11 @@ private:
 class Factorization {
 public:
     Factorization();
-    /// The matrix is scaled in place: moved in, it costs no copy.
-    explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {});
+    /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the same
+    /// for any number.
+    explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {}, int threads = 1);
     /// The pattern must fit (std::logic_error: a bug of the caller).
-    Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic);
+    Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads = 1);
     /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of
     /// M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
     Factorization(SparseSymmetric matrix, int n_eliminated);
@@ -104,6 +106,8 @@ public:
     /// 2-norm condition number of S A S, from below, by Lanczos' method: typically to a few per cent. Computed anew at every
     /// call; measured: the price of 10 to 15 solutions.
     double condition_estimate() const;
+    /// The same from products with the matrix as it was given, where they cost less than those of its factor.
+    double condition_estimate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& matrix) const;
     /// The same of A as it was given, not scaled, as in the tables of [Grishin10]; the 1-norm one costs five solutions.
     double unscaled_condition_two() const;
     double unscaled_condition_one() const;
@@ -115,7 +119,7 @@ public:
     Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:
-    void factorize(SparseSymmetric matrix);
+    void factorize(SparseSymmetric matrix, int threads);
 
     struct Data;
     std::unique_ptr<Data> data_;

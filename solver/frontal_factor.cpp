@@ -2,9 +2,11 @@
 #include "solver/frontal_factor.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "solver/blas.hpp"
+#include "solver/front_tasks.hpp"
 #include "solver/supernodal_form.hpp"
 
 namespace abut::solver {
@@ -39,8 +41,13 @@ void add(const double* from, int n, double* to) {
 /// The elimination under way.
 struct Elimination {
     const Fronts& fronts;
+    const FrontTasks& tasks;
     double* values;
-    double* updates;
+    std::vector<Numbers> rooms{};  // by task, while its updates are alive
+
+    double* update_of(int front) const {
+        return rooms[at(tasks.task_of[at(front)])].get() + tasks.update[at(front)];
+    }
 
     const FrontRun* run(int front) const { return fronts.run.data() + fronts.first_run[at(front)]; }
 
@@ -49,9 +56,10 @@ struct Elimination {
     void add_columns(int child, const FrontRun* begin, const FrontRun* end, double* to, int apart) const {
         const FrontRun* last = run(child + 1);
         const int under = fronts.rows(child) - fronts.width(child);
+        const double* update = update_of(child);
         for (const FrontRun* columns = begin; columns < end; ++columns)
             for (int c = columns->begin; c < columns->end; ++c) {
-                const double* from = updates + fronts.update[at(child)] + at(c) * at(under);
+                const double* from = update + at(c) * at(under);
                 double* column = to + at(columns->place + c - columns->begin) * at(apart);
                 add(from + c, columns->end - c, column + columns->place + c - columns->begin);
                 for (const FrontRun* rows = columns + 1; rows < last; ++rows)
@@ -84,23 +92,46 @@ struct Elimination {
         const int under = f.under();
         if (under == 0) return -1;
         const double one = 1, minus = -1, zero = 0;
-        double* update = updates + fronts.update[at(s)];
+        double* update = update_of(s);
         dtrsm_("R", "L", "T", "N", &under, &f.width, &one, f.values, &f.rows, f.values + f.width, &f.rows);
         dsyrk_("L", "N", &under, &f.width, &minus, f.values + f.width, &f.rows, &zero, update, &under);
         for_children(s, [&](int child) { add_to_update(f, child, update); });
+        return -1;
+    }
+
+    /// As eliminate(), of the first front of the task that has such a pivot.
+    int eliminate_task(int k) {
+        const FrontTask& task = tasks.task[at(k)];
+        rooms[at(k)] = unset(task.room);
+        for (int s : task.front) {
+            if (const int position = eliminate(s); position >= 0) return position;
+            for_children(s, [&](int child) {
+                if (tasks.task_of[at(child)] != k) rooms[at(tasks.task_of[at(child)])].reset();
+            });
+        }
         return -1;
     }
 };
 
 }  // namespace
 
-FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts)
+FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts, int threads)
     : fronts_(std::move(fronts)), values_(zeros(at(fronts_->first_value.back()))) {
     for (std::size_t k = 0; k < matrix.value.size(); ++k) values_[at(fronts_->target[k])] = matrix.value[k];
-    const Numbers updates = zeros(fronts_->room);
-    const Elimination elimination{*fronts_, values_.get(), updates.get()};
-    for (int s = 0; s < fronts_->n_fronts() && failed_at_ < 0; ++s)
-        if (const int position = elimination.eliminate(s); position >= 0) failed_at_ = fronts_->order[at(position)];
+    const FrontTasks tasks = make_front_tasks(*fronts_, largest_for(*fronts_, threads));
+    Elimination elimination{*fronts_, tasks, values_.get()};
+    elimination.rooms.resize(tasks.task.size());
+    std::vector<int> failed(tasks.task.size(), -1);
+    std::vector<std::atomic<bool>> is_stuck(tasks.task.size());  // one below has failed
+    for_front_tasks(tasks, threads, [&](int k) {
+        if (!is_stuck[at(k)]) failed[at(k)] = elimination.eliminate_task(k);
+        if (const int above = tasks.task[at(k)].above; above >= 0 && (is_stuck[at(k)] || failed[at(k)] >= 0))
+            is_stuck[at(above)] = true;
+    });
+    // the same row for any number of threads: no front below a failed one fails, and the others have failed or not by themselves
+    for (int position : failed)
+        if (position >= 0 && (failed_at_ < 0 || position < failed_at_)) failed_at_ = position;
+    if (failed_at_ >= 0) failed_at_ = fronts_->order[at(failed_at_)];
 }
 
 double FrontalFactor::smallest_pivot(int& row) const {

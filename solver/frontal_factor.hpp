@@ -15,7 +15,8 @@ namespace abut::solver {
 /// its own: three calls of BLAS a front, where a left-looking factor makes two for every pair of them.
 class FrontalFactor {
 public:
-    FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts);
+    /// Subtrees side by side on `threads` threads at most; the factor is the same to the bit for any number.
+    FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts, int threads = 1);
 
     int failed_at() const { return failed_at_; }  ///< row of the matrix, -1: none
     double smallest_pivot(int& row) const;        ///< square of the smallest diagonal entry of L

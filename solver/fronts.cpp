@@ -152,40 +152,6 @@ void find_targets(Fronts& f, const SparseSymmetric& m, const MergedPattern& p) {
     }
 }
 
-/// First room that is free and large enough, from the bottom.
-class Room {
-public:
-    std::size_t take(std::size_t size) {
-        std::size_t begin = 0;
-        auto next = taken_.begin();
-        for (; next != taken_.end() && next->begin < begin + size; ++next) begin = next->end;
-        taken_.insert(next, {begin, begin + size});
-        largest_ = std::max(largest_, begin + size);
-        return begin;
-    }
-    void give_back(std::size_t begin) {
-        taken_.erase(std::find_if(taken_.begin(), taken_.end(), [&](const Stretch& s) { return s.begin == begin; }));
-    }
-    std::size_t largest() const { return largest_; }
-
-private:
-    struct Stretch {
-        std::size_t begin, end;
-    };
-    std::vector<Stretch> taken_;  // ascending
-    std::size_t largest_ = 0;
-};
-
-void place_updates(Fronts& f) {
-    Room room;
-    const auto size = [&](int s) { return at(f.rows(s) - f.width(s)) * at(f.rows(s) - f.width(s)); };
-    for (int s = 0; s < f.n_fronts(); ++s) {
-        f.update.push_back(size(s) > 0 ? room.take(size(s)) : 0);
-        for (int k = f.first_child[at(s)]; k < f.first_child[at(s) + 1]; ++k) room.give_back(f.update[at(f.child[at(k)])]);
-    }
-    f.room = room.largest();
-}
-
 }  // namespace
 
 int Fronts::width(int front) const {
@@ -207,7 +173,6 @@ Fronts make_fronts(const SparseSymmetric& matrix, const MergedPattern& pattern, 
     link(f, nodes.parent);
     find_runs(f, nodes.parent);
     find_targets(f, matrix, pattern);
-    place_updates(f);
     return f;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a multifrontal factorisation follows from the pattern [Liu92]: fronts, their rows, which front adds to which, and
-// where in memory everything goes.
+// where everything goes.
 #pragma once
-#include <cstddef>
 #include <vector>
 
 #include "solver/grid_dissection.hpp"
@@ -23,9 +22,7 @@ struct Fronts {
     std::vector<int> first_child, child;  ///< by front: those whose updates it takes in, each before it
     std::vector<int> first_run;           ///< by front, of its update's rows:
     std::vector<FrontRun> run;
-    std::vector<int> target;          ///< by entry of the matrix: where it stands in the values of L
-    std::vector<std::size_t> update;  ///< by front: where its update begins in the room for them
-    std::size_t room = 0;             ///< for the updates that are alive at one time
+    std::vector<int> target;  ///< by entry of the matrix: where it stands in the values of L
 
     int n_fronts() const { return static_cast<int>(first_column.size()) - 1; }
     int width(int front) const;

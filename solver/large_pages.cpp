@@ -3,6 +3,7 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -23,6 +24,11 @@ Numbers mapped(std::size_t n) {
     return Numbers(static_cast<double*>(numbers), {bytes});
 }
 
+Numbers on_heap(void* numbers) {
+    if (numbers == nullptr) throw std::bad_alloc();
+    return Numbers(static_cast<double*>(numbers), {});
+}
+
 }  // namespace
 
 void GiveBack::operator()(double* numbers) const {
@@ -34,9 +40,12 @@ void GiveBack::operator()(double* numbers) const {
 
 Numbers zeros(std::size_t n) {
     if (n * sizeof(double) >= least_pages * page) return mapped(n);
-    auto* numbers = static_cast<double*>(std::calloc(n > 0 ? n : 1, sizeof(double)));
-    if (numbers == nullptr) throw std::bad_alloc();
-    return Numbers(numbers, {});
+    return on_heap(std::calloc(std::max<std::size_t>(n, 1), sizeof(double)));
+}
+
+Numbers unset(std::size_t n) {
+    if (n * sizeof(double) >= least_pages * page) return mapped(n);
+    return on_heap(std::malloc(std::max<std::size_t>(n, 1) * sizeof(double)));
 }
 
 }  // namespace abut::solver

@@ -15,5 +15,7 @@ using Numbers = std::unique_ptr<double[], GiveBack>;
 
 /// All zero.
 Numbers zeros(std::size_t n);
+/// To be written before they are read.
+Numbers unset(std::size_t n);
 
 }  // namespace abut::solver

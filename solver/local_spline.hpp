@@ -44,9 +44,14 @@ public:
         LocalValues vx, vy;
         evaluate(space_.x, column_, x.x(), vx);
         evaluate(space_.y, row_, x.y(), vy);
+        return value(vx, vy);
+    }
+
+    /// The same where the B-splines of the element's column and row are at hand.
+    Values value(const LocalValues& along_x, const LocalValues& along_y) const {
         Values sum = Values::Zero();
         const Factor* factor = factor_.data();
-        for (std::size_t b = 0; b <= degree(space_.y); ++b) sum += vy[b] * combined(vx, factor);
+        for (std::size_t b = 0; b <= degree(space_.y); ++b) sum += along_y[b] * combined(along_x, factor);
         return sum;
     }
 

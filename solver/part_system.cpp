@@ -134,7 +134,7 @@ void project_dilatation(PartSystem& s) {
 Factorization factorized(const PartSystem& s) {
     SparseSymmetric a =
         s.share.empty() ? restricted(s.stiffness, s.number, s.n_kept) : folded(s.stiffness, s.number, s.share, s.n_kept);
-    if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number));
+    if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number), s.input.threads);
     return Factorization(with_pressures(a, *s.input.dilatation, s.number, s.share), s.input.dilatation->space.n_functions);
 }
 
@@ -219,7 +219,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     s.seconds.factorisation = s.seconds.all - before;
     if (!s.factor.ok())
         note_failure(s);
-    else if (!s.springs.empty() && s.factor.condition_estimate() > largest_spring_condition)
+    else if (!s.springs.empty() && condition_estimate(s) > largest_spring_condition)
         s.failure = failure_text(s);
     return s;
 }
@@ -252,6 +252,21 @@ Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
     return u;
+}
+
+double condition_estimate(const PartSystem& system) {
+    if (system.body || is_follower(system.input) || !system.factor.ok()) return 1;
+    if (system.input.is_projected || !system.share.empty()) return system.factor.condition_estimate();
+    return system.factor.condition_estimate([&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * system.n());
+        for (std::size_t i = 0; i < system.number.size(); ++i)
+            if (system.number[i] >= 0) all[static_cast<Index>(i)] = x[system.number[i]];
+        const Eigen::VectorXd product = multiply(system.stiffness, all);
+        Eigen::VectorXd kept(system.n_kept);
+        for (std::size_t i = 0; i < system.number.size(); ++i)
+            if (system.number[i] >= 0) kept[system.number[i]] = product[static_cast<Index>(i)];
+        return kept;
+    });
 }
 
 namespace {

@@ -97,6 +97,10 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
 /// prescribed.
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
+/// Condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost: 10
+/// solutions, and as many products with the stiffness.
+double condition_estimate(const PartSystem& system);
+
 /// Forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by support.
 /// Those of structures follow from equilibrium: the residual of the plain functions, each function's to the support nearest to
 /// it; plain: loads (2n) besides `applied` (contact, constraints) on the plain functions, read for these only.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/full_cell_fit.hpp"
+#include "solver/row_hints.hpp"
 #include "solver/solution_structure.hpp"
 #include "solver/stress.hpp"
 
@@ -210,10 +211,11 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
     for (const SamplePoint& p : cut) add(samples[static_cast<std::size_t>(p.element)], p.x, cut_weight);
     add_all_elements(eq, input, field.space, stress, full_cell_rule(from, inside), samples);
 
-    Factorization factor(assembled(eq.entries, field.space.n_functions));
+    const RowHints hints = row_hints(field.space);
+    Factorization factor(assembled(eq.entries, field.space.n_functions), hints, input.threads);
     if (!factor.ok()) {  // parts of few cells, all cut, with hardly a sample in some
         add_rules(eq, input, field.space, stress);
-        factor = Factorization(assembled(eq.entries, field.space.n_functions));
+        factor = Factorization(assembled(eq.entries, field.space.n_functions), hints, input.threads);
     }
     if (!factor.ok()) {
         field.failure = "the stress fit is singular";

@@ -27,4 +27,15 @@ RowHints row_hints(const PartInput& input, const std::vector<int>& number) {
     return hints;
 }
 
+RowHints row_hints(const SplineSpace& space) {
+    RowHints hints;
+    hints.reach = std::max(space.x.degree, space.y.degree);
+    const int nx = space.x.n_functions();
+    for (int f = 0; f < space.n_functions; ++f) {
+        const int tensor = space.tensor_of[static_cast<std::size_t>(f)];
+        hints.place.push_back({tensor % nx, tensor / nx});
+    }
+    return hints;
+}
+
 }  // namespace abut::solver

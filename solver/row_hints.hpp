@@ -11,4 +11,7 @@ namespace abut::solver {
 /// negative: none.
 RowHints row_hints(const PartInput& input, const std::vector<int>& number);
 
+/// Places of a space's functions, one row each.
+RowHints row_hints(const SplineSpace& space);
+
 }  // namespace abut::solver

@@ -101,6 +101,7 @@ private:
         const bool nothing_to_find = grids_are_fixed(scene_) || out_.candidates.empty();
         next_.coarsening = nothing_to_find ? next_.coarseness : first_coarsening;
         next_.goal.clear();
+        theory_ = {};
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
     }
 
@@ -161,9 +162,9 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
-            const ContactRuns runs = runs_by_theory(scene_, now);
-            set_first_goals(now, runs, next_);
-            wanted_ = sizes_from(scene_, now, runs, next_.resolution);
+            theory_ = contacts_by_theory(scene_, now);
+            set_first_goals(now, theory_.runs, next_);
+            wanted_ = sizes_from(scene_, now, theory_.runs, next_.resolution);
         }
     }
 
@@ -171,9 +172,9 @@ private:
     void recover_stress(const SolvedAssembly& now) {
         if (!out_.stress.empty() || !is_solved(now)) return;
         const auto begin = std::chrono::steady_clock::now();
-        out_.stress = stress_fields(now);
+        out_.stress = stress_fields(now, threads_);
         ErrorEstimate& error = out_.errors.back();
-        error.energy = error.smoothing = energy_error(now, out_.stress);
+        error.energy = error.smoothing = energy_error(now, out_.stress, threads_);
         const std::size_t n = out_.errors.size();
         if (error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
             error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
@@ -192,12 +193,13 @@ private:
     ErrorEstimate errors_of_last(bool stuck) const {
         if (stuck) return {};
         const bool first = out_.passes.size() <= comparable_from_ + 1;
-        return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back());
+        return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back(),
+                               theory_.pressure);
     }
 
     /// Has the answer fewer digits than a finer grid could show?
     bool is_lost_in_rounding(const SolvedAssembly& now) const {
-        return std::numeric_limits<double>::epsilon() * largest_condition(now) > rounding_share * out_.target;
+        return std::numeric_limits<double>::epsilon() * largest_condition(now, threads_) > rounding_share * out_.target;
     }
 
     /// Without contact the stress is aimed at. What smoothed stresses alone say of it holds where it is smooth; beside stress
@@ -284,13 +286,17 @@ private:
 
     void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         const bool is_first = next_.goal.empty();
-        const ContactRuns runs = is_first ? runs_by_theory(scene_, now) : now.runs;
         if (is_first) {
-            set_first_goals(now, runs, next_);
-            coarsen_less(next_);
+            theory_ = contacts_by_theory(scene_, now);
+            set_first_goals(now, theory_.runs, next_);
+            if (theory_.is_close)
+                aim_at_goals(next_);
+            else
+                coarsen_less(next_);
         } else {
             refine(error, next_);
         }
+        const ContactRuns& runs = is_first ? theory_.runs : now.runs;
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         move_seams(scene_, now, out_.candidates);
         if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
@@ -309,7 +315,8 @@ private:
     Outcome out_;
     NextGrids next_;
     WantedSizes wanted_;
-    WantedSizes raisers_;  // where stresses turned out to be worst
+    WantedSizes raisers_;      // where stresses turned out to be worst
+    TheoryOfContacts theory_;  // of the first solution's contacts
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <set>
 
+#include "solver/blas_threads.hpp"
+#include "solver/parallel_for.hpp"
 #include "src/accuracy_results.hpp"
 #include "src/adaptive.hpp"
 #include "src/assumptions.hpp"
@@ -46,8 +48,29 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
-void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Stopwatches& seconds,
-                  Result& result) {
+/// Displacements and stresses of all parts, side by side. False: some part has no stresses.
+bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
+    const SolvedAssembly& solved = out.solved;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (out.stress[k].failure.empty()) continue;
+        result.status = "failed";
+        result.message =
+            "part " + scene.parts[at(solved.grids[k].part)].name + ": " + out.stress[k].failure +
+            "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
+        return false;
+    }
+    solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
+        const auto i = at(solved.grids[at(k)].part);
+        PartFieldResult field = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)]);
+        result.parts[i].max_displacement = field.max_displacement;
+        result.parts[i].max_von_mises = field.max_von_mises;
+        result.fields[i] = std::move(field.field);
+    });
+    return true;
+}
+
+void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, int threads,
+                  Stopwatches& seconds, Result& result) {
     const SolvedAssembly& solved = out.solved;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         result.contacts.push_back(contact_result(scene, solved, out.candidates[k], k));
@@ -58,21 +81,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_equilibrium(scene, solved, result);
     fill_errors(out, result);
     const auto begin = std::chrono::steady_clock::now();
-    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
-        const solver::StressField& stress = out.stress[k];
-        const auto i = at(solved.grids[k].part);
-        if (!stress.failure.empty()) {
-            result.status = "failed";
-            result.message =
-                "part " + scene.parts[i].name + ": " + stress.failure +
-                "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
-            return;
-        }
-        PartFieldResult field = part_field(solved.grids[k], solved.solution.displacement[k], stress);
-        result.parts[i].max_displacement = field.max_displacement;
-        result.parts[i].max_von_mises = field.max_von_mises;
-        result.fields[i] = std::move(field.field);
-    }
+    if (!fill_fields(scene, out, threads, result)) return;
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::set<std::string> neutral;
@@ -123,6 +132,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
 
+    const int threads = solver::usable_threads(options.threads);
     const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
     if (!out.solved.not_folded.empty()) note_not_folded(out.solved.not_folded, result);
@@ -131,7 +141,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     result.solver = {static_cast<int>(out.passes.size()),
                      out.factorizations,
                      out.iterations,
-                     largest_condition(out.solved),
+                     largest_condition(out.solved, threads),
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
@@ -158,7 +168,7 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
             result.status = "failed";
             result.message = pressed;
         }
-        fill_answers(scene, conditions, out, seconds, result);
+        fill_answers(scene, conditions, out, threads, seconds, result);
     }
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     fill_effects(out, total, result);

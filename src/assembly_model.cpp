@@ -145,9 +145,17 @@ void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& so
     }
 }
 
+/// For each of so many parts that are made side by side: twice as many as there are in all, so that none idles while the largest
+/// part is not done.
+int threads_of_part(int threads, std::size_t parts) {
+    const int n = std::max(1, static_cast<int>(parts));
+    return std::min(threads, (2 * threads + n - 1) / n);
+}
+
 /// Solver's input, supports and loads of every part on its grid.
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
     std::vector<LoadedSystem> made(solved.grids.size());
+    for (PartOnGrid& g : solved.grids) g.input.threads = threads_of_part(threads, solved.grids.size());
     solver::parallel_for(static_cast<int>(made.size()), threads,
                          [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -411,12 +419,15 @@ void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditio
     solve_contacts(scene, conditions, solved, seconds, threads);
 }
 
-double largest_condition(const SolvedAssembly& solved) {
-    double largest = 0;
-    for (const solver::PartSystem& system : solved.problem.parts)
+double largest_condition(const SolvedAssembly& solved, int threads) {
+    const std::vector<solver::PartSystem>& parts = solved.problem.parts;
+    std::vector<double> condition(parts.size(), 0);
+    solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
+        const solver::PartSystem& system = parts[at(i)];
         if (!system.body && !solver::is_follower(system.input) && system.failure.empty())
-            largest = std::max(largest, system.factor.condition_estimate());
-    return largest;
+            condition[at(i)] = condition_estimate(system);
+    });
+    return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

@@ -58,7 +58,7 @@ void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditio
                           SolvedAssembly& solved, Stopwatches& seconds, int threads);
 
 /// Largest condition number of the parts' scaled matrices; costs about ten solves each.
-double largest_condition(const SolvedAssembly& solved);
+double largest_condition(const SolvedAssembly& solved, int threads);
 
 /// Sizes wanted before anything is known: cells along the closest portions of the candidates.
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);

@@ -53,7 +53,8 @@ double missing_share(const PressureChange& c, double change, const std::optional
     return std::max(missing_at_least, most);
 }
 
-ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before) {
+ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before,
+                      const std::optional<PlanePressure>& theory) {
     ContactError e;
     e.at_corner = peak_at_corner(now, c.peak);
     e.ends = end_errors(now) / c.norm;
@@ -65,6 +66,11 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
         e.inside = std::max(e.inside, before->inside);
         e.peak = std::max(e.peak, before->peak);
     }
+    if (theory) {
+        const PressureChange away = change_from(now, *theory);
+        e.inside = std::min(e.inside, away.inside / away.norm);
+        e.peak = std::min(e.peak, std::max(std::abs(away.peak - away.peak_before) / away.peak, ends_in_peak * e.ends));
+    }
     e.pressure = std::hypot(e.ends, e.inside);
     e.force = missing * c.force_change;
     return e;
@@ -72,7 +78,8 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
 
 }  // namespace
 
-ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before) {
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before,
+                              std::span<const std::optional<PlanePressure>> theory) {
     ErrorEstimate e;
     const PassRecord& now = passes.back();
     e.contacts.resize(now.contacts.size());
@@ -84,8 +91,8 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         const PressureChange c = change_of(now.contacts[k], before.contacts[k]);
         if (!(c.norm > 0)) continue;
         const bool known = k < estimate_before.contacts.size();
-        const ContactError error =
-            estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::optional<ContactError>());
+        const ContactError error = estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::nullopt,
+                                            k < theory.size() ? theory[k] : std::nullopt);
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;
         e.contacts[k]->share_of_peak = c.peak;

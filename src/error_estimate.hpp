@@ -36,8 +36,10 @@ struct ErrorEstimate {
 };
 
 /// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands
-/// where a contact's cells stayed as they were.
-ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before);
+/// where a contact's cells stayed as they were; theory: by candidate, or empty. It knows nothing of the grids: a solution that
+/// is nearer to it than the change says is that near to the truth, but for what both are off by in the same direction.
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before,
+                              std::span<const std::optional<PlanePressure>> theory = {});
 
 /// A solution's strain energy, and the energy of what its smoothed stresses differ by, relative to it.
 struct EnergyOnGrid {

@@ -22,15 +22,17 @@ constexpr int few_knots = 6;
 /// Of the half width that was found: beyond, the parts are not like half planes. And knot spacings between a fillet's joint and
 /// a contact's end that is put there: as far off as the first grids' ends are.
 constexpr double most_growth = 2, near_joint = 2;
-constexpr int samples = 48;                    // of the pressure along the run
 constexpr int places = 16;                     // along the run, between which the gap may be lowest
 constexpr int gauss_points = 8;                // of the integral over the angle, between joints
 constexpr int max_steps = 20;                  // of a root
 constexpr double half_width_tolerance = 1e-4;  // relative
+/// Half width over the smaller part's diagonal: what parts of finite size change is of the order of its square.
+constexpr double small_contact = 0.02;
 
 /// A run as one contact of half planes.
 struct PlaneContact {
     double force;                       // per thickness and E*; of both halves
+    double compliance;                  // 1 / E*
     double middle;                      // of the pressure, or the end of the interface where the run is half a contact
     double half_width;                  // as it was found
     double begin_spacing, end_spacing;  // of knots at its ends
@@ -42,22 +44,42 @@ double half_plane_compliance(const PartOnGrid& g, double thickness) {
     return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12) * thickness / g.input.thickness;
 }
 
-PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorXd& pressure, double compliance,
-                           const ContactRun& run) {
+/// Force per thickness and moment of a pressure, about s = 0.
+struct ForceAlong {
     double force = 0, moment = 0;
-    const double step = (run.end - run.begin) / samples;
-    for (int i = 0; i < samples; ++i) {
-        const double s = run.begin + (i + 0.5) * step, part = step * solver::pressure_at(contact.face.pressure, pressure, s);
-        force += part;
-        moment += part * s;
+};
+
+ForceAlong force_between(const solver::KnotVector& knots, const Eigen::VectorXd& pressure, double begin, double end) {
+    const geometry::GaussRule& rule = geometry::gauss_rule(knots.degree + 1);
+    ForceAlong sum;
+    for (int i = 0; i < knots.n_intervals(); ++i) {
+        const double low = std::max(begin, knots.breakpoints[static_cast<std::size_t>(i)]),
+                     length = std::min(end, knots.breakpoints[static_cast<std::size_t>(i) + 1]) - low;
+        if (!(length > 0)) continue;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const double s = low + rule.points[q] * length;
+            const double part = length * rule.weights[q] * solver::pressure_at(knots, pressure, s);
+            sum.force += part;
+            sum.moment += part * s;
+        }
     }
+    return sum;
+}
+
+/// Up to half way to the next runs: a coarse pressure reaches beyond the ends that its force tells.
+PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorXd& pressure, double compliance,
+                           const std::vector<ContactRun>& runs, std::size_t r) {
+    const ContactRun& run = runs[r];
+    const double low = r == 0 ? contact.s.front() : 0.5 * (runs[r - 1].end + run.begin);
+    const double high = r + 1 == runs.size() ? contact.s.back() : 0.5 * (run.end + runs[r + 1].begin);
+    const auto [force, moment] = force_between(contact.face.pressure, pressure, low, high);
     const std::vector<double>& knots = contact.face.pressure.breakpoints;
     const auto spacing = [&](double s) {
         const auto i = static_cast<std::size_t>(solver::interval_of(contact.face.pressure, s));
         return knots[i + 1] - knots[i];
     };
     const bool is_half = run.from_start || run.to_end;
-    return {(is_half ? 2 : 1) * force * compliance, run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
+    return {(is_half ? 2 : 1) * force * compliance, compliance, run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
             (is_half ? 1 : 0.5) * (run.end - run.begin), spacing(run.begin), spacing(std::nextafter(run.end, run.begin))};
 }
 
@@ -173,14 +195,17 @@ std::optional<double> half_width(const Profile& profile, const PlaneContact& pla
     return 0.5 * (low + high);
 }
 
-void move_by_galin(const Scene& scene, const ContactInterface& contact, const std::vector<ContactJoint>& joints,
-                   const PlaneContact& plane, ContactRun& run) {
+/// Nothing where the run stays as it was, or its pressure is unknown.
+std::optional<PlaneRun> move_by_galin(const Scene& scene, const ContactInterface& contact,
+                                      const std::vector<ContactJoint>& joints, const PlaneContact& plane, ContactRun& run) {
     const bool is_half = run.from_start || run.to_end;
     const double middle = is_half ? plane.middle : lowest_place(scene, contact, run).value_or(plane.middle);
-    const std::optional<double> a = half_width(Profile(scene, contact, joints, run, middle), plane);
-    if (!a) return;
+    const Profile profile(scene, contact, joints, run, middle);
+    const std::optional<double> a = half_width(profile, plane);
+    if (!a) return std::nullopt;
     if (!run.from_start) run.begin = middle - *a;
     if (!run.to_end) run.end = middle + *a;
+    return plane_run([&](double x) { return profile.slope(x); }, middle, *a, plane.force / plane.compliance);
 }
 
 /// The end at s, if a joint is near from which on the gap opens; outward: 1 or -1.
@@ -207,6 +232,16 @@ void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact
         run.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
 }
 
+bool is_small(const SolvedAssembly& solved, const ContactInterface& contact, const PlanePressure& pressure) {
+    double size = std::numeric_limits<double>::infinity();
+    for (int part : contact.face.part) {
+        const PartOnGrid& g = solved.grids[static_cast<std::size_t>(part)];
+        if (!g.is_rigid) size = std::min(size, g.size);
+    }
+    return std::all_of(pressure.runs.begin(), pressure.runs.end(),
+                       [&](const PlaneRun& run) { return run.half_width <= small_contact * size; });
+}
+
 /// Statics know the force per length away from an axis only.
 bool is_at_axis(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
     if (scene.analysis != Analysis::axisymmetric) return false;
@@ -217,28 +252,37 @@ bool is_at_axis(const Scene& scene, const ContactInterface& contact, const Conta
 
 }  // namespace
 
-ContactRuns runs_by_theory(const Scene& scene, const SolvedAssembly& solved) {
-    ContactRuns runs = solved.runs;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
+TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved) {
+    TheoryOfContacts theory{solved.runs, {}, true};
+    theory.pressure.resize(theory.runs.size());
+    for (std::size_t k = 0; k < theory.runs.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
-        if (runs[k].empty() || contact.face.bilateral || contact.pairing != Pairing::middle) continue;
+        if (theory.runs[k].empty()) continue;
+        theory.is_close = theory.is_close && !contact.face.bilateral && contact.pairing == Pairing::middle;
+        if (contact.face.bilateral || contact.pairing != Pairing::middle) continue;
         const std::vector<ContactJoint> joints = contact_joints(scene, contact);
         double compliance = 0;
         for (int part : contact.face.part)
             compliance += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], contact.face.thickness);
-        for (ContactRun& run : runs[k]) {
+        PlanePressure pressure{contact.s1, contact.s, {}};
+        for (std::size_t r = 0; r < theory.runs[k].size(); ++r) {
+            ContactRun& run = theory.runs[k][r];
             if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
-            const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, run);
+            const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.runs[k], r);
             if (!(plane.force > 0)) continue;
-            if (knots_in(contact, run) < few_knots)
-                move_by_galin(scene, contact, joints, plane, run);
-            else
+            if (knots_in(contact, run) < few_knots) {
+                if (std::optional<PlaneRun> known = move_by_galin(scene, contact, joints, plane, run))
+                    pressure.runs.push_back(std::move(*known));
+            } else {
                 move_to_fillets(joints, plane, run);
+            }
             run.begin = std::max(run.begin, contact.s.front());
             run.end = std::min(run.end, contact.s.back());
         }
+        theory.is_close = theory.is_close && pressure.runs.size() == theory.runs[k].size() && is_small(solved, contact, pressure);
+        if (pressure.runs.size() == theory.runs[k].size()) theory.pressure[k] = std::move(pressure);
     }
-    return runs;
+    return theory;
 }
 
 }  // namespace abut

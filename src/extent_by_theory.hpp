@@ -10,13 +10,24 @@
 // and nearly all of the pressure's steep ends lies there. Only a place to put cells: the next solution finds the end itself.
 // Parts that move far before they press (a pin drawn concentric with its hole) have another gap then: nothing is said of them.
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "src/assembly_model.hpp"
+#include "src/plane_pressure.hpp"
 
 namespace abut {
 
+struct TheoryOfContacts {
+    ContactRuns runs;
+    std::vector<std::optional<PlanePressure>> pressure;  ///< by contact; where all of its runs are of half planes
+    /// Every contact is so small beside its parts that its pressure will hardly differ from the theory's.
+    bool is_close = false;
+};
+
 /// Runs of few knots with their free ends put there, about where the drawn gap is lowest, or about the interface's end where a
 /// run begins or ends with it (a line of symmetry); ends of longer runs near a fillet's joint put beyond it; others as they
-/// were found.
-ContactRuns runs_by_theory(const Scene& scene, const SolvedAssembly& solved);
+/// were found. Where the first kind is all there is of a contact, its pressure, too.
+TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -29,6 +29,9 @@ void coarsen_less(NextGrids& next);
 /// Contacts that were just found; runs: as they were, or where they are expected.
 void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, NextGrids& next);
 
+/// The next grids are the last ones, if all goes well.
+void aim_at_goals(NextGrids& next);
+
 /// Contacts whose error still counts get finer cells; where they had what they aimed at, they aim at less.
 void refine(const ErrorEstimate& error, NextGrids& next);
 

@@ -30,11 +30,34 @@ bool beside(RunEnd::Kind kind, const std::vector<ContactRun>& runs, double s) {
 }
 
 /// Place in `before` of a place on the first chain; a closed zone may begin elsewhere than before.
-double place_in(const ContactRecord& before, double s1) {
+template <class Before>
+double place_in(const Before& before, double s1) {
     const double whole = before.s1.back() - before.s1.front();
     if (s1 < before.s1.front()) s1 += whole;
     if (s1 > before.s1.back()) s1 -= whole;
     return interpolate(before.s1, before.s, s1);
+}
+
+bool beside(RunEnd::Kind kind, const ContactRecord& c, double s) {
+    return beside(kind, c.runs, s);
+}
+double pressure_of(const ContactRecord& c, double s) {
+    return solver::pressure_at(c.pressure, c.coefficients, s);
+}
+double spacing_of(const ContactRecord& c, double s, double /*now*/) {
+    return spacing(c.pressure, s);
+}
+
+bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
+    return false;
+}
+double pressure_of(const PlanePressure& theory, double s) {
+    double sum = 0;
+    for (const PlaneRun& run : theory.runs) sum += pressure_at(run, s);
+    return sum;
+}
+double spacing_of(const PlanePressure& /*theory*/, double /*s*/, double now) {
+    return now;
 }
 
 double force_of(const ContactRecord& c) {
@@ -71,35 +94,33 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
     return record;
 }
 
-PressureChange change_of(const ContactRecord& now, const ContactRecord& before) {
+namespace {
+
+/// All of it but the forces.
+template <class Before>
+PressureChange pressure_change(const ContactRecord& now, const Before& before) {
     PressureChange change;
     double ratios = 0, length = 0;
     if (now.s.empty() || before.s.empty()) return change;
-    change.force = force_of(now);
-    change.force_before = force_of(before);
-    change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);
-    if (now.resultant && before.resultant && now.resultant->norm() > balanced * std::abs(change.force))
-        change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
     const auto& rule = geometry::gauss_rule(points_per_interval);
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
         const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
         const double h = now.pressure.breakpoints[static_cast<std::size_t>(i) + 1] - a;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
             const double s = a + h * rule.points[q], w = h * rule.weights[q];
-            const double p = solver::pressure_at(now.pressure, now.coefficients, s);
+            const double p = pressure_of(now, s);
             const double s0 = place_in(before, interpolate(now.s, now.s1, s));
-            const double p0 = solver::pressure_at(before.pressure, before.coefficients, s0);
+            const double p0 = pressure_of(before, s0);
             change.peak = std::max(change.peak, p);
             change.peak_before = std::max(change.peak_before, p0);
-            if (beside(RunEnd::Kind::corner, now.runs, s) || beside(RunEnd::Kind::corner, before.runs, s0)) continue;
+            if (beside(RunEnd::Kind::corner, now, s) || beside(RunEnd::Kind::corner, before, s0)) continue;
             const double square = w * (p - p0) * (p - p0);
             change.difference += square;
             change.norm += w * p * p;
-            if (beside(RunEnd::Kind::free, now.runs, s) || beside(RunEnd::Kind::free, before.runs, s0)) continue;
+            if (beside(RunEnd::Kind::free, now, s) || beside(RunEnd::Kind::free, before, s0)) continue;
             change.inside += square;
-            const double h0 = spacing(before.pressure, s0);
             if (p > 0 && p0 > 0) {
-                ratios += w * std::log(h / h0);
+                ratios += w * std::log(h / spacing_of(before, s0, h));
                 length += w;
             }
         }
@@ -109,6 +130,23 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
     change.refinement = length > 0 ? std::exp(ratios / length) : 1;
     change.norm = std::sqrt(change.norm);
     return change;
+}
+
+}  // namespace
+
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before) {
+    PressureChange change = pressure_change(now, before);
+    if (now.s.empty() || before.s.empty()) return change;
+    change.force = force_of(now);
+    change.force_before = force_of(before);
+    change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);
+    if (now.resultant && before.resultant && now.resultant->norm() > balanced * std::abs(change.force))
+        change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
+    return change;
+}
+
+PressureChange change_from(const ContactRecord& now, const PlanePressure& theory) {
+    return pressure_change(now, theory);
 }
 
 }  // namespace abut

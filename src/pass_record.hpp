@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "src/assembly_model.hpp"
+#include "src/plane_pressure.hpp"
 
 namespace abut {
 
@@ -36,5 +37,7 @@ struct PressureChange {
     double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
 };
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
+/// The same from what theory has, which is no force and no knots: refinement 1.
+PressureChange change_from(const ContactRecord& now, const PlanePressure& theory);
 
 }  // namespace abut

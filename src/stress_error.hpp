@@ -12,8 +12,8 @@
 
 namespace abut {
 
-/// Smoothed stresses of every solved part.
-std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved);
+/// Smoothed stresses of every solved part, side by side on `threads` threads.
+std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads = 1);
 
 /// Strain energy of the difference between a part's smoothed stresses and those of its displacement, by element of its space.
 /// smoothed: of a fit that has not failed.
@@ -22,6 +22,7 @@ std::vector<double> element_errors(const solver::PartInput& input, const Eigen::
 
 /// Estimated error of the strain energy, relative to it, from all parts; its root is that of the stresses in the energy norm.
 /// None where a smoothing failed, or where nothing is strained. Cost: an evaluation of both stresses at every quadrature point.
-std::optional<double> energy_error(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress);
+std::optional<double> energy_error(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
+                                   int threads = 1);
 
 }  // namespace abut

@@ -32,7 +32,7 @@ std::vector<StudySetting> level_settings(const Scene& scene) {
 }
 
 std::vector<StudySetting> threaded_settings(const Scene& scene, int threads) {
-    if (threads < 2 || scene.parts.size() < 2) return {};
+    if (threads < 2) return {};
     std::vector<StudySetting> settings = level_settings(scene);
     for (StudySetting& setting : settings) setting.threads = threads;
     return settings;

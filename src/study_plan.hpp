@@ -12,7 +12,7 @@ namespace abut {
 /// The settings of the levels: one, `level_as_given`, where the scene gives its grids.
 std::vector<StudySetting> level_settings(const Scene& scene);
 
-/// The same with so many threads; none where they cannot help: one thread, or one part.
+/// The same with so many threads; none of one thread.
 std::vector<StudySetting> threaded_settings(const Scene& scene, int threads);
 
 /// Those on given grids, size by size: all degrees, both bases, and equal cells of degree 2.

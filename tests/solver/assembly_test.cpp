@@ -52,6 +52,19 @@ protected:
 
 }  // namespace
 
+TEST(AssemblySideBySide, IsTheSameOnAnyNumberOfThreads) {
+    const std::vector<double> x = test::grid_lines(0, 1.7, 60, false), y = test::grid_lines(0, 1.1, 50, false);
+    PartInput part = test::part_of({{0, 0, 1.69, 0.5}, {0, 0.5, 0.8, 1.08}}, x, y, 2, Basis::web);
+    ASSERT_FALSE(part.cut_rules.empty());
+    const BlockMatrix alone = assemble_stiffness(part);
+    for (int threads : {2, 3, 16}) {
+        part.threads = threads;
+        const BlockMatrix together = assemble_stiffness(part);
+        EXPECT_EQ(together.column, alone.column);
+        EXPECT_EQ(together.block, alone.block) << threads;
+    }
+}
+
 TEST_P(Assembly, StiffnessIsTheIntegralOfTheEnergy) {
     const MatrixXd k = test::dense(assemble_stiffness(part)), reference = stiffness_by_points(part);
     EXPECT_LT(test::relative_difference(k, reference), 1e-12);  // both exact: rounding only

@@ -5,11 +5,16 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <atomic>
+#include <limits>
 #include <numeric>
 #include <random>
 
 #include "solver/factorization.hpp"
+#include "solver/front_tasks.hpp"
+#include "solver/row_hints.hpp"
 #include "tests/solver/sparse_of.hpp"
+#include "tests/solver/test_spaces.hpp"
 
 namespace abut::solver {
 namespace {
@@ -160,22 +165,92 @@ TEST(Fronts, HoldEveryEntryOnce) {
     });
 }
 
-TEST(Fronts, UpdatesThatAreAliveDoNotOverlap) {
-    for_parts([](const OnGrid& part) {
-        const Fronts f = fronts_of(part, 8);
-        std::vector<int> owner(f.room, -1);  // front whose update is in the room
+/// From one task to one for each front.
+template <class F>
+void for_tasks(F f) {
+    for_parts([&](const OnGrid& part) {
+        const Fronts fronts = fronts_of(part, 8);
+        for (double largest : {0.0, 1e3, 1e4, std::numeric_limits<double>::infinity()})
+            f(fronts, make_front_tasks(fronts, largest));
+    });
+}
+
+TEST(FrontTasks, UpdatesThatAreAliveDoNotOverlap) {
+    for_tasks([](const Fronts& f, const FrontTasks& t) {
+        std::vector<std::vector<int>> owner;  // by task: front whose update is in the room
+        for (const FrontTask& task : t.task) owner.emplace_back(task.room, -1);
         for (int s = 0; s < f.n_fronts(); ++s) {
             const auto front = static_cast<std::size_t>(s);
+            std::vector<int>& own = owner[static_cast<std::size_t>(t.task_of[front])];
             const std::size_t under = static_cast<std::size_t>(f.rows(s) - f.width(s)), size = under * under;
-            ASSERT_LE(f.update[front] + size, f.room);
-            for (std::size_t k = f.update[front]; k < f.update[front] + size; ++k) {
-                ASSERT_EQ(owner[k], -1);
-                owner[k] = s;
+            ASSERT_LE(t.update[front] + size, own.size());
+            for (std::size_t k = t.update[front]; k < t.update[front] + size; ++k) {
+                ASSERT_EQ(own[k], -1);
+                own[k] = s;
             }
-            for (int c = f.first_child[front]; c < f.first_child[front + 1]; ++c)
-                std::replace(owner.begin(), owner.end(), f.child[static_cast<std::size_t>(c)], -1);
+            for (int c = f.first_child[front]; c < f.first_child[front + 1]; ++c) {
+                const auto child = static_cast<std::size_t>(f.child[static_cast<std::size_t>(c)]);
+                std::vector<int>& room = owner[static_cast<std::size_t>(t.task_of[child])];
+                std::replace(room.begin(), room.end(), static_cast<int>(child), -1);
+            }
         }
     });
+}
+
+TEST(FrontTasks, EveryFrontIsDoneOnceAfterThoseBelowIt) {
+    for_tasks([](const Fronts& f, const FrontTasks& t) {
+        for (int threads : {1, 3}) {
+            std::vector<std::atomic<int>> done(static_cast<std::size_t>(f.n_fronts()));
+            for_front_tasks(t, threads, [&](int k) {
+                for (int s : t.task[static_cast<std::size_t>(k)].front) {
+                    const auto front = static_cast<std::size_t>(s);
+                    for (int c = f.first_child[front]; c < f.first_child[front + 1]; ++c)
+                        EXPECT_EQ(done[static_cast<std::size_t>(f.child[static_cast<std::size_t>(c)])], 1);
+                    ++done[front];
+                }
+            });
+            EXPECT_TRUE(std::all_of(done.begin(), done.end(), [](const auto& n) { return n == 1; }));
+        }
+    });
+}
+
+/// A plate of 50 x 50 cells, held in some coefficients.
+struct Plate {
+    SparseSymmetric matrix;
+    RowHints hints;
+};
+Plate plate() {
+    const PartInput part = test::rectangle(1, 1, 50, 50, 2);
+    const BlockMatrix k = assemble_stiffness(part);
+    std::vector<int> number(static_cast<std::size_t>(2 * k.n), -1);
+    for (int i = 7; i < 2 * k.n; ++i) number[static_cast<std::size_t>(i)] = i - 7;
+    return {restricted(k, number, 2 * k.n - 7), row_hints(part, number)};
+}
+
+TEST(FrontalFactor, IsTheSameOnAnyNumberOfThreads) {
+    const Plate p = plate();
+    const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
+    const Factorization alone(p.matrix, symbolic);
+    const MatrixXd b = random_columns(p.matrix.n, 3);
+    for (int threads : {2, 3, 16}) {
+        const Factorization together(p.matrix, symbolic, threads);
+        EXPECT_EQ(together.solve_lower(b), alone.solve_lower(b)) << threads;
+    }
+}
+
+TEST(FrontalFactor, FailsAtTheSameRowOnAnyNumberOfThreads) {
+    std::mt19937 random(5);
+    for (int trial = 0; trial < 20; ++trial) {
+        Plate p = plate();
+        for (int k = 0; k < 3; ++k) {  // pivots below zero in some places
+            const auto row = static_cast<std::size_t>(random() % static_cast<unsigned>(p.matrix.n));
+            p.matrix.value[static_cast<std::size_t>(p.matrix.first[row])] *= 0.3;
+        }
+        const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
+        const int row = Factorization(p.matrix, symbolic).failed_at();
+        ASSERT_GE(row, 0);
+        for (int threads : {2, 5}) EXPECT_EQ(Factorization(p.matrix, symbolic, threads).failed_at(), row);
+    }
 }
 
 TEST(GridDissection, EntriesGrowLikeNestedDissection) {

@@ -55,6 +55,23 @@ TEST(ErrorEstimate, ErrorsOfFreeEndsCountFromOneSolution) {
     EXPECT_NEAR(*estimate({pass({now}), pass({now})}).contact_pressure, 0.05 / norm, 1e-14);
 }
 
+/// A solution 1 % above the theory, on a coarse grid's that was off by a half.
+TEST(ErrorEstimate, IsNoMoreThanTheDistanceFromTheory) {
+    const PlaneRun run{0.5, 0.6, {1}};
+    const std::vector<std::optional<PlanePressure>> theory{PlanePressure{{0, 1}, {0, 1}, {run}}};
+    const auto of_theory = [&](double factor) { return record(40, [=](double s) { return factor * pressure_at(run, s); }); };
+    const std::vector<PassRecord> passes{pass({of_theory(0.5)}), pass({of_theory(1.01)})};
+    const double by_change = *estimate(passes).contact_pressure;
+    EXPECT_GT(by_change, 0.05);
+    const ErrorEstimate known = estimate_errors(passes, {}, theory);
+    EXPECT_NEAR(*known.contact_pressure, 0.01 / 1.01, 1e-4);
+    EXPECT_NEAR(*known.peak, 0.01 / 1.01, 1e-4);
+    // where theory is farther off than the change says, it says nothing
+    const std::vector<std::optional<PlanePressure>> other{PlanePressure{{0, 1}, {0, 1}, {{0.5, 0.6, {2}}}}};
+    EXPECT_EQ(*estimate_errors(passes, {}, other).contact_pressure, by_change);
+    EXPECT_EQ(*estimate_errors(passes, {}, {{std::nullopt}}).contact_pressure, by_change);
+}
+
 TEST(ErrorEstimate, OpenContactsHaveNone) {
     const ErrorEstimate e = estimate({pass({scaled(10, 0)}), pass({scaled(10, 0)})});
     EXPECT_FALSE(e.contacts[0]);

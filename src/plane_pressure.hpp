@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pressure between bodies that answer it like half planes [Galin1953]: what a contact that is small beside its parts comes to.
+#pragma once
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace abut {
+
+/// One contact of a symmetric profile: with s = middle + half_width cos t,
+///   p(s) = sum of sine[k] sin((2 k + 1) t),
+/// the sum that the gap's derivative has in cosines of t, times E* / 2.
+struct PlaneRun {
+    double middle, half_width;
+    std::vector<double> sine;
+};
+
+double pressure_at(const PlaneRun& run, double s);  ///< 0 outside
+
+/// slope(x): derivative of the gap at a distance x from the middle; force: per thickness, both halves. Nothing where the slope is
+/// unknown, or so rough that its sum does not settle: a wedge, an edge's joint within.
+std::optional<PlaneRun> plane_run(const std::function<std::optional<double>(double)>& slope, double middle, double half_width,
+                                  double force);
+
+/// Pressure of all runs of a contact, along the middle curve s; s1: the same places on the zone's first chain.
+struct PlanePressure {
+    std::vector<double> s1, s;
+    std::vector<PlaneRun> runs;
+};
+
+}  // namespace abut
