@@ -80,8 +80,8 @@ private:
 class Factorization {
 public:
     Factorization();
-    /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the same
-    /// for any number.
+    /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the
+    /// same for any number.
     explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {}, int threads = 1);
     /// The pattern must fit (std::logic_error: a bug of the caller).
     Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads = 1);

@@ -139,7 +139,8 @@ void for_front_tasks(const FrontTasks& tasks, int threads, const std::function<v
         waits_for[k] = tasks.task[k].n_below;
         if (tasks.task[k].n_below == 0) leaves.push_back(static_cast<int>(k));
     }
-    std::stable_sort(leaves.begin(), leaves.end(), [&](int a, int b) { return tasks.task[at(a)].work > tasks.task[at(b)].work; });
+    std::stable_sort(leaves.begin(), leaves.end(),
+                     [&](int a, int b) { return tasks.task[at(a)].work > tasks.task[at(b)].work; });
     // who does the last task below another goes on with that one
     parallel_for(static_cast<int>(leaves.size()), threads, [&](int leaf) {
         for (int k = leaves[at(leaf)]; k >= 0;) {

@@ -45,9 +45,7 @@ struct Elimination {
     double* values;
     std::vector<Numbers> rooms{};  // by task, while its updates are alive
 
-    double* update_of(int front) const {
-        return rooms[at(tasks.task_of[at(front)])].get() + tasks.update[at(front)];
-    }
+    double* update_of(int front) const { return rooms[at(tasks.task_of[at(front)])].get() + tasks.update[at(front)]; }
 
     const FrontRun* run(int front) const { return fronts.run.data() + fronts.first_run[at(front)]; }
 
@@ -128,7 +126,8 @@ FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<cons
         if (const int above = tasks.task[at(k)].above; above >= 0 && (is_stuck[at(k)] || failed[at(k)] >= 0))
             is_stuck[at(above)] = true;
     });
-    // the same row for any number of threads: no front below a failed one fails, and the others have failed or not by themselves
+    // the same row for any number of threads: no front below a failed one fails, and the others have failed or not by
+    // themselves
     for (int position : failed)
         if (position >= 0 && (failed_at_ < 0 || position < failed_at_)) failed_at_ = position;
     if (failed_at_ >= 0) failed_at_ = fronts_->order[at(failed_at_)];

@@ -18,9 +18,9 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-/// A force that statics alone give has no error. Others err like the energy, whose error a change from grid to grid can miss; but
-/// where the change is a small part of it, statics give nearly all of the force. Share of the change and energy, of the true
-/// error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
+/// A force that statics alone give has no error. Others err like the energy, whose error a change from grid to grid can miss;
+/// but where the change is a small part of it, statics give nearly all of the force. Share of the change and energy, of the
+/// true error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
 /// cylinder on a block 2 to 12 and 40 to 160 (2e-6 of the force).
 double force_error(const ContactError& contact, const std::optional<double>& energy) {
     constexpr double most_missed = 6;  // by the share of the change

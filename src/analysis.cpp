@@ -54,9 +54,8 @@ bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& re
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (out.stress[k].failure.empty()) continue;
         result.status = "failed";
-        result.message =
-            "part " + scene.parts[at(solved.grids[k].part)].name + ": " + out.stress[k].failure +
-            "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
+        result.message = "part " + scene.parts[at(solved.grids[k].part)].name + ": " + out.stress[k].failure +
+                         "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
         return false;
     }
     solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {

@@ -145,8 +145,8 @@ void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& so
     }
 }
 
-/// For each of so many parts that are made side by side: twice as many as there are in all, so that none idles while the largest
-/// part is not done.
+/// For each of so many parts that are made side by side: twice as many as there are in all, so that none idles while the
+/// largest part is not done.
 int threads_of_part(int threads, std::size_t parts) {
     const int n = std::max(1, static_cast<int>(parts));
     return std::min(threads, (2 * threads + n - 1) / n);

@@ -79,8 +79,12 @@ PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorX
         return knots[i + 1] - knots[i];
     };
     const bool is_half = run.from_start || run.to_end;
-    return {(is_half ? 2 : 1) * force * compliance, compliance, run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
-            (is_half ? 1 : 0.5) * (run.end - run.begin), spacing(run.begin), spacing(std::nextafter(run.end, run.begin))};
+    return {(is_half ? 2 : 1) * force * compliance,
+            compliance,
+            run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
+            (is_half ? 1 : 0.5) * (run.end - run.begin),
+            spacing(run.begin),
+            spacing(std::nextafter(run.end, run.begin))};
 }
 
 int knots_in(const ContactInterface& contact, const ContactRun& run) {
@@ -279,7 +283,8 @@ TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& so
             run.begin = std::max(run.begin, contact.s.front());
             run.end = std::min(run.end, contact.s.back());
         }
-        theory.is_close = theory.is_close && pressure.runs.size() == theory.runs[k].size() && is_small(solved, contact, pressure);
+        theory.is_close =
+            theory.is_close && pressure.runs.size() == theory.runs[k].size() && is_small(solved, contact, pressure);
         if (pressure.runs.size() == theory.runs[k].size()) theory.pressure[k] = std::move(pressure);
     }
     return theory;

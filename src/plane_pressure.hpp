@@ -17,8 +17,8 @@ struct PlaneRun {
 
 double pressure_at(const PlaneRun& run, double s);  ///< 0 outside
 
-/// slope(x): derivative of the gap at a distance x from the middle; force: per thickness, both halves. Nothing where the slope is
-/// unknown, or so rough that its sum does not settle: a wedge, an edge's joint within.
+/// slope(x): derivative of the gap at a distance x from the middle; force: per thickness, both halves. Nothing where the slope
+/// is unknown, or so rough that its sum does not settle: a wedge, an edge's joint within.
 std::optional<PlaneRun> plane_run(const std::function<std::optional<double>(double)>& slope, double middle, double half_width,
                                   double force);
 

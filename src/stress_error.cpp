@@ -96,9 +96,10 @@ void add_full_cells(const solver::PartInput& input, const solver::StressOf& raw,
         double twice = 0;
         for (std::size_t j = row; j < row + n; ++j)
             for (std::size_t i = column; i < column + n; ++i)
-                twice += x.weight[i] * y.weight[j] *
-                         twice_density(input.elasticity, smoothed_here.value(x.stress[i], y.stress[j]) -
-                                                             raw_here({x.at[i], y.at[j]}, x.displacement[i], y.displacement[j]));
+                twice +=
+                    x.weight[i] * y.weight[j] *
+                    twice_density(input.elasticity, smoothed_here.value(x.stress[i], y.stress[j]) -
+                                                        raw_here({x.at[i], y.at[j]}, x.displacement[i], y.displacement[j]));
         errors[cell] = 0.5 * input.thickness * twice;
     }
 }

@@ -69,7 +69,7 @@ TEST(ErrorEstimate, IsNoMoreThanTheDistanceFromTheory) {
     // where theory is farther off than the change says, it says nothing
     const std::vector<std::optional<PlanePressure>> other{PlanePressure{{0, 1}, {0, 1}, {{0.5, 0.6, {2}}}}};
     EXPECT_EQ(*estimate_errors(passes, {}, other).contact_pressure, by_change);
-    EXPECT_EQ(*estimate_errors(passes, {}, {{std::nullopt}}).contact_pressure, by_change);
+    EXPECT_EQ(*estimate_errors(passes, {}, std::vector<std::optional<PlanePressure>>(1)).contact_pressure, by_change);
 }
 
 TEST(ErrorEstimate, OpenContactsHaveNone) {

@@ -8,7 +8,8 @@
 //   stress, energy norm, with contact                      75 of 80 inside [1/2, 2]; 0.31 to 0.46 in four runs at 5 and 2 %
 //                                                          and 3.0 where the energies that make the truth agree by chance
 //   stress, without limit at a corner (cook, L)            0.26 to 0.53: too low, its own cells see too little of it
-//   peaks (65 with a limit)                                0.69 to 71, 22 inside [1/2, 2]: never too low by more than 2; far too
+//   peaks (65 with a limit)                                0.69 to 71, 22 inside [1/2, 2]: never too low by more than 2; far
+//   too
 //                                                          high where the true error is by chance a hundredth of the pressure's
 //   forces that statics leave open (vise, four pins)       0.25 to 11, geometric mean 1.3: true errors change sign, and
 //                                                          are small by chance where the estimate is far too high
