@@ -38,7 +38,7 @@ struct PartInput {
     std::shared_ptr<const Dilatation> dilatation{};  ///< filled in by make_part_system
     /// Where interfaces have points, if that is known beforehand: the factor is made for their rows. Speed only.
     std::vector<int> contact_elements{};
-    /// On which its stiffness, its factor and its stresses are made, at most; the results are the same. Speed only.
+    /// Threads that its stiffness, its factor and its stresses are made on, at most; they are the same for any number.
     int threads = 1;
     /// Free strain (thermal expansion times temperature rise) at a point; empty: none, and nothing is computed of it.
     std::function<double(const Vec2&)> free_strain{};

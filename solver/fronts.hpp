@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a multifrontal factorisation follows from the pattern [Liu92]: fronts, their rows, which front adds to which, and
-// where everything goes.
+// where the entries go.
 #pragma once
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Independent pieces of work side by side: parts of an assembly.
+// Independent pieces of work side by side: parts of an assembly, fronts and rows of one of them.
 #pragma once
 #include <functional>
 

@@ -19,8 +19,8 @@ std::string percent(double fraction) {
 }
 
 /// A force that statics alone give has no error. Others err like the energy, whose error a change from grid to grid can miss;
-/// but where the change is a small part of it, statics give nearly all of the force. Share of the change and energy, of the
-/// true error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
+/// but where the change is a small part of it, statics give nearly all of the force. What the change says, and the energy, over
+/// the true error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
 /// cylinder on a block 2 to 12 and 40 to 160 (2e-6 of the force).
 double force_error(const ContactError& contact, const std::optional<double>& energy) {
     constexpr double most_missed = 6;  // by the share of the change
@@ -78,11 +78,11 @@ void fill_errors(const Outcome& out, Result& result) {
         result.error_estimate.method = "none: nothing is strained";
         return;
     }
-    result.error_estimate.method =
-        error.contact_pressure
-            ? "fit of the root at free ends of contact; elsewhere a share of the change between the last two grids; energy, "
-              "stress: smoothed stresses"
-            : "smoothed stresses beside those of the displacement, in the energy norm";
+    result.error_estimate.method = error.contact_pressure
+                                       ? "fit of the root at free ends of contact; elsewhere a share of the change between the "
+                                         "last two grids, or the distance from the theory of half planes; energy, "
+                                         "stress: smoothed stresses"
+                                       : "smoothed stresses beside those of the displacement, in the energy norm";
     result.error_estimate.energy = error.energy;
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;

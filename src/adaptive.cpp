@@ -162,9 +162,9 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
-            theory_ = contacts_by_theory(scene_, now);
-            set_first_goals(now, theory_.runs, next_);
-            wanted_ = sizes_from(scene_, now, theory_.runs, next_.resolution);
+            const ContactRuns runs = contacts_by_theory(scene_, now).runs;
+            set_first_goals(now, runs, next_);
+            wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         }
     }
 

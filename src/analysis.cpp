@@ -48,9 +48,17 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
-/// Displacements and stresses of all parts, side by side. False: some part has no stresses.
+/// Displacements and stresses of all parts that have some, side by side. False: one has no stresses.
 bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
     const SolvedAssembly& solved = out.solved;
+    solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
+        if (!out.stress[at(k)].failure.empty()) return;
+        const auto i = at(solved.grids[at(k)].part);
+        PartFieldResult field = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)]);
+        result.parts[i].max_displacement = field.max_displacement;
+        result.parts[i].max_von_mises = field.max_von_mises;
+        result.fields[i] = std::move(field.field);
+    });
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (out.stress[k].failure.empty()) continue;
         result.status = "failed";
@@ -58,13 +66,6 @@ bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& re
                          "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
         return false;
     }
-    solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
-        const auto i = at(solved.grids[at(k)].part);
-        PartFieldResult field = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)]);
-        result.parts[i].max_displacement = field.max_displacement;
-        result.parts[i].max_von_mises = field.max_von_mises;
-        result.fields[i] = std::move(field.field);
-    });
     return true;
 }
 

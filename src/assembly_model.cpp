@@ -145,18 +145,30 @@ void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& so
     }
 }
 
-/// For each of so many parts that are made side by side: twice as many as there are in all, so that none idles while the
-/// largest part is not done.
-int threads_of_part(int threads, std::size_t parts) {
-    const int n = std::max(1, static_cast<int>(parts));
-    return std::min(threads, (2 * threads + n - 1) / n);
+/// Parts are made side by side, each on its share of the threads; in turn, on all threads each, where the largest part would
+/// keep the others waiting.
+struct SharedThreads {
+    int side_by_side, each;
+};
+
+SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) {
+    constexpr double much_more = 1.25;  // than a thread's share: what threads within a part lose
+    double largest = 0, all = 0;
+    for (const PartOnGrid& g : grids) {
+        const double size = g.is_rigid ? 0 : g.input.space.n_functions;
+        largest = std::max(largest, size);
+        all += size;
+    }
+    if (largest * threads > much_more * all) return {1, threads};
+    return {threads, std::max(1, threads / std::max(1, static_cast<int>(grids.size())))};
 }
 
 /// Solver's input, supports and loads of every part on its grid.
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
     std::vector<LoadedSystem> made(solved.grids.size());
-    for (PartOnGrid& g : solved.grids) g.input.threads = threads_of_part(threads, solved.grids.size());
-    solver::parallel_for(static_cast<int>(made.size()), threads,
+    const SharedThreads shared = shared_threads(solved.grids, threads);
+    for (PartOnGrid& g : solved.grids) g.input.threads = shared.each;
+    solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side,
                          [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
     for (std::size_t i = 0; i < made.size(); ++i) {
         PartOnGrid& g = solved.grids[i];

@@ -47,7 +47,7 @@ struct WantedSize {
 };
 using WantedSizes = std::vector<std::vector<WantedSize>>;
 
-/// threads: for parts side by side, see solver::usable_threads.
+/// threads: at most so many, see solver::usable_threads.
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads = 1);

@@ -66,13 +66,15 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
         e.inside = std::max(e.inside, before->inside);
         e.peak = std::max(e.peak, before->peak);
     }
-    if (theory) {
+    e.force = missing * c.force_change;
+    if (theory && are_of_one_zone(now, *theory)) {
         const PressureChange away = change_from(now, *theory);
-        e.inside = std::min(e.inside, away.inside / away.norm);
-        e.peak = std::min(e.peak, std::max(std::abs(away.peak - away.peak_before) / away.peak, ends_in_peak * e.ends));
+        const double distance = std::hypot(away.inside / away.norm, e.force, theory->doubt);
+        const double of_peak = std::abs(away.peak - away.peak_before) / away.peak;
+        e.inside = std::min(e.inside, distance);
+        e.peak = std::min(e.peak, std::max({of_peak, distance, ends_in_peak * e.ends}));
     }
     e.pressure = std::hypot(e.ends, e.inside);
-    e.force = missing * c.force_change;
     return e;
 }
 

@@ -3,8 +3,9 @@
 //
 // Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
 // the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
-// fixed share of the change from the solution before. Corners at which the pressure may have no limit are left out. Energy and
-// stress: from the smoothed stresses of one solution (stress_error).
+// share of the change from the solution before; of contacts small beside their parts no more than the distance from the pressure
+// that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have no limit are
+// left out. Energy and stress: from the smoothed stresses of one solution (stress_error).
 #pragma once
 #include <optional>
 #include <span>

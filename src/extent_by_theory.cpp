@@ -26,8 +26,9 @@ constexpr int places = 16;                     // along the run, between which t
 constexpr int gauss_points = 8;                // of the integral over the angle, between joints
 constexpr int max_steps = 20;                  // of a root
 constexpr double half_width_tolerance = 1e-4;  // relative
-/// Half width over the smaller part's diagonal: what parts of finite size change is of the order of its square.
-constexpr double small_contact = 0.02;
+/// Half width over the thinner part's mean thickness, twice its area over its boundary: what finite parts change is of the
+/// order of its square.
+constexpr double small_contact = 0.05;
 
 /// A run as one contact of half planes.
 struct PlaneContact {
@@ -236,14 +237,17 @@ void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact
         run.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
 }
 
-bool is_small(const SolvedAssembly& solved, const ContactInterface& contact, const PlanePressure& pressure) {
-    double size = std::numeric_limits<double>::infinity();
+/// Half width over the parts' mean thickness, the largest.
+double largest_share(const SolvedAssembly& solved, const ContactInterface& contact, const std::vector<PlaneRun>& runs) {
+    double share = 0;
     for (int part : contact.face.part) {
         const PartOnGrid& g = solved.grids[static_cast<std::size_t>(part)];
-        if (!g.is_rigid) size = std::min(size, g.size);
+        if (g.is_rigid) continue;
+        double boundary = 0;
+        for (const geometry::Edge& edge : g.local.edges) boundary += length(edge.curve);
+        for (const PlaneRun& run : runs) share = std::max(share, run.half_width * boundary / (2 * g.area));
     }
-    return std::all_of(pressure.runs.begin(), pressure.runs.end(),
-                       [&](const PlaneRun& run) { return run.half_width <= small_contact * size; });
+    return share;
 }
 
 /// Statics know the force per length away from an axis only.
@@ -254,38 +258,47 @@ bool is_at_axis(const Scene& scene, const ContactInterface& contact, const Conta
     return (begin.found && begin.on1.x.x() < reach) || (end.found && end.on1.x.x() < reach);
 }
 
+/// Puts the ends of one contact's runs where theory has them. Its pressure, where all of them are small and of half planes.
+std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly& solved, std::size_t k,
+                                        std::vector<ContactRun>& runs) {
+    const ContactInterface& contact = solved.contacts[k];
+    const std::vector<ContactJoint> joints = contact_joints(scene, contact);
+    double compliance = 0;
+    for (int part : contact.face.part)
+        compliance += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], contact.face.thickness);
+    PlanePressure pressure{contact.s1, contact.s, {}};
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+        ContactRun& run = runs[r];
+        if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
+        const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.runs[k], r);
+        if (!(plane.force > 0)) continue;
+        if (knots_in(contact, run) < few_knots) {
+            if (std::optional<PlaneRun> known = move_by_galin(scene, contact, joints, plane, run))
+                pressure.runs.push_back(std::move(*known));
+        } else {
+            move_to_fillets(joints, plane, run);
+        }
+        run.begin = std::max(run.begin, contact.s.front());
+        run.end = std::min(run.end, contact.s.back());
+    }
+    const double share = largest_share(solved, contact, pressure.runs);
+    pressure.doubt = share * share;
+    if (pressure.runs.size() < runs.size() || share > small_contact || scene.analysis == Analysis::axisymmetric)
+        return std::nullopt;
+    return pressure;
+}
+
 }  // namespace
 
 TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved) {
     TheoryOfContacts theory{solved.runs, {}, true};
     theory.pressure.resize(theory.runs.size());
     for (std::size_t k = 0; k < theory.runs.size(); ++k) {
-        const ContactInterface& contact = solved.contacts[k];
         if (theory.runs[k].empty()) continue;
-        theory.is_close = theory.is_close && !contact.face.bilateral && contact.pairing == Pairing::middle;
-        if (contact.face.bilateral || contact.pairing != Pairing::middle) continue;
-        const std::vector<ContactJoint> joints = contact_joints(scene, contact);
-        double compliance = 0;
-        for (int part : contact.face.part)
-            compliance += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], contact.face.thickness);
-        PlanePressure pressure{contact.s1, contact.s, {}};
-        for (std::size_t r = 0; r < theory.runs[k].size(); ++r) {
-            ContactRun& run = theory.runs[k][r];
-            if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
-            const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.runs[k], r);
-            if (!(plane.force > 0)) continue;
-            if (knots_in(contact, run) < few_knots) {
-                if (std::optional<PlaneRun> known = move_by_galin(scene, contact, joints, plane, run))
-                    pressure.runs.push_back(std::move(*known));
-            } else {
-                move_to_fillets(joints, plane, run);
-            }
-            run.begin = std::max(run.begin, contact.s.front());
-            run.end = std::min(run.end, contact.s.back());
-        }
-        theory.is_close =
-            theory.is_close && pressure.runs.size() == theory.runs[k].size() && is_small(solved, contact, pressure);
-        if (pressure.runs.size() == theory.runs[k].size()) theory.pressure[k] = std::move(pressure);
+        const ContactInterface& contact = solved.contacts[k];
+        if (!contact.face.bilateral && contact.pairing == Pairing::middle)
+            theory.pressure[k] = place_runs(scene, solved, k, theory.runs[k]);
+        theory.is_close = theory.is_close && theory.pressure[k];
     }
     return theory;
 }

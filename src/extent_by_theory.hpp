@@ -20,9 +20,9 @@ namespace abut {
 
 struct TheoryOfContacts {
     ContactRuns runs;
-    std::vector<std::optional<PlanePressure>> pressure;  ///< by contact; where all of its runs are of half planes
-    /// Every contact is so small beside its parts that its pressure will hardly differ from the theory's.
-    bool is_close = false;
+    /// By contact; where all of its runs are small beside their parts and of half planes.
+    std::vector<std::optional<PlanePressure>> pressure;
+    bool is_close = false;  ///< every contact has one
 };
 
 /// Runs of few knots with their free ends put there, about where the drawn gap is lowest, or about the interface's end where a

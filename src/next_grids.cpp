@@ -82,7 +82,10 @@ void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs_of_al
 
 void aim_at_goals(NextGrids& next) {
     next.coarsening = next.coarseness;
-    for (std::size_t k = 0; k < next.goal.size(); ++k) next.resolution[k].end_fraction = next.goal[k] / usual_end_error;
+    for (std::size_t k = 0; k < next.goal.size(); ++k) {
+        double& end_fraction = next.resolution[k].end_fraction;
+        end_fraction = std::min(end_fraction, next.goal[k] / usual_end_error);
+    }
 }
 
 void refine(const ErrorEstimate& error, NextGrids& next) {

@@ -14,6 +14,7 @@ namespace {
 
 /// Of the pressure's integral: resultants below are rounding (a ring pressed all round).
 constexpr double balanced = 1e-9;
+constexpr double same_place = 1e-6;     // of a zone's length
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
 
 double spacing(const solver::KnotVector& knots, double s) {
@@ -143,6 +144,12 @@ PressureChange change_of(const ContactRecord& now, const ContactRecord& before) 
     if (now.resultant && before.resultant && now.resultant->norm() > balanced * std::abs(change.force))
         change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
     return change;
+}
+
+bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory) {
+    if (now.s1.empty() || theory.s1.empty()) return false;
+    const double tolerance = same_place * std::abs(now.s1.back() - now.s1.front());
+    return std::abs(now.s1.front() - theory.s1.front()) <= tolerance && std::abs(now.s1.back() - theory.s1.back()) <= tolerance;
 }
 
 PressureChange change_from(const ContactRecord& now, const PlanePressure& theory) {

@@ -37,6 +37,8 @@ struct PressureChange {
     double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
 };
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
+/// Do both tables begin and end at the same places? Those of a closed zone may have moved.
+bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory);
 /// The same from what theory has, which is no force and no knots: refinement 1.
 PressureChange change_from(const ContactRecord& now, const PlanePressure& theory);
 

@@ -138,7 +138,8 @@ std::vector<double> element_errors(const solver::PartInput& input, const Eigen::
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads) {
     std::vector<solver::StressField> fields(solved.grids.size());
-    solver::parallel_for(static_cast<int>(fields.size()), threads, [&](int i) {
+    const int each = solved.grids.empty() ? 1 : solved.grids.front().input.threads;
+    solver::parallel_for(static_cast<int>(fields.size()), std::max(1, threads / each), [&](int i) {
         const auto k = static_cast<std::size_t>(i);
         fields[k] = stress_field(solved.grids[k], solved.solution.displacement[k]);
     });

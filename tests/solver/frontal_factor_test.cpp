@@ -10,6 +10,7 @@
 #include <numeric>
 #include <random>
 
+#include "solver/blas_threads.hpp"
 #include "solver/factorization.hpp"
 #include "solver/front_tasks.hpp"
 #include "solver/row_hints.hpp"
@@ -227,18 +228,33 @@ Plate plate() {
     return {restricted(k, number, 2 * k.n - 7), row_hints(part, number)};
 }
 
+TEST(FrontTasks, ALargePartHasManyAndASmallOneHasOne) {
+    const Plate p = plate();
+    const MergedPattern pattern = merged_pattern(p.matrix);
+    GridPlaces nodes{{}, p.hints.reach};
+    for (int k = 0; k < pattern.n_nodes(); ++k)
+        nodes.at.push_back(p.hints.place[static_cast<std::size_t>(pattern.first_column[static_cast<std::size_t>(k)])]);
+    const Fronts fronts = make_fronts(p.matrix, pattern, dissected(nodes, 16));
+    EXPECT_GE(make_front_tasks(fronts, largest_for(fronts, 2)).task.size(), 8u);
+    EXPECT_EQ(make_front_tasks(fronts, largest_for(fronts, 1)).task.size(), 1u);
+    const Fronts few = fronts_of(random_part(13, 17, 1, 1, 3), 8);
+    EXPECT_EQ(make_front_tasks(few, largest_for(few, 8)).task.size(), 1u);
+}
+
 TEST(FrontalFactor, IsTheSameOnAnyNumberOfThreads) {
+    usable_threads(1);  // as in the program: BLAS makes none of its own
     const Plate p = plate();
     const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
     const Factorization alone(p.matrix, symbolic);
     const MatrixXd b = random_columns(p.matrix.n, 3);
     for (int threads : {2, 3, 16}) {
-        const Factorization together(p.matrix, symbolic, threads);
+        const Factorization together(p.matrix, symbolic, usable_threads(threads));
         EXPECT_EQ(together.solve_lower(b), alone.solve_lower(b)) << threads;
     }
 }
 
 TEST(FrontalFactor, FailsAtTheSameRowOnAnyNumberOfThreads) {
+    usable_threads(1);
     std::mt19937 random(5);
     for (int trial = 0; trial < 20; ++trial) {
         Plate p = plate();
@@ -249,7 +265,7 @@ TEST(FrontalFactor, FailsAtTheSameRowOnAnyNumberOfThreads) {
         const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
         const int row = Factorization(p.matrix, symbolic).failed_at();
         ASSERT_GE(row, 0);
-        for (int threads : {2, 5}) EXPECT_EQ(Factorization(p.matrix, symbolic, threads).failed_at(), row);
+        for (int threads : {2, 5}) EXPECT_EQ(Factorization(p.matrix, symbolic, usable_threads(threads)).failed_at(), row);
     }
 }
 

@@ -35,6 +35,39 @@ TEST(ExtentByTheory, OfHalfACylinderInOneCell) {
     }
 }
 
+TEST(ExtentByTheory, PressureOfHalfACylinderIsHertz) {
+    const Scene scene = test::adaptive_scene({"verification/hertz_001.json"});
+    const Outcome out = on_cells(scene, 0.1);
+    const TheoryOfContacts theory = contacts_by_theory(scene, out.solved);
+    EXPECT_TRUE(theory.is_close);
+    ASSERT_TRUE(theory.pressure[0]);
+    ASSERT_EQ(theory.pressure[0]->runs.size(), 1u);
+    const PlaneRun& run = theory.pressure[0]->runs[0];
+    for (double u : {0.0, 0.5, 0.9}) EXPECT_NEAR(pressure_at(run, run.middle + 0.01 * u), 500 * std::sqrt(1 - u * u), 1) << u;
+    // another solution is as far from it as it is from Hertz
+    const Outcome finer = test::solved_to(scene, 0.01);
+    const PressureChange away = change_from(finer.passes.back().contacts[0], *theory.pressure[0]);
+    EXPECT_LT(away.inside, 0.01 * away.norm);
+    EXPECT_NEAR(away.peak_before, 500, 1);
+}
+
+/// A layer as thick as the contact is wide presses otherwise than a half plane.
+TEST(ExtentByTheory, HasNoPressureOfThinParts) {
+    const TemporaryFolder folder;
+    const Scene scene = read_scene(folder.write("scene.json", R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}},
+        "parts": [{"name": "disc", "material": "m", "geometry": {"circle": {"center": [0.37, 1], "radius": 1}}},
+                  {"name": "layer", "material": "m", "geometry": {"rectangle": {"min": [-2, -0.05], "max": [2, 0]}}}],
+        "supports": [{"on": "layer/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "disc", "force": [0, -10]}], "accuracy": {"cell_size": 0.1}})"),
+                                   {});
+    Stopwatches seconds;
+    const Outcome out = solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
+    ASSERT_FALSE(out.solved.runs[0].empty());
+    const TheoryOfContacts theory = contacts_by_theory(scene, out.solved);
+    EXPECT_FALSE(theory.is_close);
+    EXPECT_FALSE(theory.pressure[0]);
+}
+
 TEST(ExtentByTheory, OfACylinderOnAPlaneInPlaneStrain) {
     const Scene scene = test::adaptive_scene({"verification/cylinder_on_plane.json", {{"Q", 5}}, Analysis::plane_strain});
     const Outcome out = on_cells(scene, 0.1);
