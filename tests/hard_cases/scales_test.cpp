@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -207,7 +208,9 @@ TEST(Scales, WedgeOfOneDegree) {
             ASSERT_EQ(coarse.failure + fine.failure, "");
             EXPECT_LT(coarse.largest_stress, 0.5);
             EXPECT_LT(fine.largest_stress, 0.3 * coarse.largest_stress);
-            EXPECT_LT(fine.largest_displacement, 0.5 * coarse.largest_displacement);
+            // degree 4 on the fine grid leaves nothing but rounding
+            const double rounding = std::numeric_limits<double>::epsilon() * fine.condition;
+            EXPECT_LT(fine.largest_displacement, std::max(0.5 * coarse.largest_displacement, rounding)) << rounding;
         }
 }
 

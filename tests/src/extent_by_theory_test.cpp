@@ -43,7 +43,9 @@ TEST(ExtentByTheory, PressureOfHalfACylinderIsHertz) {
     ASSERT_TRUE(theory.pressure[0]);
     ASSERT_EQ(theory.pressure[0]->runs.size(), 1u);
     const PlaneRun& run = theory.pressure[0]->runs[0];
-    for (double u : {0.0, 0.5, 0.9}) EXPECT_NEAR(pressure_at(run, run.middle + 0.01 * u), 500 * std::sqrt(1 - u * u), 1) << u;
+    // the pressure on these cells reaches ten times as far, to where normals lean by 0.1: half a per cent of the force
+    for (double u : {0.0, 0.5, 0.9})
+        EXPECT_NEAR(pressure_at(run, run.middle + 0.01 * u), 500 * std::sqrt(1 - u * u), 0.005 * 500) << u;
     // another solution is as far from it as it is from Hertz
     const Outcome finer = test::solved_to(scene, 0.01);
     const PressureChange away = change_from(finer.passes.back().contacts[0], *theory.pressure[0]);
