@@ -26,9 +26,9 @@ constexpr int places = 16;                     // along the run, between which t
 constexpr int gauss_points = 8;                // of the integral over the angle, between joints
 constexpr int max_steps = 20;                  // of a root
 constexpr double half_width_tolerance = 1e-4;  // relative
-/// Half width over the thinner part's mean thickness, twice its area over its boundary: what finite parts change is of the
-/// order of its square.
-constexpr double small_contact = 0.05;
+/// Half width over the hydraulic diameter of the thinner part, four times its area over its boundary (a strip's is twice its
+/// thickness): what finite parts change is of the order of its square.
+constexpr double small_contact = 0.025;
 
 /// A run as one contact of half planes.
 struct PlaneContact {
@@ -237,7 +237,7 @@ void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact
         run.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
 }
 
-/// Half width over the parts' mean thickness, the largest.
+/// Half width over the parts' hydraulic diameter, the largest.
 double largest_share(const SolvedAssembly& solved, const ContactInterface& contact, const std::vector<PlaneRun>& runs) {
     double share = 0;
     for (int part : contact.face.part) {
@@ -245,7 +245,7 @@ double largest_share(const SolvedAssembly& solved, const ContactInterface& conta
         if (g.is_rigid) continue;
         double boundary = 0;
         for (const geometry::Edge& edge : g.local.edges) boundary += length(edge.curve);
-        for (const PlaneRun& run : runs) share = std::max(share, run.half_width * boundary / (2 * g.area));
+        for (const PlaneRun& run : runs) share = std::max(share, run.half_width * boundary / (4 * g.area));
     }
     return share;
 }

@@ -26,7 +26,7 @@ std::optional<PlaneRun> plane_run(const std::function<std::optional<double>(doub
 struct PlanePressure {
     std::vector<double> s1, s;
     std::vector<PlaneRun> runs;
-    /// About the relative error of the theory itself: the square of half width over thickness.
+    /// About the relative error of the theory itself: the square of half width over hydraulic diameter.
     double doubt = 0;
 };
 
