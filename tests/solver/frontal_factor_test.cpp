@@ -61,13 +61,16 @@ void for_parts(F f) {
             for (double filled : {1.0, 0.7, 0.2}) f(random_part(columns, rows, reach, filled, ++seed));
 }
 
-Fronts fronts_of(const OnGrid& part, int leaf) {
-    const SparseSymmetric matrix = sparse(part.dense);
+Fronts fronts_of(const SparseSymmetric& matrix, const RowHints& hints, int leaf) {
     const MergedPattern pattern = merged_pattern(matrix);
-    GridPlaces nodes{{}, part.hints.reach};
+    GridPlaces nodes{{}, hints.reach};
     for (int k = 0; k < pattern.n_nodes(); ++k)
-        nodes.at.push_back(part.hints.place[static_cast<std::size_t>(pattern.first_column[static_cast<std::size_t>(k)])]);
+        nodes.at.push_back(hints.place[static_cast<std::size_t>(pattern.first_column[static_cast<std::size_t>(k)])]);
     return make_fronts(matrix, pattern, dissected(nodes, leaf));
+}
+
+Fronts fronts_of(const OnGrid& part, int leaf) {
+    return fronts_of(sparse(part.dense), part.hints, leaf);
 }
 
 Factorization frontal(const OnGrid& part) {
@@ -230,11 +233,7 @@ Plate plate() {
 
 TEST(FrontTasks, ALargePartHasManyAndASmallOneHasOne) {
     const Plate p = plate();
-    const MergedPattern pattern = merged_pattern(p.matrix);
-    GridPlaces nodes{{}, p.hints.reach};
-    for (int k = 0; k < pattern.n_nodes(); ++k)
-        nodes.at.push_back(p.hints.place[static_cast<std::size_t>(pattern.first_column[static_cast<std::size_t>(k)])]);
-    const Fronts fronts = make_fronts(p.matrix, pattern, dissected(nodes, 16));
+    const Fronts fronts = fronts_of(p.matrix, p.hints, 16);
     EXPECT_GE(make_front_tasks(fronts, largest_for(fronts, 2)).task.size(), 8u);
     EXPECT_EQ(make_front_tasks(fronts, largest_for(fronts, 1)).task.size(), 1u);
     const Fronts few = fronts_of(random_part(13, 17, 1, 1, 3), 8);
