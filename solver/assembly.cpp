@@ -120,12 +120,12 @@ void add_cut_cells(Stiffness& s) {
     }
 }
 
-/// Functions from which on a second thread pays.
-constexpr int least_functions = 2000;
+/// Functions that are worth a thread.
+constexpr int least_functions = 1000;
 
 /// Ranges of functions with about as many blocks each: shares + 1 offsets.
 std::vector<int> shared_rows(const BlockMatrix& k, int threads) {
-    const int shares = k.n < least_functions ? 1 : std::max(1, threads);
+    const int shares = std::max(1, std::min(threads, k.n / least_functions));
     std::vector<int> first;
     for (int i = 0; i < shares; ++i) {
         const int blocks = static_cast<int>(static_cast<double>(k.first.back()) * i / shares);

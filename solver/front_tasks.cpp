@@ -13,7 +13,7 @@ namespace abut::solver {
 
 namespace {
 
-/// Multiplications from which on a second thread pays: some milliseconds.
+/// Multiplications that are worth one more thread: some milliseconds.
 constexpr double least_work = 2e7;
 /// Subtrees for each thread, at least.
 constexpr double subtrees_of_thread = 4;
@@ -129,7 +129,8 @@ FrontTasks make_front_tasks(const Fronts& fronts, double largest) {
 
 double largest_for(const Fronts& fronts, int threads) {
     const double work = threads > 1 ? total_work(fronts) : 0;
-    return work < least_work ? std::numeric_limits<double>::infinity() : work / (subtrees_of_thread * threads);
+    const double worthwhile = std::min<double>(threads, 1 + std::floor(work / least_work));
+    return worthwhile < 2 ? std::numeric_limits<double>::infinity() : work / (subtrees_of_thread * worthwhile);
 }
 
 void for_front_tasks(const FrontTasks& tasks, int threads, const std::function<void(int)>& work) {

@@ -53,11 +53,11 @@ protected:
 }  // namespace
 
 TEST(AssemblySideBySide, IsTheSameOnAnyNumberOfThreads) {
-    const std::vector<double> x = test::grid_lines(0, 1.7, 60, false), y = test::grid_lines(0, 1.1, 50, false);
+    const std::vector<double> x = test::grid_lines(0, 1.7, 80, false), y = test::grid_lines(0, 1.1, 70, false);
     PartInput part = test::part_of({{0, 0, 1.69, 0.5}, {0, 0.5, 0.8, 1.08}}, x, y, 2, Basis::web);
     ASSERT_FALSE(part.cut_rules.empty());
     const BlockMatrix alone = assemble_stiffness(part);
-    ASSERT_GT(alone.n, 2000);  // fewer are one thread's
+    ASSERT_GT(alone.n, 3000);  // else there are no three shares
     for (int threads : {2, 3, 16}) {
         part.threads = threads;
         const BlockMatrix together = assemble_stiffness(part);
