@@ -7,7 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -15,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "src/temporary_file.hpp"
 #include "src/whole_file.hpp"
 
 namespace abut {
@@ -36,12 +36,6 @@ void make_folders(const fs::path& path) {
     if (error) give_up(path, error.message());
 }
 
-std::string host_name() {
-    std::array<char, 256> name{};
-    if (::gethostname(name.data(), name.size() - 1) != 0) return "host";
-    return name.data();
-}
-
 constexpr int lock_attempts = 200;
 constexpr useconds_t lock_pause = 5000;  // microseconds
 
@@ -58,8 +52,10 @@ int locked_file(const std::string& path, int flags) {
     return -1;
 }
 
-/// The folders of runs whose process is gone. Their lock file goes last, so that nothing is left if this process dies too.
+/// The folders of runs whose process is gone, and the files that they were writing. Their lock file goes last, so that nothing
+/// is left if this process dies too.
 void remove_left_overs(const std::string& out) {
+    remove_abandoned(out);
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(out, error)) {
         const std::string name = entry.path().filename().string();

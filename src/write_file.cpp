@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -8,6 +6,7 @@
 
 #include "geometry/input_error.hpp"
 #include "src/result.hpp"
+#include "src/temporary_file.hpp"
 
 namespace abut {
 
@@ -23,11 +22,6 @@ std::string last_error() {
     return errno != 0 ? std::strerror(errno) : "input/output error";
 }
 
-/// The process number keeps programs apart that write into one folder at the same time.
-fs::path temporary_beside(const fs::path& file) {
-    return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ".tmp");
-}
-
 }  // namespace
 
 void write_file(const std::string& directory, const std::string& name, const std::string& text) {
@@ -36,7 +30,7 @@ void write_file(const std::string& directory, const std::string& name, const std
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
     if (error) refuse(file, error.message());
 
-    const fs::path temporary = temporary_beside(file);
+    const fs::path temporary = file.parent_path() / temporary_name(file.filename().string());
     errno = 0;
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
     if (!stream) refuse(file, last_error());

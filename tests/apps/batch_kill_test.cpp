@@ -44,10 +44,12 @@ protected:
         return {"batch", "in", "--template", "template.json", "-o", out, "-j", "3", "--quiet"};
     }
 
-    /// How many left-overs of runs there are.
-    long left_overs(const std::string& out) const {
-        return std::count_if(fs::directory_iterator(folder_ / out), fs::directory_iterator(),
-                             [](const auto& entry) { return entry.path().filename().string().starts_with("."); });
+    /// Names of what runs have left over.
+    std::vector<std::string> left_overs(const std::string& out) const {
+        std::vector<std::string> names;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / out))
+            if (const std::string name = entry.path().filename().string(); name.starts_with(".")) names.push_back(name);
+        return names;
     }
 
     /// Kills the batch so many times, each after a random share of `share` of the time that all of it takes; then lets it end.
@@ -67,7 +69,7 @@ protected:
         }
         EXPECT_GE(2 * hit, kills);  // the others came to their end in time
         EXPECT_EQ(abut(call("killed")).status, 0);
-        EXPECT_EQ(left_overs("killed"), 0);
+        EXPECT_EQ(left_overs("killed"), std::vector<std::string>{});
         const auto killed = answers_of("killed"), undisturbed = answers_of("whole");
         EXPECT_EQ(killed.size(), undisturbed.size());
         for (const auto& [file, text] : undisturbed) EXPECT_TRUE(killed.contains(file) && killed.at(file) == text) << file;
@@ -89,7 +91,7 @@ TEST_F(BatchKill, StoppedFromTheKeyboardItKeepsWhatIsFinished) {
     const int status = end_of(process);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_EQ(left_overs("stopped"), 0);
+    EXPECT_EQ(left_overs("stopped"), std::vector<std::string>{});
     EXPECT_TRUE(fs::exists(folder_ / "stopped/summary.csv"));
     const auto kept = std::distance(fs::directory_iterator(folder_ / "stopped/jobs"), fs::directory_iterator());
     EXPECT_GE(kept, 1);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of files that are being written, and what is left of them where a process died over it.
+#pragma once
+#include <string>
+
+namespace abut {
+
+std::string host_name();
+
+/// For a file of this name, in the same folder; hosts and processes that write there at the same time have names of their own.
+std::string temporary_name(const std::string& file);
+
+/// Removes the files of such names from a folder whose process ran on this host and is gone.
+void remove_abandoned(const std::string& folder);
+
+}  // namespace abut
