@@ -20,6 +20,18 @@ Outcome on_cells(Scene scene, double cell_size) {
     return solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
 }
 
+/// A disc of radius 1 about x = 0.37, pressed down on a plate of that thickness.
+Scene disc_on(double thickness, double force) {
+    const TemporaryFolder folder;
+    return read_scene(folder.write("scene.json", R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [
+        {"name": "disc", "material": "m", "geometry": {"circle": {"center": [0.37, 1], "radius": 1}}},
+        {"name": "plate", "material": "m", "geometry": {"rectangle": {"min": [-2, "-t"], "max": [2, 0]}}}],
+        "parameters": {"t": 1, "P": 1},
+        "supports": [{"on": "plate/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "disc", "force": [0, "-P"]}]})"),
+                      {{"t", thickness}, {"P", force}});
+}
+
 }  // namespace
 
 TEST(ExtentByTheory, OfHalfACylinderInOneCell) {
@@ -55,15 +67,8 @@ TEST(ExtentByTheory, PressureOfHalfACylinderIsHertz) {
 
 /// A layer as thick as the contact is wide presses otherwise than a half plane.
 TEST(ExtentByTheory, HasNoPressureOfThinParts) {
-    const TemporaryFolder folder;
-    const Scene scene = read_scene(folder.write("scene.json", R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}},
-        "parts": [{"name": "disc", "material": "m", "geometry": {"circle": {"center": [0.37, 1], "radius": 1}}},
-                  {"name": "layer", "material": "m", "geometry": {"rectangle": {"min": [-2, -0.05], "max": [2, 0]}}}],
-        "supports": [{"on": "layer/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
-        "loads": [{"part": "disc", "force": [0, -10]}], "accuracy": {"cell_size": 0.1}})"),
-                                   {});
-    Stopwatches seconds;
-    const Outcome out = solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
+    const Scene scene = disc_on(0.05, 10);
+    const Outcome out = on_cells(scene, 0.1);
     ASSERT_FALSE(out.solved.runs[0].empty());
     const TheoryOfContacts theory = contacts_by_theory(scene, out.solved);
     EXPECT_FALSE(theory.is_close);
@@ -107,15 +112,8 @@ TEST(ExtentByTheory, OfPartsOfUnequalThickness) {
 
 /// Cells of the whole cylinder stand unevenly about the line of contact: the middle is where the gap is lowest.
 TEST(ExtentByTheory, AboutTheLowestPlace) {
-    const TemporaryFolder folder;
-    const Scene scene = read_scene(folder.write("scene.json", R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}},
-        "parts": [{"name": "disc", "material": "m", "geometry": {"circle": {"center": [0.37, 1], "radius": 1}}},
-                  {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-2, -2], "max": [2, 0]}}}],
-        "supports": [{"on": "block/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
-        "loads": [{"part": "disc", "force": [0, -0.01]}], "accuracy": {"cell_size": 0.23}})"),
-                                   {});
-    Stopwatches seconds;
-    const Outcome out = solve_adaptively(scene, resolve_conditions(scene), {}, seconds);
+    const Scene scene = disc_on(2, 0.01);
+    const Outcome out = on_cells(scene, 0.23);
     const double a = std::sqrt(4 * 0.01 / (std::numbers::pi * 0.5e5));
     const ContactRun moved = contacts_by_theory(scene, out.solved).runs[0][0];
     EXPECT_NEAR(moved.end - moved.begin, 2 * a, 0.02 * a);
