@@ -7,35 +7,50 @@
 
 namespace abut::geometry {
 
-// With n = right_of(t) and dt/ds = kappa left_of(t): dn/ds = kappa t. For d = x2 - x1 and F = d x N, N = n1 - n2:
-//   dF/ds2 =  t2 x N - kappa2 (d x t2)      dF/ds1 = -t1 x N + kappa1 (d x t1)
-// Where the normals oppose each other both are 2 plus gap times curvature, hence positive unless the gap reaches twice the
-// radius of a concave side: F grows through its root, which decides on which side of a trial point the partner lies.
+// With n = right_of(t) and dt/ds = kappa left_of(t): dn/ds = kappa t. For d = x2 - x1 and F = d x N, N = 2 (w1 n1 - w2 n2):
+//   dF/ds2 =  t2 x N - 2 w2 kappa2 (d x t2)      dF/ds1 = -t1 x N + 2 w1 kappa1 (d x t1)
+// Where the normals oppose each other both are 2 plus gap times curvature, hence positive unless the gap reaches the radius of
+// a concave side: F grows through its root, which decides on which side of a trial point the partner lies. Where the weights
+// change along a curve there is a further term, dw (d x (n1 + n2)), of third order in the distance from the nearest points.
 
 namespace {
 
-double condition(const ChainPoint& p1, const ChainPoint& p2) {
-    return cross(p2.x - p1.x, p1.normal - p2.normal);
+struct Weights {
+    double w1, w2;
+};
+Weights weights(const FacingZone& zone, const ChainPoint& p1, const ChainPoint& p2) {
+    if (!zone.is_acting) return {0.5, 0.5};
+    const double k1 = std::abs(p1.curvature) + zone.sharpness[0], k2 = std::abs(p2.curvature) + zone.sharpness[1];
+    return k1 + k2 > 0 ? Weights{k2 / (k1 + k2), k1 / (k1 + k2)} : Weights{0.5, 0.5};
 }
 
-double condition_by_s1(const ChainPoint& p1, const ChainPoint& p2) {
-    return -cross(p1.tangent, p1.normal - p2.normal) + p1.curvature * cross(p2.x - p1.x, p1.tangent);
+/// N.
+Vec2 line(const Weights& w, const ChainPoint& p1, const ChainPoint& p2) {
+    return 2 * (w.w1 * p1.normal - w.w2 * p2.normal);
 }
 
-double condition_by_s2(const ChainPoint& p1, const ChainPoint& p2) {
-    return cross(p2.tangent, p1.normal - p2.normal) - p2.curvature * cross(p2.x - p1.x, p2.tangent);
+/// F and its derivatives.
+struct Condition {
+    double value, by_s1, by_s2;
+};
+Condition condition(const FacingZone& zone, const ChainPoint& p1, const ChainPoint& p2) {
+    const Weights w = weights(zone, p1, p2);
+    const Vec2 N = line(w, p1, p2), d = p2.x - p1.x;
+    return {cross(d, N), -cross(p1.tangent, N) + 2 * w.w1 * p1.curvature * cross(d, p1.tangent),
+            cross(p2.tangent, N) - 2 * w.w2 * p2.curvature * cross(d, p2.tangent)};
 }
 
-FacingPair completed(double s1, double s2, const ChainPoint& p1, const ChainPoint& p2) {
+FacingPair completed(const FacingZone& zone, double s1, double s2, const ChainPoint& p1, const ChainPoint& p2) {
     FacingPair pair;
     pair.s1 = s1;
     pair.s2 = s2;
     pair.on1 = p1;
     pair.on2 = p2;
-    const Vec2 N = p1.normal - p2.normal;
+    const Vec2 N = line(weights(zone, p1, p2), p1, p2);
     pair.normal = N.squaredNorm() > 0 ? N.normalized() : p1.normal;
     pair.gap = (p2.x - p1.x).dot(pair.normal);
-    pair.slope = -condition_by_s1(p1, p2) / condition_by_s2(p1, p2);
+    const Condition F = condition(zone, p1, p2);
+    pair.slope = -F.by_s1 / F.by_s2;
     pair.stretch = std::abs(cross(pair.normal, 0.5 * (p1.tangent + pair.slope * p2.tangent)));
     return pair;
 }
@@ -101,11 +116,12 @@ FacingPair pair_from_first(const Part& part1, const Part& part2, const FacingZon
     const ChainPoint p1 = at(part1, zone.chain1, s1);
     const auto F = [&](double s2) {
         const ChainPoint p2 = at(part2, zone.chain2, s2);
-        return std::pair(condition(p1, p2), condition_by_s2(p1, p2));
+        const Condition c = condition(zone, p1, p2);
+        return std::pair(c.value, c.by_s2);
     };
     const Range range = search_range(zone.chain2, guess2);
     const Root root = increasing_root(F, guess2, range.low, range.high, end_slack * zone.chain2.length, noise_at(p1.x));
-    FacingPair pair = completed(s1, root.s, p1, at(part2, zone.chain2, root.s));
+    FacingPair pair = completed(zone, s1, root.s, p1, at(part2, zone.chain2, root.s));
     pair.found = root.found && opposed(pair.on1, pair.on2);
     return pair;
 }
@@ -114,11 +130,12 @@ FacingPair pair_from_second(const Part& part1, const Part& part2, const FacingZo
     const ChainPoint p2 = at(part2, zone.chain2, s2);
     const auto F = [&](double s1) {
         const ChainPoint p1 = at(part1, zone.chain1, s1);
-        return std::pair(condition(p1, p2), condition_by_s1(p1, p2));
+        const Condition c = condition(zone, p1, p2);
+        return std::pair(c.value, c.by_s1);
     };
     const Range range = search_range(zone.chain1, guess1);
     const Root root = increasing_root(F, guess1, range.low, range.high, end_slack * zone.chain1.length, noise_at(p2.x));
-    FacingPair pair = completed(root.s, s2, at(part1, zone.chain1, root.s), p2);
+    FacingPair pair = completed(zone, root.s, s2, at(part1, zone.chain1, root.s), p2);
     pair.found = root.found && opposed(pair.on1, pair.on2);
     return pair;
 }

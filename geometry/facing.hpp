@@ -5,7 +5,13 @@
 //   (x2 - x1) x N = 0,   N = n1 - n2,   n = N / |N|,   gap = (x2 - x1) . n   (positive: open).
 // Neither body is preferred, and equal and opposite forces along n leave no couple. Where the bodies touch, x1 = x2.
 // m = (x1 + x2) / 2 runs along the middle curve.
+//
+// Forces act along another mean of the normals, weighted by the other side's curvature kappa (acting_zone):
+//   N = 2 (w1 n1 - w2 n2),   w1 = |kappa2| / (|kappa1| + |kappa2|),   w2 = 1 - w1.
+// For two circles its direction is the same all along the contact, that of the line of centres; a straight side lends its own
+// normal to anything curved, and a flat to the corner that stands on it, so that a body that slides along it does no work.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "geometry/length_table.hpp"
@@ -44,6 +50,9 @@ struct FacingZone {
     bool closed = false;  ///< a full turn on both closed chains
     bool begin_is_limit = false,
          end_is_limit = false;  ///< ends where the gap exceeds the distance (the zone could be longer), not at a corner
+    /// Does N above weigh the normals by curvature? Else both count alike. sharpness: added to the curvatures of both sides.
+    bool is_acting = false;
+    std::array<double, 2> sharpness{0, 0};
 };
 
 struct FacingPair {
@@ -64,5 +73,10 @@ FacingPair pair_from_second(const Part& part1, const Part& part2, const FacingZo
 /// All zones where the gap is at most `distance` (overlaps: gaps down to -distance) and the normals oppose each other within
 /// 60 degrees; the nearest partner where there are several, nothing that material lies between. Ordered along part 1.
 std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance);
+
+/// The same zone with pairs along the lines that contact forces act on, its ends paired anew. Where its gap is least at a
+/// corner of one side the other side lends its normal to all of it: a corner's curvature has no bound. Where both sides are
+/// straight, the side that is nowhere curved in the zone does.
+FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone);
 
 }  // namespace abut::geometry

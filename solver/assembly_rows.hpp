@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "solver/assembly_solve.hpp"
+#include "solver/neutral_motions.hpp"
 
 namespace abut::solver {
 
@@ -21,8 +21,7 @@ struct RowsSolution {
     Eigen::VectorXd multipliers{};
 };
 /// resistance: candidate_resistance of the problem's motions. Its interfaces are not read.
-RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::MatrixXd& resistance,
-                        int threads);
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads);
 
 /// Fills in the loads of one part, those of contact alone and all.
 void set_loads(const AssemblyProblem& problem, const Rows& rows, const Eigen::VectorXd& multipliers, std::size_t part,

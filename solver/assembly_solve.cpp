@@ -111,12 +111,11 @@ Remainder remainder_of(const AssemblyProblem& problem, const Rows& rows, const C
 /// Displacements under the contact forces. Where their residual is more than rounding, a step of iterative refinement: what
 /// they leave of closed gaps and of equilibrium is the right-hand side of a correction. It takes out the rounding of C and of
 /// the pinned solutions, where the active set holds every motion.
-void recover_refined(const AssemblyProblem& problem, const Rows& rows, const HeldAnswer& held, int threads,
-                     ContactAnswer& answer, AssemblySolution& solution) {
-    const ContactQp& qp = held.qp;
+void recover_refined(const AssemblyProblem& problem, const Rows& rows, const ContactQp& qp, const MatrixXd& held,
+                     const std::vector<char>& active, int threads, ContactAnswer& answer, AssemblySolution& solution) {
     const auto recover = [&] {
         recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
-        Remainder left = remainder_of(problem, rows, qp, held.held, answer, solution);
+        Remainder left = remainder_of(problem, rows, qp, held, answer, solution);
         solution.residual = contact_residual(qp, {answer.forces, left.gap, left.load});
         return left;
     };
@@ -126,34 +125,10 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Hel
     correction.gap = std::move(left.gap);
     correction.mode_load = std::move(left.load);
     VectorXd forces, motion;
-    if (!solve_on_set(correction, held.result.active, forces, motion)) return;
+    if (!solve_on_set(correction, active, forces, motion)) return;
     answer.forces += forces;
     answer.motion += motion;
     recover();
-}
-
-/// The contact problem under the motions that something resists, and its answer; the others' balance made up for, or named.
-HeldAnswer solve_held(const AssemblyProblem& problem, ContactQp qp, const MotionSplit& split, AssemblySolution& solution) {
-    HeldAnswer answer{std::move(qp), split.resisted, {}};
-    const bool some_neutral = split.neutral.cols() > 0;
-    const MatrixXd modes = some_neutral ? answer.qp.modes : MatrixXd();
-    const VectorXd mode_load = some_neutral ? answer.qp.mode_load : VectorXd();
-    if (some_neutral) {
-        answer.qp.modes = modes * split.resisted;
-        answer.qp.mode_load = split.resisted.transpose() * mode_load;
-    }
-    answer.result = solve_contact_qp(answer.qp);
-    if (!answer.result.feasible || !answer.result.converged || !some_neutral) return answer;
-    const VectorXd work = split.neutral.transpose() * (mode_load + modes.transpose() * answer.result.multipliers);
-    const double fraction =
-        work.cwiseAbs().maxCoeff() / std::max(problem.load_scale, answer.result.multipliers.cwiseAbs().sum());
-    if (fraction <= balanced_work_fraction || balance_neutral_motions(modes, mode_load, split, answer)) return answer;
-    solution.driven_work = fraction;
-    if (solution.driven_work > driven_work_fraction) {
-        solution.neutral.clear();
-        solution.driven = part_motions(problem.parts, split.neutral * work);
-    }
-    return answer;
 }
 
 }  // namespace
@@ -169,7 +144,7 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem) {
     return all;
 }
 
-RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const MatrixXd& resistance, int threads) {
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
     RowsSolution answered;
     AssemblySolution& solution = answered.solution;
     Laps laps;
@@ -184,20 +159,24 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     solution.seconds.condensation = laps.lap();
 
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
-    find_driven_neutral_motion(problem, split.neutral, qp.mode_load, solution);
+    find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
     if (!solution.mechanism.empty()) return answered;
-    const HeldAnswer held = solve_held(problem, std::move(qp), split, solution);
-    solution.iterations = held.result.iterations;
-    solution.converged = held.result.converged;
-    solution.used_fallback = held.result.used_fallback;
+    MatrixXd held(qp.modes.cols(), split.resisted.cols() + split.balanced.cols());
+    held << split.resisted, split.balanced;
+    qp.modes = qp.modes * held;
+    qp.mode_load = held.transpose() * qp.mode_load;
+    const ContactQpResult found = solve_contact_qp(qp);
+    solution.iterations = found.iterations;
+    solution.converged = found.converged;
+    solution.used_fallback = found.used_fallback;
     solution.seconds.contact = laps.lap();
-    if (!held.result.feasible) {
-        solution.mechanism = part_motions(problem.parts, split.resisted * held.result.mechanism);
+    if (!found.feasible) {
+        solution.mechanism = part_motions(problem.parts, held * found.mechanism);
         return answered;
     }
-    ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
-    recover_refined(problem, rows, held, threads, answer, solution);
-    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
+    ContactAnswer answer{found.multipliers, found.settled, found.motion};
+    recover_refined(problem, rows, qp, held, found.active, threads, answer, solution);
+    add_rigid_motions(problem, held * (answer.settled + answer.motion), solution);
     take_least_motion(problem, split.neutral, solution);
     answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
@@ -226,7 +205,7 @@ AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     Laps laps;
     const AssemblyRows all = assembly_rows(problem);
     const double of_rows = laps.lap();
-    const MatrixXd resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
+    const Resistance resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
     const double of_resistance = laps.lap();
     auto [solution, multipliers] = solve_rows(problem, all, resistance, threads);
     solution.seconds.rows = of_rows;

@@ -24,15 +24,11 @@ struct PartMotion {
     RigidMotion motion;
 };
 
-/// A free motion is neutral where the candidates' own normals resist it less than this (singular value, relative to the
-/// largest; rotations measured at the part's size): kept, it would turn rounding into large rotations.
+/// A free motion is neutral where contact resists it by less than this, of what it resists a motion straight against a face
+/// (rotations measured at the part's size): kept, it would turn rounding into large rotations.
 inline constexpr double neutral_motion_fraction = 1e-3;
 /// The loads may do this much work in a neutral motion, relative to load times size.
 inline constexpr double neutral_work_fraction = 1e-9;
-/// Contact forces that do no more work than this in the neutral motions balance there but for rounding.
-inline constexpr double balanced_work_fraction = 1e-12;
-/// Contact forces that do more work than this in a neutral motion show that it is driven after all: no contact can balance it.
-inline constexpr double driven_work_fraction = 1e-4;
 
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
@@ -41,8 +37,8 @@ struct AssemblyProblem {
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
     std::vector<double> part_load;   ///< the same by part; empty: not known
-    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: what resists a neutral
-    /// motion.
+    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
+    /// them slides the body in its own outline.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
 };
 
@@ -61,8 +57,6 @@ struct AssemblySolution {
     std::vector<Eigen::VectorXd> pressure;      ///< by interface
     std::vector<double> constraint_force;       ///< by constraint
     std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
-    std::vector<PartMotion> driven;             ///< not empty: the contact forces drive these neutral motions,
-    double driven_work = 0;                     ///< and the balance is off by this fraction of the forces
     std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows

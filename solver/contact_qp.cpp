@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "solver/active_set.hpp"
+#include "solver/interior_point.hpp"
 #include "solver/nonnegative.hpp"
 #include "solver/rigid_settle.hpp"
 
@@ -143,11 +145,29 @@ bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
     ClosedFactor factor(qp.compliance, qp.expected);
-    const SetSearch search = solve_exactly(near, factor, state, result);
-    result.converged = search == SetSearch::found || (search == SetSearch::singular &&
-                                                      run_passes(near, foundation_stiffness(qp), false, factor, state, result));
+    result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
     if (!result.converged) return false;
     conclude(near, *settled, state, result);
+    return true;
+}
+
+/// Where sets repeat or leave a motion free: the interior point method, and from the rows that it finds closed the exact
+/// answer, or else its own. False: nothing is changed.
+bool solve_from_inside(const ShiftedQp& shifted, const VectorXd& start, ClosedFactor& factor, ContactState& state,
+                       ContactQpResult& result) {
+    InteriorPoint inside = interior_point(shifted, start);
+    result.iterations += inside.iterations;
+    if (!inside.converged) return false;
+    result.used_fallback = true;
+    const ActiveSet before = std::exchange(result.active, inside.active);
+    if (solve_exactly(shifted, factor, state, result) == SetSearch::found) return true;
+    result.active = inside.active;
+    if (holds_exactly(shifted, inside.state.amplitudes, result.active, factor, state)) return true;
+    if (!is_balanced(shifted.qp, inside.state.multipliers)) {
+        result.active = before;
+        return false;
+    }
+    state = std::move(inside.state);
     return true;
 }
 
@@ -191,8 +211,8 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ClosedFactor factor(qp.compliance, start.multipliers);
     result.active = closed_by(qp, start.multipliers);
     const SetSearch search = solve_exactly(near, factor, state, result);
-    result.converged =
-        search == SetSearch::found || run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
+    result.converged = search == SetSearch::found || solve_from_inside(near, start.multipliers, factor, state, result) ||
+                       run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
     if (!result.converged) state.closing = closing_of(qp, state.multipliers);
     conclude(near, start.amplitudes, state, result);
     return result;

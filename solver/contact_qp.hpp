@@ -38,16 +38,18 @@ struct ContactQpResult {
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
 };
 
-/// 0. Where a set is expected, steps 2 and 3 from it, the amplitudes measured from where the bodies would settle on it. Usually
+/// 0. Where a set is expected, step 2 from it, the amplitudes measured from where the bodies would settle on it. Usually
 ///    the end, after one step.
 /// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
 ///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
 ///    Without unilateral rows there is nothing to search, and this is left out.
 /// 2. Primal-dual active set [Hueber05] from the settle's. Usually the end.
-/// 3. Where it repeats a set, or meets one that leaves a motion free: passes of the same under a proximal term on the
-///    amplitudes, a fraction of the foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of
+/// 3. Where it repeats a set, or meets one that leaves a motion free: the interior point method, and the active set again from
+///    the rows that it closes.
+/// 4. Where that does not end either: passes of the active set under a proximal term on the amplitudes, a fraction of the
+/// foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of
 ///    each pass is tried without the term; where a single point carries all, the balance becomes exact by the passes.
-/// 4. Where a pass repeats or loses a set: the descending active set, which always ends, on the same pass.
+/// 5. Where a pass repeats or loses a set: the descending active set, which always ends, on the same pass.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.

@@ -113,7 +113,6 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     scatter(std::move(from.pressure), members.interfaces, to.pressure);
     scatter(std::move(from.constraint_force), members.constraints, to.constraint_force);
     append_motions(from.neutral, members, to.neutral);
-    append_motions(from.driven, members, to.driven);
     append_motions(from.mechanism, members, to.mechanism);
     add_outcome(from, to);
     add_seconds(from.seconds, to.seconds);
@@ -143,7 +142,6 @@ std::vector<std::vector<int>> independent_groups(const AssemblyProblem& problem)
 }
 
 void add_outcome(const AssemblySolution& from, AssemblySolution& to) {
-    to.driven_work = std::max(to.driven_work, from.driven_work);
     to.n_multipliers += from.n_multipliers;
     to.iterations += from.iterations;
     to.contact_problems += from.contact_problems;

@@ -10,7 +10,7 @@ namespace abut::solver {
 /// Parts of each group, ascending; groups in the order of their first parts.
 std::vector<std::vector<int>> independent_groups(const AssemblyProblem& problem);
 
-/// Of one group's solution to the whole's: counts add up, the worst residual and driven work stand, all have to converge.
+/// Of one group's solution to the whole's: counts add up, the worst residual stands, all have to converge.
 void add_outcome(const AssemblySolution& from, AssemblySolution& to);
 
 /// Each group's problem solved by itself, as solve_assembly would solve it alone, bit for bit, given part_load. The problem's

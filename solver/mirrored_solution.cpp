@@ -156,13 +156,14 @@ private:
 
 /// What resists the symmetric motions, and all the motions that nothing resists.
 struct WholeMotions {
-    MatrixXd resistance;
+    Resistance resistance;
     std::vector<PartMotion> neutral;
 };
 WholeMotions motions_of(AssemblyProblem& problem, const Rows& rows) {
     const AllMotions motions(problem);
-    const MatrixXd resistance = candidate_resistance(problem), to_all = motions.of_symmetric();
-    WholeMotions whole{to_all.transpose() * resistance * to_all, {}};
+    const Resistance resistance = candidate_resistance(problem);
+    const MatrixXd to_all = motions.of_symmetric();
+    WholeMotions whole{{to_all.transpose() * resistance.contact * to_all, to_all.transpose() * resistance.acting * to_all}, {}};
     const MotionSplit split = split_motions(problem, resistance, motions.constraint_modes(rows));
     for (Index k = 0; k < split.neutral.cols(); ++k)
         for (const PartMotion& m : part_motions(problem.parts, split.neutral.col(k))) whole.neutral.push_back(m);
@@ -201,9 +202,9 @@ MirroredSolution solve_mirrored(AssemblyProblem& problem, int threads) {
     AssemblySolution& solution = result.solution = std::move(answer.solution);
     solution.seconds.rows = result.seconds;
     solution.n_multipliers = whole.rows.n;
-    for (std::vector<PartMotion>* named : {&solution.driven, &solution.mechanism}) append_images(problem, *named);
+    append_images(problem, solution.mechanism);
     if (!solution.mechanism.empty()) return result;
-    if (solution.driven.empty()) solution.neutral = motions.neutral;
+    solution.neutral = motions.neutral;
     const VectorXd multipliers = unfolded(answer.multipliers, rows);
     unfold_displacements(problem, solution);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) set_loads(problem, whole.rows, multipliers, i, solution);

@@ -19,8 +19,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Pressures may change by this fraction in making up for the neutral motions' balance.
-constexpr double largest_rebalancing = 0.02;
+/// Bases of motions that make a larger angle (its sine) than this are different motions.
+constexpr double same_motion = 1e-3;
+/// Of unit motion at the part's size: what normals do less in a motion than this, or than so many times what the motion is
+/// neutral by, is rounding.
+constexpr double least_lever = 1e-6, clear_lever = 30;
 
 /// Force along the normal at a point, and its moment about a center: times (translation, rotation) about it, the motion that it
 /// resists.
@@ -52,22 +55,24 @@ void add_product(double weight, const Wrench& a, const Wrench& b, Eigen::Matrix3
         for (Index i = 0; i < 3; ++i) sum(i, j) += weight * a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
 }
 
-WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face) {
+/// normals: of a point, outward of each body.
+template <class Normals>
+WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face, Normals normals) {
     const Interface& f = problem.interfaces[face];
-    const std::vector<std::array<Vec2, 2>>& normals = problem.own_normals[face];
     const PartSystem &first = problem.parts[static_cast<std::size_t>(f.part[0])],
                      &second = problem.parts[static_cast<std::size_t>(f.part[1])];
     const std::array<Vec2, 2> center{center_of(first), center_of(second)};
-    const auto wrench = [&](std::size_t q, std::size_t side) {
-        const Vec2 &n = normals[q][side], &x = f.points[q].x[side], &c = center[side];
-        return Wrench{n.x(), n.y(), (x.x() - c.x()) * n.y() - (x.y() - c.y()) * n.x()};
-    };
     const bool is_first_free = !first.free_motions.empty(), is_second_free = !second.free_motions.empty();
     WrenchProducts sum;
     for (std::size_t q = 0; q < f.points.size(); ++q) {
+        const std::array<Vec2, 2> outward = normals(q);
+        const auto wrench = [&](std::size_t side) {
+            const Vec2 &n = outward[side], &x = f.points[q].x[side], &c = center[side];
+            return Wrench{n.x(), n.y(), (x.x() - c.x()) * n.y() - (x.y() - c.y()) * n.x()};
+        };
         const double weight = f.points[q].weight;
         sum.weight += weight;
-        const Wrench a = is_first_free ? wrench(q, 0) : Wrench{}, b = is_second_free ? wrench(q, 1) : Wrench{};
+        const Wrench a = is_first_free ? wrench(0) : Wrench{}, b = is_second_free ? wrench(1) : Wrench{};
         if (is_first_free) add_product(weight, a, a, sum.first);
         if (is_first_free && is_second_free) add_product(weight, a, b, sum.both);
         if (is_second_free) add_product(weight, b, b, sum.second);
@@ -75,18 +80,48 @@ WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face)
     return sum;
 }
 
-/// R'R of one interface, each row weighted with its share of the length: the first body's motions, then the second's.
-MatrixXd pair_resistance_squared(const AssemblyProblem& problem, std::size_t face) {
-    const Interface& f = problem.interfaces[face];
+/// Mean square of the closing along these normals: the first body's motions, then the second's.
+MatrixXd mean_square(const AssemblyProblem& problem, const Interface& f, const WrenchProducts& sum) {
     const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
                            b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
-    const WrenchProducts sum = wrench_products(problem, face);
     MatrixXd squared(a.cols() + b.cols(), a.cols() + b.cols());
     squared.topLeftCorner(a.cols(), a.cols()) = a.transpose() * sum.first * a;
     squared.topRightCorner(a.cols(), b.cols()) = a.transpose() * sum.both * b;
     squared.bottomLeftCorner(b.cols(), a.cols()) = squared.topRightCorner(a.cols(), b.cols()).transpose();
     squared.bottomRightCorner(b.cols(), b.cols()) = b.transpose() * sum.second * b;
     return squared / sum.weight;
+}
+
+/// Orthonormal basis of the motions with so small a mean square that they are neutral.
+MatrixXd neutral_to(const MatrixXd& squared) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(squared);
+    const Index n = (eigen.eigenvalues().array() < neutral_motion_fraction * neutral_motion_fraction).count();
+    return eigen.eigenvectors().leftCols(n);
+}
+
+/// Orthonormal basis of what two bases span together.
+MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
+    if (a.cols() == 0 || b.cols() == 0) return a.cols() == 0 ? b : a;
+    MatrixXd both(a.rows(), a.cols() + b.cols());
+    both << a, b;
+    const Eigen::JacobiSVD<MatrixXd> svd(both, Eigen::ComputeThinU);
+    return svd.matrixU().leftCols((svd.singularValues().array() > same_motion).count());
+}
+
+/// What an interface resists of a motion: its closing along the lines that forces act on, but for the motions that leave these
+/// as they are, and those in which a body's own outline slides in itself.
+Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
+    const Interface& f = problem.interfaces[face];
+    const MatrixXd acting = mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) {
+                                            return std::array<Vec2, 2>{f.points[q].normal[0], Vec2(-f.points[q].normal[1])};
+                                        }));
+    if (f.bilateral) return {acting, acting};
+    const MatrixXd own =
+        mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) { return problem.own_normals[face][q]; }));
+    const MatrixXd neutral = joined(neutral_to(acting), neutral_to(own));
+    if (neutral.cols() == 0) return {acting, acting};
+    const MatrixXd resisted = MatrixXd::Identity(acting.rows(), acting.cols()) - neutral * neutral.transpose();
+    return {resisted * acting * resisted, acting};
 }
 
 /// Amplitudes of an interface's motions.
@@ -98,48 +133,50 @@ std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>
     return list;
 }
 
-/// True: every motion is resisted by far more than a neutral one. False: not known. The product of the other eigenvalues of R'R
-/// is at most (trace / (n - 1))^(n - 1), so that the least one is at least det over that: for a few motions, cheap and enough.
-bool resists_every_motion(const MatrixXd& squared) {
-    const Index n = squared.cols();
-    const Eigen::LDLT<MatrixXd> factor(squared);
-    const VectorXd pivots = factor.vectorD();
-    const double trace = squared.trace();
-    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > 0)) return false;
-    const double others = n > 1 ? trace / static_cast<double>(n - 1) : 1.0;
-    double least = pivots[0];
-    for (Index k = 1; k < n; ++k) least *= pivots[k] / others;
-    return least > neutral_motion_fraction * trace;  // the limit is its square: rounding does not matter
+/// Of the neutral motions those in which contact forces have levers, scaled to levers of one.
+MatrixXd balanced_motions(const Resistance& resistance, const MatrixXd& neutral) {
+    const MatrixXd levers = neutral.transpose() * resistance.acting * neutral;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(levers);
+    MatrixXd balanced(neutral.rows(), 0);
+    for (Index k = 0; k < neutral.cols(); ++k) {
+        const VectorXd motion = neutral * eigen.eigenvectors().col(k);
+        const double lever = std::sqrt(std::max(0.0, eigen.eigenvalues()[k])),
+                     left = std::sqrt(std::max(0.0, motion.dot(resistance.contact * motion)));
+        if (lever <= std::max(least_lever, clear_lever * left)) continue;
+        balanced.conservativeResize(Eigen::NoChange, balanced.cols() + 1);
+        balanced.rightCols(1) = motion / lever;
+    }
+    return balanced;
 }
 
 }  // namespace
 
-MatrixXd candidate_resistance(const AssemblyProblem& problem) {
+Resistance candidate_resistance(const AssemblyProblem& problem) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    MatrixXd sum = MatrixXd::Zero(offset.back(), offset.back());
+    Resistance sum{MatrixXd::Zero(offset.back(), offset.back()), MatrixXd::Zero(offset.back(), offset.back())};
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
         const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
         if (problem.interfaces[f].points.empty() || amplitude.empty()) continue;
-        sum(amplitude, amplitude) += pair_resistance_squared(problem, f);
+        const Resistance pair = pair_resistance(problem, f);
+        sum.contact(amplitude, amplitude) += pair.contact;
+        sum.acting(amplitude, amplitude) += pair.acting;
     }
     return sum;
 }
 
-MotionSplit split_motions(const AssemblyProblem& problem, const MatrixXd& resistance, const MatrixXd& modes) {
+MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const MatrixXd& modes) {
     const Index n = modes.cols();
-    if (n == 0) return {MatrixXd(0, 0), MatrixXd(0, 0)};
+    if (n == 0) return {MatrixXd(0, 0), MatrixXd(0, 0), MatrixXd(0, 0)};
     const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
-    const MatrixXd squared = resistance + held.transpose() * held;
-    if (resists_every_motion(squared)) return {MatrixXd::Identity(n, n), MatrixXd(n, 0)};
-    // eigenvalues of R'R: squares of the singular values of R
+    const MatrixXd squared = resistance.contact + held.transpose() * held;
+    const double limit = neutral_motion_fraction * neutral_motion_fraction;
     const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues();
-    const double limit = neutral_motion_fraction * neutral_motion_fraction * values[n - 1];
-    if (!(values[n - 1] > 0)) return {MatrixXd(n, 0), MatrixXd::Identity(n, n)};
-    if (values[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0)};
+    if (values[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
     // Jacobi's rotations leave motions that nothing couples apart: one part's stays one part's among equal values, too
     const Eigen::JacobiSVD<MatrixXd> svd(squared, Eigen::ComputeFullV);
     const Index kept = (svd.singularValues().array() >= limit).count();
-    return {svd.matrixV().leftCols(kept), svd.matrixV().rightCols(n - kept)};
+    const MatrixXd neutral = svd.matrixV().rightCols(n - kept);
+    return {svd.matrixV().leftCols(kept), neutral, balanced_motions(resistance, neutral)};
 }
 
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
@@ -160,36 +197,19 @@ std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const
     return result;
 }
 
-void find_driven_neutral_motion(const AssemblyProblem& problem, const MatrixXd& neutral, const VectorXd& mode_load,
-                                AssemblySolution& solution) {
-    const VectorXd work = neutral.transpose() * mode_load;
-    if (work.size() > 0 && work.cwiseAbs().maxCoeff() > neutral_work_fraction * problem.load_scale)
+void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const MatrixXd& neutral,
+                                const VectorXd& mode_load, double load_scale, AssemblySolution& solution) {
+    VectorXd work = neutral.transpose() * mode_load;
+    for (Index k = 0; k < neutral.cols(); ++k) {
+        const double left = std::sqrt(std::max(0.0, neutral.col(k).dot(resistance.contact * neutral.col(k))));
+        if (std::abs(work[k]) <= (neutral_work_fraction + left) * load_scale) work[k] = 0;
+    }
+    if (!work.isZero(0)) {
         solution.mechanism = part_motions(problem.parts, neutral * work);
-    else
-        for (Index k = 0; k < neutral.cols(); ++k)
-            for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
-}
-
-bool balance_neutral_motions(const MatrixXd& modes, const VectorXd& mode_load, const MotionSplit& split, HeldAnswer& answer) {
-    const MatrixXd lever = modes * split.neutral;
-    constexpr double least_lever = 1e-6;  // of unit motion at the part's size: below, contact cannot turn the part at all
-    std::vector<Index> some;
-    for (Index k = 0; k < lever.cols(); ++k)
-        if (lever.rows() > 0 && lever.col(k).cwiseAbs().maxCoeff() > least_lever) some.push_back(k);
-    if (some.empty()) return false;
-    MatrixXd all(answer.held.rows(), answer.held.cols() + static_cast<Index>(some.size()));
-    all << answer.held, split.neutral(Eigen::all, some);
-    ContactQp full = answer.qp;
-    full.modes = modes * all;
-    full.mode_load = all.transpose() * mode_load;
-    full.expected = answer.result.multipliers;
-    ContactQpResult balanced = solve_contact_qp(full);
-    balanced.iterations += answer.result.iterations;
-    if (!balanced.feasible || !balanced.converged) return false;
-    const double change = (balanced.multipliers - answer.result.multipliers).cwiseAbs().sum();
-    if (change > largest_rebalancing * answer.result.multipliers.cwiseAbs().sum()) return false;
-    answer = {std::move(full), std::move(all), std::move(balanced)};
-    return true;
+        return;
+    }
+    for (Index k = 0; k < neutral.cols(); ++k)
+        for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
 }
 
 void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {

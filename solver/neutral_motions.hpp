@@ -8,35 +8,31 @@
 
 namespace abut::solver {
 
-/// Orthonormal bases of the motions that something resists, and of the neutral ones (amplitudes x motions).
+/// Orthonormal bases of the motions that something resists, and of the neutral ones (amplitudes x motions). balanced: neutral
+/// motions in which contact forces have levers all the same, since a force on a round part acts on the line that both bodies
+/// share, not through the part's own centre: their equilibrium is a condition of the contact problem like any other's. Their
+/// amplitudes there mean nothing, and are taken out again by take_least_motion.
 struct MotionSplit {
-    Eigen::MatrixXd resisted, neutral;
+    Eigen::MatrixXd resisted, neutral, balanced;
 };
-/// R'R of the candidates' resistance R along the bodies' own normals, root-mean-square over each interface (amplitudes
-/// squared).
-Eigen::MatrixXd candidate_resistance(const AssemblyProblem& problem);
-/// resistance: of the candidates; modes: G of the rows, of which the constraints' resist as they are.
-MotionSplit split_motions(const AssemblyProblem& problem, const Eigen::MatrixXd& resistance, const Eigen::MatrixXd& modes);
+/// Mean squares of what the candidates' points close by in motions (amplitudes squared), each interface's over its length, so
+/// that a motion straight against a face has 1. acting: along the lines that contact forces act on. contact: the same but for
+/// motions that contact does not resist: across all of these lines, and of a body that turns or slides in its own outline.
+struct Resistance {
+    Eigen::MatrixXd contact, acting;
+};
+Resistance candidate_resistance(const AssemblyProblem& problem);
+/// modes: G of the rows, of which the constraints' resist as they are.
+MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& modes);
 
 /// Motion of every part that takes a notable share in a combination of the free motions.
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const Eigen::VectorXd& amplitudes);
 
-/// Names the neutral motions in the solution: as its mechanism, where the loads work in them.
-void find_driven_neutral_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral,
-                                const Eigen::VectorXd& mode_load, AssemblySolution& solution);
-
-/// The contact problem under the motions `held`, and its answer.
-struct HeldAnswer {
-    ContactQp qp;
-    Eigen::MatrixXd held;
-    ContactQpResult result;
-};
-/// Pairs act along the normal of the middle curve, not along a round part's own: with the neutral motions left out, their
-/// balance is off by what that difference does (1e-8 to 1e-5 of the load). Where the pressures can make up for it, they do so
-/// with the neutral motions as unknowns; their amplitudes, which mean nothing, are taken out again by take_least_motion. modes,
-/// mode_load: of all motions. False: nothing is changed.
-bool balance_neutral_motions(const Eigen::MatrixXd& modes, const Eigen::VectorXd& mode_load, const MotionSplit& split,
-                             HeldAnswer& answer);
+/// Names the neutral motions in the solution: as its mechanism, where the loads work in them. load_scale: the largest load on
+/// any body, prescribed displacements' included. A motion that is neutral only nearly, since an outline is drawn with rounding,
+/// takes as much of the loads as the little that resists it.
+void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& neutral,
+                                const Eigen::VectorXd& mode_load, double load_scale, AssemblySolution& solution);
 
 /// The neutral motions' amplitudes that make the displacement least (in the coefficients).
 void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, AssemblySolution& solution);

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "src/accuracy_goal.hpp"
+#include "src/contact_measures.hpp"
+#include "src/missed_contacts.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -48,22 +50,54 @@ std::string why_it_ended(PathEnd end) {
     return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
 }
 
+/// A penalty's penetration is an error of the pressure that no grid shows.
+ErrorEstimate with_penetration(ErrorEstimate e, const SolvedAssembly& solved) {
+    for (std::size_t k = 0; k < e.contacts.size(); ++k) {
+        const double share = penetration_share(solved, k);
+        if (!e.contacts[k] || share == 0) continue;
+        ContactError& c = *e.contacts[k];
+        c.pressure = std::hypot(c.pressure, share);
+        c.peak = std::hypot(c.peak, share);
+        e.contact_pressure = std::max(*e.contact_pressure, c.share * c.pressure);
+        e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
+    }
+    return e;
+}
+
 /// What the target is an error of.
 std::optional<double> steering(const ErrorEstimate& e) {
     return e.contact_pressure ? std::max(*e.contact_pressure, *e.peak) : e.stress;
 }
 
 void fill_target(const Outcome& out, Result& result) {
-    const ErrorEstimate& error = out.errors.back();
+    const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
     result.accuracy.of = error.contact_pressure ? "contact pressure" : "stress";
     result.accuracy.target = out.target;
     result.accuracy.estimate = steering(error);
     result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
-    if (out.end == PathEnd::no_need || out.end == PathEnd::reached || result.accuracy.reached) return;
-    result.accuracy.why = why_it_ended(out.end);
+    const std::optional<double> of_grids = steering(out.errors.back());
+    const bool penetrates = of_grids && *of_grids <= out.target && !result.accuracy.reached;
+    if (result.accuracy.reached || (!penetrates && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
+    result.accuracy.why = penetrates
+                              ? "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take "
+                                "a larger contacts.penalty, or none"
+                              : why_it_ended(out.end);
     result.warnings.push_back("the estimated error of the " + result.accuracy.of + ", " +
                               percent(result.accuracy.estimate.value_or(1)) + ", is above the " + percent(out.target) +
                               " aimed at: " + result.accuracy.why);
+}
+
+/// Contacts that the last grids did not resolve.
+void fill_missed(const Outcome& out, Result& result) {
+    const MissedContacts missed = missed_contacts(out.solved, out.target);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+        for (const MissedContact& m : missed[k]) {
+            result.accuracy.reached = false;
+            result.warnings.push_back(result.contacts[k].between[0] + " and " + result.contacts[k].between[1] + " overlap by " +
+                                      number_text(m.depth, 3) +
+                                      " where no contact was found: the cells are too coarse there for a force of up to " +
+                                      percent(std::min(1.0, m.share)) + " of the largest; ask for a higher accuracy");
+        }
 }
 
 }  // namespace
@@ -73,7 +107,8 @@ void fill_errors(const Outcome& out, Result& result) {
         result.passes.push_back(
             {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
     fill_target(out, result);
-    const ErrorEstimate& error = out.errors.back();
+    fill_missed(out, result);
+    const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
     if (!error.energy && !error.contact_pressure) {
         result.error_estimate.method = "none: nothing is strained";
         return;

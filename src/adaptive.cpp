@@ -13,6 +13,7 @@
 #include "src/contact_measures.hpp"
 #include "src/extent_by_theory.hpp"
 #include "src/mirrored_grids.hpp"
+#include "src/missed_contacts.hpp"
 #include "src/next_candidates.hpp"
 #include "src/next_grids.hpp"
 #include "src/part_groups.hpp"
@@ -25,7 +26,8 @@ namespace abut {
 namespace {
 
 constexpr int max_search_widenings = 5;
-constexpr double search_widening = 3;
+/// The search goes no farther than the smaller part is large: what moves farther is not paired where it comes to rest.
+constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
 constexpr int max_passes = 7;  // on the same candidates
 
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
@@ -145,24 +147,24 @@ private:
     }
 
     bool may_widen() const {
-        return !scene_.contacts.search_distance && widenings_ < max_search_widenings && scene_.contacts.detect &&
-               scene_.parts.size() > 1;
+        return !scene_.contacts.search_distance && widenings_ < max_search_widenings && factor_ < farthest_search &&
+               scene_.contacts.detect && scene_.parts.size() > 1;
     }
 
     /// Looks farther; where the parts rest on nothing, until there is more to rest on.
     void widen(const SolvedAssembly& now, double needed, bool stuck) {
         ++widenings_;
-        factor_ = std::max(search_widening * factor_, needed);
+        factor_ = std::min(farthest_search, std::max(search_widening * factor_, needed));
         const std::size_t before = out_.candidates.size();
         search();
-        for (; stuck && out_.candidates.size() == before && widenings_ < max_search_widenings; ++widenings_) {
-            factor_ *= search_widening;
+        for (; stuck && out_.candidates.size() == before && may_widen(); ++widenings_) {
+            factor_ = std::min(farthest_search, search_widening * factor_);
             search();
         }
         comparable_from_ = out_.passes.size();
         start_over();
-        if (!stuck && any_run(now) && now.contacts.size() == out_.candidates.size()) {
-            const ContactRuns runs = contacts_by_theory(scene_, now).runs;
+        if (!stuck && is_in_contact(now) && now.contacts.size() == out_.candidates.size()) {
+            const ContactRuns runs = with_missed(contacts_by_theory(scene_, now).runs, missed_);
             set_first_goals(now, runs, next_);
             wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         }
@@ -241,10 +243,18 @@ private:
         out_.errors.push_back(errors_of_last(stuck));
     }
 
+    /// Also where the grids were too coarse to see it.
+    bool is_in_contact(const SolvedAssembly& now) const { return any_run(now) || any_missed(missed_); }
+
+    void look_for_missed(const SolvedAssembly& now) {
+        missed_ = is_solved(now) ? missed_contacts(now, out_.target) : MissedContacts(now.contacts.size());
+    }
+
     /// One solution; true: the last one.
     bool step() {
         SolvedAssembly now = solve();
         const bool stuck = !is_solved(now);
+        look_for_missed(now);
         record(now);
         if (!now.failure.empty() && !next_.on_final_cells()) {  // a wall too thin for the first cells
             comparable_from_ = out_.passes.size();
@@ -264,12 +274,13 @@ private:
         if (stuck) return end(std::move(now), PathEnd::no_need);
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
-        if (!any_run(now)) return step_without_contact(std::move(now));
+        if (!is_in_contact(now)) return step_without_contact(std::move(now));
         if (is_reached() && !next_.on_final_cells() && follow_ends(now, max_knot_moves - knot_moves_before)) {
             out_.passes.pop_back();
             out_.errors.pop_back();
             record(now);
             if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
+            look_for_missed(now);
         }
         if (is_reached()) return end(std::move(now), PathEnd::reached);
         if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
@@ -281,22 +292,22 @@ private:
 
     bool is_reached() const {
         const ErrorEstimate& error = out_.errors.back();
-        return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target;
+        return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target && !any_missed(missed_);
     }
 
     void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         const bool is_first = next_.goal.empty();
         if (is_first) {
             theory_ = contacts_by_theory(scene_, now);
-            set_first_goals(now, theory_.runs, next_);
-            if (theory_.is_close)
+            set_first_goals(now, with_missed(theory_.runs, missed_), next_);
+            if (theory_.is_close && !any_missed(missed_))
                 aim_at_goals(next_);
             else
                 coarsen_less(next_);
         } else {
             refine(error, next_);
         }
-        const ContactRuns& runs = is_first ? theory_.runs : now.runs;
+        const ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         move_seams(scene_, now, out_.candidates);
         if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
@@ -317,6 +328,7 @@ private:
     WantedSizes wanted_;
     WantedSizes raisers_;      // where stresses turned out to be worst
     TheoryOfContacts theory_;  // of the first solution's contacts
+    MissedContacts missed_;    // of the last solution
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;

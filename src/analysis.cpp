@@ -29,9 +29,6 @@ namespace abut {
 
 namespace {
 
-/// Contact forces that do not balance by more than this fraction are no answer; below, a warning.
-constexpr double tolerated_work = 0.02;
-
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
@@ -151,18 +148,6 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
         if (!out.solved.solution.converged) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
-        }
-        const std::vector<solver::PartMotion>& driven = out.solved.solution.driven;
-        if (!driven.empty() && out.solved.solution.driven_work <= tolerated_work)
-            result.warnings.push_back("contact pushes with " + number_text(100 * out.solved.solution.driven_work, 2) +
-                                      " % of its force along a motion that frictionless contact does not hold (" +
-                                      motions_text(scene, out.solved, driven) +
-                                      "); hold the part by a support if that matters");
-        if (!driven.empty() && out.solved.solution.driven_work > tolerated_work) {
-            result.status = "failed";
-            result.message =
-                "no contact can balance the loads: " + motions_text(scene, out.solved, out.solved.solution.driven) +
-                ". Add a support, or a part that it can rest on";
         }
         if (const std::string pressed = rigid_pair_failure(scene, out); !pressed.empty()) {
             result.status = "failed";

@@ -71,7 +71,8 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
             const double deepest = -first_search_fraction * size;
             for (geometry::FacingZone& zone : find_facing_zones(part_of(scene, i), part_of(scene, j), distance)) {
                 if (zone.gap_min < deepest && distance > first_search_fraction * size) continue;  // a far side, not an overlap
-                const Candidate whole{i, j, std::move(zone), 0, scene.contacts.overlap == "ignore"};
+                const Candidate whole{i, j, acting_zone(part_of(scene, i), part_of(scene, j), std::move(zone)), 0,
+                                      scene.contacts.overlap == "ignore"};
                 for (Ruled& ruled : split_by_rules(scene, whole)) {
                     Candidate& c = ruled.candidate;
                     const PairRule* rule =

@@ -49,6 +49,27 @@ ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact) {
     return total;
 }
 
+double half_plane_compliance(const PartOnGrid& g, double thickness) {
+    const solver::Elasticity& d = g.input.elasticity;
+    return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12) * thickness / g.input.thickness;
+}
+
+double compliance_of(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    double sum = 0;
+    for (int part : c.face.part) sum += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], c.face.thickness);
+    return sum;
+}
+
+double penetration_share(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    if (c.face.penalty.empty() || solved.runs[contact].empty()) return 0;
+    const double softest = *std::min_element(c.face.penalty.begin(), c.face.penalty.end());
+    double half_width = 0;
+    for (const ContactRun& run : solved.runs[contact]) half_width = std::max(half_width, 0.5 * (run.end - run.begin));
+    return 1 / (compliance_of(solved, contact) * softest * half_width);
+}
+
 bool any_run(const SolvedAssembly& s) {
     return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
 }

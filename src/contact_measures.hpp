@@ -19,6 +19,17 @@ struct ContactForce {
 };
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact);
 
+/// Of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per thickness of the
+/// interface: a thicker part is stiffer. 0 of a rigid part.
+double half_plane_compliance(const PartOnGrid& part, double thickness);
+
+/// 1 / E* = 1 / E1' + 1 / E2' of a contact.
+double compliance_of(const SolvedAssembly& solved, std::size_t contact);
+
+/// Penetration that a penalty allows, over the elastic closing within the contact: p / beta over p a / E*, as in Hertz' contact
+/// of half width a, whose middle closes by p a / E* more than its ends. 0 without penalty.
+double penetration_share(const SolvedAssembly& solved, std::size_t contact);
+
 bool any_run(const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -11,6 +11,7 @@
 
 #include "geometry/gauss.hpp"
 #include "src/contact_joints.hpp"
+#include "src/contact_measures.hpp"
 
 namespace abut {
 
@@ -38,12 +39,6 @@ struct PlaneContact {
     double half_width;                  // as it was found
     double begin_spacing, end_spacing;  // of knots at its ends
 };
-
-/// E' = E in plane stress, E / (1 - nu^2) in plane strain. Per thickness of the interface: a thicker part is stiffer.
-double half_plane_compliance(const PartOnGrid& g, double thickness) {
-    const solver::Elasticity& d = g.input.elasticity;
-    return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12) * thickness / g.input.thickness;
-}
 
 /// Force per thickness and moment of a pressure, about s = 0.
 struct ForceAlong {
@@ -263,9 +258,7 @@ std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly
                                         std::vector<ContactRun>& runs) {
     const ContactInterface& contact = solved.contacts[k];
     const std::vector<ContactJoint> joints = contact_joints(scene, contact);
-    double compliance = 0;
-    for (int part : contact.face.part)
-        compliance += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], contact.face.thickness);
+    const double compliance = compliance_of(solved, k);
     PlanePressure pressure{contact.s1, contact.s, {}};
     for (std::size_t r = 0; r < runs.size(); ++r) {
         ContactRun& run = runs[r];

@@ -31,9 +31,10 @@ int free_ends(const std::vector<ContactRun>& runs) {
     return std::max(1, n);
 }
 
-/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure?
+/// Is a contact resolved well enough, as far as the strongest one's pressure is the measure? An open one is; where it closes on
+/// other grids, it begins with the first cells of a contact.
 bool is_good(const ErrorEstimate& error, std::size_t k, double target) {
-    if (k >= error.contacts.size() || !error.contacts[k]) return false;
+    if (k >= error.contacts.size() || !error.contacts[k]) return true;
     const ContactError& c = *error.contacts[k];
     return std::max(c.share * c.pressure, c.at_corner ? 0.0 : c.share_of_peak * c.peak) <= aim * target;
 }
@@ -96,8 +97,7 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
         next.resolution[k].corner_fraction /= corner_refinement;
         double& end_fraction = next.resolution[k].end_fraction;
         const double finer = end_fraction / least_refinement;
-        const bool is_known = error.contacts.size() > k && error.contacts[k];
-        end_fraction = std::max(next.goal[k], is_known ? std::min(end_known * error.contacts[k]->ends, finer) : finer);
+        end_fraction = std::max(next.goal[k], std::min(end_known * error.contacts[k]->ends, finer));
     }
     coarsen_less(next);
 }

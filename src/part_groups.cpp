@@ -53,7 +53,6 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     append(to.pressure, from.pressure);
     append(to.constraint_force, from.constraint_force);
     append_motions(to.neutral, from.neutral, parts_before);
-    append_motions(to.driven, from.driven, parts_before);
     append_motions(to.mechanism, from.mechanism, parts_before);
     to.groups += from.groups;
     add_outcome(from, to);

@@ -147,7 +147,6 @@ HardAnswer judge(const SolvedAssembly& solved, double size) {
     a.residual = solved.solution.residual;
     a.unbalance = unbalance(solved, size);
     if (!solved.solution.converged) a.failure = "not converged";
-    if (a.failure.empty() && !solved.solution.driven.empty()) a.failure = "driven";
     if (a.failure.empty() && !(a.residual < tolerance)) a.failure = "residual " + number_text(a.residual, 3);
     if (a.failure.empty() && !(a.unbalance < tolerance)) a.failure = "unbalanced " + number_text(a.unbalance, 3);
     return a;

@@ -10,7 +10,7 @@ namespace abut::test {
 
 struct HardAnswer {
     std::string family, what;  ///< what: the case's parameters, in words
-    std::string failure{};     ///< empty: converged, balanced, nothing driven
+    std::string failure{};     ///< empty: converged and balanced
     double error = 0;          ///< of the pressure, relative: largest where the exact one is known, else L2 over the contact
     double residual = 0, unbalance = 0;
     int iterations = 0;

@@ -75,7 +75,6 @@ PinAnswer answer_of(const SolvedAssembly& solved, double load) {
         a.half_angle = 90 / std::numbers::pi * (last.end - first.begin) / radius;
     }
     if (!solved.solution.converged) a.failure = "not converged";
-    if (a.failure.empty() && !solved.solution.driven.empty()) a.failure = "driven";
     if (a.failure.empty() && !(a.residual < solved_tolerance)) a.failure = "residual";
     if (a.failure.empty() && !(a.unbalance < solved_tolerance && a.force_error < solved_tolerance)) a.failure = "unbalanced";
     a.solved = a.failure.empty();

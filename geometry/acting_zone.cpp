@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines that contact forces act on, see facing.hpp.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/facing.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+/// Sharpness of a corner, in 1 / length of both chains, and of a straight stretch beside a curved one, of the latter's
+/// curvature: as much more, and less, than any curvature that is drawn, as rounding can tell.
+constexpr double corner_sharpness = 1e12, flat_sharpness = 1e-12;
+/// Ends of a zone this little from an end of its chain are there.
+constexpr double end_slack = 1e-9;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// The largest curvature of the edges that a stretch of a chain has a part of.
+double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
+    double largest = 0;
+    for (std::size_t k = 0; k < chain.edges.size(); ++k) {
+        const double end = k + 1 < chain.begin.size() ? chain.begin[k + 1] : chain.length;
+        const double turns = chain.closed ? chain.length * std::ceil((low - end) / chain.length) : 0;
+        if (chain.begin[k] + turns >= high || end + turns <= low) continue;
+        const Curve& curve = part.edges[at(chain.edges[k])].curve;
+        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(curve, t)));
+    }
+    return largest;
+}
+
+bool is_end(const Chain& chain, double s) {
+    const double slack = end_slack * chain.length;
+    return !chain.closed && (s <= slack || s >= chain.length - slack);
+}
+
+std::array<double, 2> sharpness_of(const Part& part1, const Part& part2, const FacingZone& zone) {
+    const FacingPair begin = pair_from_first(part1, part2, zone, zone.begin1, zone.begin2),
+                     end = pair_from_first(part1, part2, zone, zone.end1, zone.end2);
+    const double rounding = end_slack * (zone.chain1.length + zone.chain2.length);
+    const bool at_begin = begin.gap <= end.gap;
+    const bool is_least = std::min(begin.gap, end.gap) <= zone.gap_min + rounding;
+    const bool corner1 = is_least && is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1),
+               corner2 = is_least && is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2);
+    const double corner = corner_sharpness / (zone.chain1.length + zone.chain2.length);
+    return {corner1 ? corner : flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
+            corner2 ? corner : flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
+}
+
+/// One end of the zone: the pair of the chain that ends there, of the first where none or both do.
+void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, double& s1, double& s2) {
+    const bool second_ends = is_end(zone.chain2, s2) && !is_end(zone.chain1, s1);
+    FacingPair pair;
+    if (!second_ends) pair = pair_from_first(part1, part2, zone, s1, s2);
+    if (!pair.found) pair = pair_from_second(part1, part2, zone, s2, s1);
+    if (!pair.found) return;
+    s1 = pair.s1;
+    s2 = pair.s2;
+}
+
+}  // namespace
+
+FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
+    zone.sharpness = sharpness_of(part1, part2, zone);
+    zone.is_acting = true;
+    pair_end(part1, part2, zone, zone.begin1, zone.begin2);
+    if (zone.closed) {
+        zone.end1 = zone.begin1 + zone.chain1.length;
+        zone.end2 = zone.begin2 - zone.chain2.length;
+    } else {
+        pair_end(part1, part2, zone, zone.end1, zone.end2);
+    }
+    return zone;
+}
+
+}  // namespace abut::geometry
