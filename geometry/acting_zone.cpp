@@ -9,11 +9,10 @@ namespace abut::geometry {
 
 namespace {
 
-/// Sharpness of a corner, in 1 / length of both chains, and of a straight stretch beside a curved one, of the latter's
-/// curvature: as much more, and less, than any curvature that is drawn, as rounding can tell.
-constexpr double corner_sharpness = 1e12, flat_sharpness = 1e-12;
-/// Ends of a zone this little from an end of its chain are there.
-constexpr double end_slack = 1e-9;
+/// Of the curvature beside a straight stretch: less than any curvature that is drawn.
+constexpr double flat_sharpness = 1e-12;
+/// Ends of a zone this little from an end of its chain are there. And sides that are less inclined than this are parallel.
+constexpr double end_slack = 1e-9, parallel = 1e-9;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -37,17 +36,16 @@ bool is_end(const Chain& chain, double s) {
     return !chain.closed && (s <= slack || s >= chain.length - slack);
 }
 
-std::array<double, 2> sharpness_of(const Part& part1, const Part& part2, const FacingZone& zone) {
+/// Does the gap have its least value at a corner of a side, and open from there?
+std::array<bool, 2> corners_of(const Part& part1, const Part& part2, const FacingZone& zone) {
     const FacingPair begin = pair_from_first(part1, part2, zone, zone.begin1, zone.begin2),
                      end = pair_from_first(part1, part2, zone, zone.end1, zone.end2);
     const double rounding = end_slack * (zone.chain1.length + zone.chain2.length);
     const bool at_begin = begin.gap <= end.gap;
-    const bool is_least = std::min(begin.gap, end.gap) <= zone.gap_min + rounding;
-    const bool corner1 = is_least && is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1),
-               corner2 = is_least && is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2);
-    const double corner = corner_sharpness / (zone.chain1.length + zone.chain2.length);
-    return {corner1 ? corner : flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
-            corner2 ? corner : flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
+    const FacingPair& nearest = at_begin ? begin : end;
+    const bool opens = std::abs(cross(nearest.on1.normal, nearest.on2.normal)) > parallel;
+    if (!opens || nearest.gap > zone.gap_min + rounding) return {false, false};
+    return {is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1), is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2)};
 }
 
 /// One end of the zone: the pair of the chain that ends there, of the first where none or both do.
@@ -64,7 +62,9 @@ void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, doub
 }  // namespace
 
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
-    zone.sharpness = sharpness_of(part1, part2, zone);
+    zone.at_corner = corners_of(part1, part2, zone);
+    zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
+                      flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
     zone.is_acting = true;
     pair_end(part1, part2, zone, zone.begin1, zone.begin2);
     if (zone.closed) {

@@ -20,6 +20,7 @@ struct Weights {
 };
 Weights weights(const FacingZone& zone, const ChainPoint& p1, const ChainPoint& p2) {
     if (!zone.is_acting) return {0.5, 0.5};
+    if (zone.at_corner[0] != zone.at_corner[1]) return zone.at_corner[0] ? Weights{0, 1} : Weights{1, 0};
     const double k1 = std::abs(p1.curvature) + zone.sharpness[0], k2 = std::abs(p2.curvature) + zone.sharpness[1];
     return k1 + k2 > 0 ? Weights{k2 / (k1 + k2), k1 / (k1 + k2)} : Weights{0.5, 0.5};
 }

@@ -50,9 +50,11 @@ struct FacingZone {
     bool closed = false;  ///< a full turn on both closed chains
     bool begin_is_limit = false,
          end_is_limit = false;  ///< ends where the gap exceeds the distance (the zone could be longer), not at a corner
-    /// Does N above weigh the normals by curvature? Else both count alike. sharpness: added to the curvatures of both sides.
+    /// Does N above weigh the normals by curvature? Else both count alike. sharpness: added to the curvatures of both sides;
+    /// at_corner: the nearest point of that side is a corner.
     bool is_acting = false;
     std::array<double, 2> sharpness{0, 0};
+    std::array<bool, 2> at_corner{false, false};
 };
 
 struct FacingPair {

@@ -20,6 +20,7 @@
 #include "src/plan.hpp"
 #include "src/stress_error.hpp"
 #include "src/stress_raisers.hpp"
+#include "src/svg.hpp"
 
 namespace abut {
 
@@ -250,6 +251,22 @@ private:
         missed_ = is_solved(now) ? missed_contacts(now, out_.target) : MissedContacts(now.contacts.size());
     }
 
+    /// A part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
+    /// displacements have it.
+    std::string lost_part(const SolvedAssembly& now) const {
+        if (!is_solved(now)) return "";
+        for (std::size_t k = 0; k < now.grids.size(); ++k) {
+            const PartOnGrid& g = now.grids[k];
+            const double farthest = solver::largest_displacement(g.input, now.solution.displacement[k]),
+                         turn = std::abs(solver::free_rotation(now.problem.parts[k], now.solution.displacement[k]));
+            if (farthest <= g.size && turn <= 1) continue;
+            return "part " + scene_.parts[static_cast<std::size_t>(g.part)].name + " moves by " + number_text(farthest, 3) +
+                   (turn > 1 ? " and turns by more than a radian" : ", more than its own size,") +
+                   " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest";
+        }
+        return "";
+    }
+
     /// One solution; true: the last one.
     bool step() {
         SolvedAssembly now = solve();
@@ -271,7 +288,8 @@ private:
         }
         out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
-        if (stuck) return end(std::move(now), PathEnd::no_need);
+        if (now.failure.empty()) now.failure = lost_part(now);
+        if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
         if (!is_in_contact(now)) return step_without_contact(std::move(now));

@@ -280,11 +280,34 @@ bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
     return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
 }
 
+/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie fewer
+/// points apart than two cells have are one.
+std::vector<ContactRun> without_flicker(std::vector<ContactRun> runs, const solver::KnotVector& points, int points_per_cell) {
+    std::vector<ContactRun> joined;
+    for (const ContactRun& run : runs) {
+        const auto between = [&](double s) { return !joined.empty() && s > joined.back().end && s < run.begin; };
+        const auto n = std::count_if(points.breakpoints.begin(), points.breakpoints.end(), between);
+        if (joined.empty() || n >= 2 * points_per_cell) {
+            joined.push_back(run);
+        } else {
+            joined.back().end = run.end;
+            joined.back().to_end = run.to_end;
+            joined.back().at_end = run.at_end;
+        }
+    }
+    return joined;
+}
+
 /// Bonded edges hold wherever they face each other.
 std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
     const solver::Interface& face = solved.contacts[contact].face;
     if (!face.bilateral && is_rounding(solved, contact)) return {};
-    if (!face.bilateral) return contact_runs(face.pressure, pressure_of(solved, contact));
+    if (!face.bilateral) {
+        std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
+        if (face.penalty.empty()) return runs;
+        const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
+        return without_flicker(std::move(runs), face.pressure, std::max(space.x.degree, space.y.degree) + 1);
+    }
     return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 

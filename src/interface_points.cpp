@@ -89,7 +89,10 @@ void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid&
     p.x = {first.frame.to_local(pair.on1.x), second.frame.to_local(pair.on2.x)};
     p.normal = {first.frame.vector_to_local(pair.normal), second.frame.vector_to_local(pair.normal)};
     c.face.points.push_back(p);
-    c.own_normals.push_back({first.frame.vector_to_local(pair.on1.normal), second.frame.vector_to_local(pair.on2.normal)});
+    // a corner has the normal of what it stands on
+    const Vec2 own1 = c.zone.at_corner[0] ? pair.normal : pair.on1.normal,
+               own2 = c.zone.at_corner[1] ? Vec2(-pair.normal) : pair.on2.normal;
+    c.own_normals.push_back({first.frame.vector_to_local(own1), second.frame.vector_to_local(own2)});
 }
 
 double winkler_stiffness(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second) {
