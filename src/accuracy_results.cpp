@@ -7,6 +7,7 @@
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
 #include "src/missed_contacts.hpp"
+#include "src/result_units.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -66,12 +67,15 @@ ErrorEstimate with_penetration(ErrorEstimate e, const SolvedAssembly& solved) {
 
 /// What the target is an error of.
 std::optional<double> steering(const ErrorEstimate& e) {
-    return e.contact_pressure ? std::max(*e.contact_pressure, *e.peak) : e.stress;
+    if (e.contact_pressure) return std::max(*e.contact_pressure, *e.peak);
+    return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
 }
 
 void fill_target(const Outcome& out, Result& result) {
     const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
-    result.accuracy.of = error.contact_pressure ? "contact pressure" : "stress";
+    result.accuracy.of = error.contact_pressure                ? "contact pressure"
+                         : error.largest_stress > error.stress ? "largest stress"
+                                                               : "stress in the energy norm";
     result.accuracy.target = out.target;
     result.accuracy.estimate = steering(error);
     result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
@@ -117,12 +121,28 @@ void fill_errors(const Outcome& out, Result& result) {
                                        ? "fit of the root at free ends of contact; elsewhere a share of the change between the "
                                          "last two grids, or the distance from the theory of half planes; energy, "
                                          "stress: smoothed stresses"
-                                       : "smoothed stresses beside those of the displacement, in the energy norm";
+                                       : "smoothed stresses beside those of the displacement, in the energy norm; at the "
+                                         "largest stress, there alone, and its change between the last two grids";
     result.error_estimate.energy = error.energy;
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
         if (error.contacts[k]) fill_contact(*error.contacts[k], error.energy, k, result);
+}
+
+void warn_of_largest_stress(Result& result) {
+    const PartResult* most = most_stressed(result);
+    if (!most) return;
+    const std::string which = "the largest von Mises stress, " + number_text(most->max_von_mises.value, 4) + " in " +
+                              most->name + " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";
+    const bool is_aimed_at = result.accuracy.of != "contact pressure";
+    if (most->max_von_mises_at_corner)
+        result.warnings.push_back(which +
+                                  " has no limit there (a re-entrant corner, the end of a support, or the corner of a "
+                                  "contact): it grows with every finer grid");
+    else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
+        result.warnings.push_back(which + " is uncertain by " + percent(std::min(*most->max_von_mises_error, 1.0)) +
+                                  ": the grid is too coarse for it");
 }
 
 namespace {

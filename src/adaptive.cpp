@@ -104,6 +104,7 @@ private:
         const bool nothing_to_find = grids_are_fixed(scene_) || out_.candidates.empty();
         next_.coarsening = nothing_to_find ? next_.coarseness : first_coarsening;
         next_.goal.clear();
+        out_.largest.clear();
         theory_ = {};
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
     }
@@ -183,6 +184,8 @@ private:
             error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
                                            {out_.passes[n - 1].energy, *error.smoothing});
         if (error.energy) error.stress = std::sqrt(*error.energy);
+        out_.largest = largest_stresses(scene_, conditions_, now, out_.stress, out_.largest, threads_);
+        if (const LargestStress* most = strongest(out_.largest)) error.largest_stress = most->error;
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
@@ -205,22 +208,25 @@ private:
         return std::numeric_limits<double>::epsilon() * largest_condition(now, threads_) > rounding_share * out_.target;
     }
 
-    /// Without contact the stress is aimed at. What smoothed stresses alone say of it holds where it is smooth; beside stress
-    /// raisers it takes a second grid to know.
+    /// Without contact the stress is aimed at, its largest value as well. What smoothed stresses alone say of it holds where it
+    /// is smooth; beside stress raisers it takes a second grid to know.
     bool step_without_contact(SolvedAssembly&& now) {
         recover_stress(now);
         if (next_.on_final_cells()) {
             const ErrorEstimate& error = out_.errors.back();
             if (!error.stress) return end(std::move(now), PathEnd::no_need);
-            const bool is_low = *error.stress <= out_.target, is_first = out_.passes.size() == comparable_from_ + 1;
+            const bool is_low_on_the_whole = *error.stress <= out_.target,
+                       is_low_at_most = !error.largest_stress || *error.largest_stress <= out_.target,
+                       is_low = is_low_on_the_whole && is_low_at_most, is_first = out_.passes.size() == comparable_from_ + 1;
             if (is_low && !is_first) return end(std::move(now), PathEnd::reached);
             if (is_lost_in_rounding(now)) return end(std::move(now), is_low ? PathEnd::reached : PathEnd::out_of_digits);
-            const bool has_raisers = add_stress_raisers(now, out_.stress, raisers_);
+            const bool has_raisers = (is_first || !is_low_on_the_whole) && add_stress_raisers(now, out_.stress, raisers_);
             if (is_low && !has_raisers) return end(std::move(now), PathEnd::reached);
             if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
             if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-            if (!has_raisers) next_.coarseness /= coarsening_step;
+            if (!is_low_at_most) add_largest_stress(now, out_.largest, raisers_);
+            if (!has_raisers && !is_low_on_the_whole) next_.coarseness /= coarsening_step;
         }
         coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());

@@ -7,6 +7,7 @@
 #include "src/analysis.hpp"
 #include "src/assembly_model.hpp"
 #include "src/error_estimate.hpp"
+#include "src/largest_stress.hpp"
 
 namespace abut {
 
@@ -24,6 +25,7 @@ struct Outcome {
     std::vector<Candidate> candidates;
     SolvedAssembly solved;                    ///< on the last grids
     std::vector<solver::StressField> stress;  ///< smoothed, of its parts; none where it is not solved
+    std::vector<LargestStress> largest;       ///< parallel to them
     int factorizations = 0, iterations = 0;
     EffectUses uses;  ///< of all passes and searches
     PathEnd end = PathEnd::no_need;

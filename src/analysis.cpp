@@ -29,6 +29,9 @@ namespace abut {
 
 namespace {
 
+/// Sides of the patches that fields are drawn by, of the model's diagonal: a few pixels of a report's pictures.
+constexpr double drawn_patch = 1.0 / 160;
+
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
@@ -45,16 +48,24 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
+void fill_largest(const LargestStress& largest, PartResult& part) {
+    part.max_displacement = largest.displacement;
+    part.max_von_mises = largest.von_mises;
+    part.max_von_mises_error = largest.error;
+    part.max_von_mises_at_corner = largest.at_corner;
+}
+
 /// Displacements and stresses of all parts that have some, side by side. False: one has no stresses.
 bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
     const SolvedAssembly& solved = out.solved;
+    geometry::Box2 model;
+    for (const ScenePart& part : scene.parts) model.extend(bounding_box(part.part));
     solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
         if (!out.stress[at(k)].failure.empty()) return;
         const auto i = at(solved.grids[at(k)].part);
-        PartFieldResult field = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)]);
-        result.parts[i].max_displacement = field.max_displacement;
-        result.parts[i].max_von_mises = field.max_von_mises;
-        result.fields[i] = std::move(field.field);
+        fill_largest(out.largest[at(k)], result.parts[i]);
+        result.fields[i] = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)],
+                                      drawn_patch * model.diagonal());
     });
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (out.stress[k].failure.empty()) continue;
@@ -79,6 +90,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_errors(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
+    warn_of_largest_stress(result);
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     std::set<std::string> neutral;

@@ -3,9 +3,9 @@
 //
 // Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
 // the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
-// share of the change from the solution before; of contacts small beside their parts no more than the distance from the pressure
-// that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have no limit are
-// left out. Energy and stress: from the smoothed stresses of one solution (stress_error).
+// share of the change from the solution before; of contacts small beside their parts no more than the distance from the
+// pressure that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have
+// no limit are left out. Energy and stress: from the smoothed stresses of one solution (stress_error).
 #pragma once
 #include <optional>
 #include <span>
@@ -34,6 +34,7 @@ struct ErrorEstimate {
     std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
+    std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
 };
 
 /// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/monotone.hpp"
 
@@ -25,6 +26,7 @@ constexpr double cells_per_radius = 3;
 constexpr double cells_per_fillet_radius = 6;  // of holes and fillets: they raise the stress
 constexpr double turn_of_feature = 0.25;       // radians of an edge's turning that get a size of their own
 constexpr double corner_fraction = 0.1;        // of the largest cell, at re-entrant corners
+constexpr double sharp_fraction = 1e-6;        // of the diagonal: what turns within less is a corner
 constexpr int chords = 48;                     // scan lines in each direction that look for walls
 
 /// A feature as one axis sees it.
@@ -104,31 +106,31 @@ void append_walls(std::vector<SizeFeature>& features, const Part& local, int axi
     }
 }
 
-/// What the portion's mean radius of curvature asks for.
-void append_curved_portion(std::vector<SizeFeature>& features, const geometry::Curve& curve, double t0, double t1,
-                           double coarseness) {
-    const double turn = turning(curve, t0, t1);
-    if (!(turn > 0)) return;
-    const bool is_concave = geometry::cross(unit_tangent(curve, t0), unit_tangent(curve, t1)) < 0;
-    const double radius = length(curve, t0, t1) / turn;
-    features.push_back({bounding_box(trimmed(curve, t0, t1)),
-                        coarseness * radius / (is_concave ? cells_per_fillet_radius : cells_per_radius)});
+bool is_concave(const geometry::Curve& curve, double t0, double t1) {
+    return curvature(curve, 0.5 * (t0 + t1)) < 0;
 }
 
-/// A circle's radius is one size; other curves are halved until a portion turns so little that its mean curvature is all there
-/// is to know. Portions shorter than `least` are not resolved: a spline may have a cusp.
-void append_curved(std::vector<SizeFeature>& features, const geometry::Curve& curve, double t0, double t1, double least,
-                   double coarseness) {
-    if (const auto* arc = std::get_if<geometry::Arc>(&curve)) {
-        features.push_back(
-            {bounding_box(curve), coarseness * arc->radius / (arc->sweep < 0 ? cells_per_fillet_radius : cells_per_radius)});
+/// Lengths within which a curve's turning is not resolved: what bulges raises no stress; what is re-entrant does, however small
+/// its radius, but a cusp has none.
+struct NotResolved {
+    double bulging, reentrant;
+};
+
+/// visit(box, radius, is_concave): a circle is one portion; other curves are halved until a portion turns so little that its
+/// mean radius of curvature is all there is to know.
+template <class Visit>
+void for_curved_portions(const geometry::Curve& curve, double t0, double t1, const NotResolved& least, const Visit& visit) {
+    if (const auto* arc = std::get_if<geometry::Arc>(&curve)) return visit(bounding_box(curve), arc->radius, arc->sweep < 0);
+    const double turn = turning(curve, t0, t1), size = length(curve, t0, t1);
+    const bool concave = is_concave(curve, t0, t1);
+    if (turn <= turn_of_feature) {
+        if (turn > 0) visit(bounding_box(trimmed(curve, t0, t1)), size / turn, concave);
         return;
     }
-    if (turning(curve, t0, t1) <= turn_of_feature) return append_curved_portion(features, curve, t0, t1, coarseness);
-    if (length(curve, t0, t1) <= least) return;
+    if (size <= (concave ? least.reentrant : least.bulging)) return;
     const double middle = 0.5 * (t0 + t1);
-    append_curved(features, curve, t0, middle, least, coarseness);
-    append_curved(features, curve, middle, t1, least, coarseness);
+    for_curved_portions(curve, t0, middle, least, visit);
+    for_curved_portions(curve, middle, t1, least, visit);
 }
 
 }  // namespace
@@ -160,11 +162,14 @@ std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
     std::vector<SizeFeature> features;
     for (int axis : {0, 1}) append_walls(features, local, axis, coarseness);
     const auto largest = largest_cells(local, coarseness);
+    const NotResolved least{slot_floor * std::min(largest[0], largest[1]), sharp_fraction * bounding_box(local).diagonal()};
     for (const geometry::Loop& loop : local.loops)
         for (std::size_t i = 0; i < loop.edges.size(); ++i) {
             const geometry::Edge& edge = local.edges[static_cast<std::size_t>(loop.edges[i])];
             const geometry::Edge& next = local.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])];
-            append_curved(features, edge.curve, 0, 1, slot_floor * std::min(largest[0], largest[1]), coarseness);
+            for_curved_portions(edge.curve, 0, 1, least, [&](const Box2& box, double radius, bool concave) {
+                features.push_back({box, coarseness * radius / (concave ? cells_per_fillet_radius : cells_per_radius)});
+            });
             const double turn = geometry::cross(geometry::unit_tangent(edge.curve, 1), geometry::unit_tangent(next.curve, 0));
             if (turn < -0.1) {
                 Box2 at;
@@ -173,6 +178,17 @@ std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
             }
         }
     return features;
+}
+
+double reentrant_radius(const Part& local, const Box2& near) {
+    const double sharp = sharp_fraction * bounding_box(local).diagonal();
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const geometry::Edge& edge : local.edges)
+        if (bounding_box(edge.curve).overlaps(near, 0))
+            for_curved_portions(edge.curve, 0, 1, {sharp, sharp}, [&](const Box2& box, double radius, bool concave) {
+                if (concave && box.overlaps(near, 0)) smallest = std::min(smallest, radius);
+            });
+    return smallest;
 }
 
 std::array<double, 2> largest_cells(const Part& local, double coarseness) {

@@ -27,6 +27,9 @@ std::vector<double> graded_lines(double low, double high, int axis, double large
 /// coarseness scales them all (1: standard).
 std::vector<SizeFeature> shape_features(const geometry::Part& local, double coarseness);
 
+/// Smallest radius of curvature of the re-entrant boundary that passes the box; infinite where none does.
+double reentrant_radius(const geometry::Part& local, const geometry::Box2& near);
+
 /// Largest cell of each direction: a fraction of the part's extent and of its diagonal.
 std::array<double, 2> largest_cells(const geometry::Part& local, double coarseness);
 

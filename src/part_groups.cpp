@@ -107,6 +107,7 @@ void append_error(ErrorEstimate& to, const ErrorEstimate& from) {
     take_larger(to.peak, from.peak);
     take_larger(to.energy, from.energy);
     take_larger(to.stress, from.stress);
+    take_larger(to.largest_stress, from.largest_stress);
 }
 
 void append_pass(PassRecord& to, const PassRecord& from) {
@@ -196,6 +197,7 @@ Outcome merged(std::vector<Outcome> groups) {
         append_solved(whole.solved, g.solved);
         append(whole.candidates, g.candidates);
         append(whole.stress, g.stress);
+        append(whole.largest, g.largest);
         whole.factorizations += g.factorizations;
         whole.iterations += g.iterations;
         whole.end = worse(whole.end, g.end);

@@ -22,7 +22,7 @@ std::string aimed_and_reached(const Result& result) {
             " Relative, root of the mean square over each contact, by the strongest contact's pressure; the largest of the "
             "contacts, or of the largest pressures if that is more. ";
     else
-        words += " Relative, in the energy norm over all parts. ";
+        words += " Relative: of the stress in the energy norm over all parts, or of its largest value if that is more. ";
     if (result.error_estimate.energy) words += "Strain energy: " + percent(*result.error_estimate.energy) + ". ";
     words += "Method: " + result.error_estimate.method + ".";
     if (result.next_level)

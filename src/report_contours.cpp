@@ -56,6 +56,7 @@ int band_of(double value) {
 }
 
 bool drawable(const Patch& patch) {
+    if (!std::isfinite(patch.middle)) return false;
     for (std::size_t i = 0; i < 4; ++i) {
         if (!std::isfinite(patch.value[i]) || !patch.at[i].allFinite()) return false;
         if (patch.at[i].cwiseAbs().maxCoeff() > largest_coordinate) return false;
@@ -111,19 +112,18 @@ void add_triangle(const Corner& a, const Corner& b, const Corner& c, BandEdges& 
 void add_patch(const Patch& patch, BandEdges& bands) {
     if (is_one_point(patch)) return;
     Polygon corners;
-    Corner middle{Vec2(0, 0), 0};
+    Corner middle{Vec2(0, 0), patch.middle};
     double twice_area = 0;
     for (std::size_t i = 0; i < 4; ++i) {
         corners.add({patch.at[i], patch.value[i]});
         middle.at += 0.25 * patch.at[i];
-        middle.value += 0.25 * patch.value[i];
         twice_area += geometry::cross(patch.at[i], patch.at[(i + 1) % 4]);
     }
     if (twice_area < 0)
         std::reverse(corners.corner.begin(),
                      corners.corner.begin() + 4);  // edges cancel only between patches of one orientation
     const auto band = [&](std::size_t i) { return band_of(corners.corner[i].value); };
-    if (band(0) == band(1) && band(0) == band(2) && band(0) == band(3)) {
+    if (band(0) == band(1) && band(0) == band(2) && band(0) == band(3) && band(0) == band_of(patch.middle)) {
         add_polygon(corners, bands[static_cast<std::size_t>(band(0))]);
         return;
     }

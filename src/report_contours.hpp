@@ -11,10 +11,11 @@ namespace abut::report {
 
 using geometry::Vec2;
 
-/// A quadrilateral in picture coordinates (pixels) and its values on the colour scale (0..1) at its corners.
+/// A quadrilateral in picture coordinates (pixels) and its values on the colour scale (0..1) at its corners and in the middle.
 struct Patch {
     std::array<Vec2, 4> at;
     std::array<double, 4> value;
+    double middle;
 };
 
 /// Number of colour bands: enough to look smooth, few enough to keep the picture small.

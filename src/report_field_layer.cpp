@@ -2,6 +2,7 @@
 #include "src/report_field_layer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/monotone.hpp"
@@ -29,17 +30,51 @@ bool in_window(const Box2& box, const Box2& window) {
     return window.empty() || box.overlaps(window, 0);
 }
 
+/// Components between the corners of a patch, u and v in [0, 1] along its sides.
+FieldSample between(const PartField& field, const FieldPatch& patch, double u, double v) {
+    const std::array<double, 4> weight{(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v};
+    FieldSample s{};
+    s.at.setZero();
+    s.displacement.setZero();
+    for (std::size_t i = 0; i < 4; ++i) {
+        const FieldSample& c = corner(field, patch, i);
+        s.at += weight[i] * c.at;
+        s.displacement += weight[i] * c.displacement;
+        s.stress.xx += weight[i] * c.stress.xx;
+        s.stress.yy += weight[i] * c.stress.yy;
+        s.stress.xy += weight[i] * c.stress.xy;
+        s.stress.zz += weight[i] * c.stress.zz;
+    }
+    return s;
+}
+
+/// Into how many a patch is divided along a side, so that none is longer than this, in pixels, where a close-up shows it large.
+int pieces_of(const Vec2& from, const Vec2& to) {
+    constexpr double longest = 8;
+    constexpr int most = 32;
+    return std::clamp(static_cast<int>(std::ceil((to - from).norm() / longest)), 1, most);
+}
+
 std::vector<Patch> patches_of(const PartField& field, const View& view, const LayerOptions& options) {
     std::vector<Patch> patches;
+    const auto place = [&](const FieldSample& s) { return view(s.at + options.exaggeration * s.displacement); };
+    const auto value = [&](const FieldSample& s) { return options.top > 0 ? options.value(s) / options.top : 0; };
     for (const FieldPatch& patch : field.patches) {
         if (!in_window(box_of(field, patch), options.window)) continue;
-        Patch drawn{};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const FieldSample& sample = corner(field, patch, i);
-            drawn.at[i] = view(sample.at + options.exaggeration * sample.displacement);
-            drawn.value[i] = options.top > 0 ? options.value(sample) / options.top : 0;
-        }
-        patches.push_back(drawn);
+        const auto at = [&](std::size_t i) { return place(corner(field, patch, i)); };
+        const int n = pieces_of(at(0), at(1)), m = pieces_of(at(0), at(3));
+        for (int b = 0; b < m; ++b)
+            for (int a = 0; a < n; ++a) {
+                Patch drawn{};
+                const auto sample = [&](double i, double j) { return between(field, patch, (a + i) / n, (b + j) / m); };
+                const std::array<FieldSample, 4> corners{sample(0, 0), sample(1, 0), sample(1, 1), sample(0, 1)};
+                for (std::size_t i = 0; i < 4; ++i) {
+                    drawn.at[i] = place(corners[i]);
+                    drawn.value[i] = value(corners[i]);
+                }
+                drawn.middle = value(sample(0.5, 0.5));
+                patches.push_back(drawn);
+            }
     }
     return patches;
 }
@@ -96,10 +131,9 @@ FieldRange field_range(const Result& result, const FieldValue& value, double fra
         for (const FieldPatch& patch : result.fields[i].patches) {
             const Box2 box = box_of(result.fields[i], patch);
             if (!in_window(box, window) || !geometry::contains(boundary, box.center())) continue;
-            double mean = 0;
-            for (std::size_t c = 0; c < 4; ++c) mean += 0.25 * value(corner(result.fields[i], patch, c));
-            if (!std::isfinite(mean)) continue;
-            shares.push_back({mean, box.size().prod()});
+            const double middle = value(between(result.fields[i], patch, 0.5, 0.5));
+            if (!std::isfinite(middle)) continue;
+            shares.push_back({middle, box.size().prod()});
             total += shares.back().area;
         }
     }

@@ -107,7 +107,7 @@ std::string stress_figure(const Result& result, const PictureSize& size) {
     std::string svg = open_svg(view.width, view.height, "von Mises stress") + model_axes(view, units.length);
     svg += field_layer(result, view, {stress_of, bar.top, 0, Box2{}, "vm"});
     if (largest.at.value > 0)
-        svg += peak_mark(view(largest.at.at), "max " + with_unit(largest.at.value, 4, units.stress), places);
+        svg += peak_mark(view(largest.at.at), "max " + largest_stress_text(*most_stressed(result), 4, units.stress), places);
     return figure(svg + "</svg>\n" + color_bar(bar, half_width), "Von Mises stress", size.width);
 }
 

@@ -117,7 +117,8 @@ std::string part_table(const Result& result, const ResultUnits& u) {
                         p.rigid    ? "rigid"
                         : p.solved ? count_text(p.unknowns)
                                    : "not analysed: no load reaches it",
-                        value(p.max_displacement), at(p.max_displacement), value(p.max_von_mises), at(p.max_von_mises)});
+                        value(p.max_displacement), at(p.max_displacement),
+                        known(p.max_von_mises) ? largest_stress_text(p, 5, "") : "–", at(p.max_von_mises)});
     }
     return subsection("Parts", html_table({{"part"},
                                            {"material"},

@@ -24,12 +24,10 @@ std::string contact_words(const Result& result, const ResultUnits& units) {
 }
 
 std::string stress_words(const Result& result, const ResultUnits& units) {
-    const PartResult* most = nullptr;
-    for (const PartResult& part : result.parts)
-        if (part.solved && (!most || part.max_von_mises.value > most->max_von_mises.value)) most = &part;
+    const PartResult* most = most_stressed(result);
     if (!most) return "no contact";
-    return "no contact; largest von Mises stress " + with_unit(most->max_von_mises.value, 4, units.stress) + " in " +
-           most->name + " at " + place_text(most->max_von_mises.at, model_size(result));
+    return "no contact; largest von Mises stress " + largest_stress_text(*most, 4, units.stress) + " in " + most->name +
+           " at " + place_text(most->max_von_mises.at, model_size(result));
 }
 
 }  // namespace

@@ -57,14 +57,16 @@ struct PartResult {
     bool solved = true;  ///< false: carries nothing and was not analysed
     bool rigid = false;  ///< moves as one body: no unknowns, no stress
     ValueAt max_displacement, max_von_mises;
-    double grid_angle = 0;               ///< radians
-    std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    std::optional<double> max_von_mises_error;  ///< estimated, relative; unset where there is none
+    bool max_von_mises_at_corner = false;  ///< it stands where stress has no limit (src/largest_stress.hpp): no maximum at all
+    double grid_angle = 0;                 ///< radians
+    std::vector<double> grid_x, grid_y;    ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
     CutQuality quality;
 };
 
 /// Fields of one part for drawing. Patches of a cell: quadrilaterals by four sample points; those of boundary cells reach
-/// beyond the part and are to be clipped by its (deformed) boundary.
+/// beyond the part and are to be clipped by its (deformed) boundary. Between the corners components vary linearly, not norms.
 struct FieldSample {
     Vec2 at;
     Vec2 displacement;

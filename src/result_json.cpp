@@ -71,6 +71,13 @@ Json self_check_of(const PartResult& p) {
             {"points", c.points},     {"negative_weights", c.negative_weights}, {"outside_cell", c.outside_cell}};
 }
 
+Json largest_stress(const PartResult& p) {
+    Json j = value_at(p.max_von_mises);
+    j["error"] = number(p.max_von_mises_error);
+    j["at_corner"] = p.max_von_mises_at_corner;
+    return j;
+}
+
 Json part(const PartResult& p) {
     return {{"name", p.name},
             {"area", number(p.area)},
@@ -78,7 +85,7 @@ Json part(const PartResult& p) {
             {"solved", p.solved},
             {"rigid", p.rigid},
             {"max_displacement", value_at(p.max_displacement)},
-            {"max_von_mises", value_at(p.max_von_mises)},
+            {"max_von_mises", largest_stress(p)},
             {"cells", cells_of(p)},
             {"self_check", self_check_of(p)}};
 }

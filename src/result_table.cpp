@@ -51,8 +51,12 @@ std::string reaction_rows(const Result& result, const ResultUnits& units) {
 }
 
 std::string summary(const Result& result) {
-    std::string text = "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) +
-                       " of forces, " + number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
+    std::string text;
+    if (const PartResult* most = most_stressed(result))
+        text += "\nlargest von Mises stress: " + largest_stress_text(*most, 4, result_units(result).stress) + " in " +
+                most->name + " at " + place_text(most->max_von_mises.at, model_size(result));
+    text += "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) + " of forces, " +
+            number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
     if (!result.solver.converged)
         text += "NOT CONVERGED after " +
                 counted(static_cast<std::size_t>(std::max(result.solver.contact_iterations, 0)), "contact iteration") + "\n";

@@ -51,6 +51,19 @@ double rounded_off(double value, double largest) {
     return std::abs(value) <= rounding_fraction * std::abs(largest) ? 0 : value;
 }
 
+const PartResult* most_stressed(const Result& result) {
+    const PartResult* most = nullptr;
+    for (const PartResult& part : result.parts)
+        if (part.solved && part.max_von_mises.value > (most ? most->max_von_mises.value : 0)) most = &part;
+    return most;
+}
+
+std::string largest_stress_text(const PartResult& part, int digits, const std::string& unit) {
+    const std::string text = with_unit(part.max_von_mises.value, digits, unit);
+    if (part.max_von_mises_at_corner) return text + " at a corner";
+    return part.max_von_mises_error ? text + " ± " + number_text(100 * *part.max_von_mises_error, 2) + " %" : text;
+}
+
 std::string pair_text(const Vec2& v, int digits) {
     const double largest = v.cwiseAbs().maxCoeff();
     return "(" + number_text(rounded_off(v.x(), largest), digits) + ", " + number_text(rounded_off(v.y(), largest), digits) +

@@ -22,6 +22,10 @@ std::string with_unit(double value, int digits, const std::string& unit);
 std::string heading(const std::string& quantity, const std::string& unit);
 /// 0 for what is rounding beside the largest value of its kind (below 1e-9 of it), else the value.
 double rounded_off(double value, double largest);
+/// The part with the largest von Mises stress; nullptr where nothing is strained.
+const PartResult* most_stressed(const Result& result);
+/// "39.8 MPa ± 2 %", or "39.8 MPa at a corner": a part's largest von Mises stress.
+std::string largest_stress_text(const PartResult& part, int digits, const std::string& unit);
 /// "(0, 39.95)"; a component that is rounding beside the other is 0.
 std::string pair_text(const Vec2& v, int digits);
 /// A point of the model, to about 1e-5 of its size (0: six digits): "(0, 39.95)".

@@ -64,4 +64,12 @@ bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::
     return n > 0;
 }
 
+void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted) {
+    const LargestStress* most = strongest(largest);
+    if (!most) return;
+    const auto k = static_cast<std::size_t>(most - largest.data());
+    wanted[static_cast<std::size_t>(solved.grids[k].part)].push_back(
+        {{most->von_mises.at}, refinement * most->cell, size_growth});
+}
+
 }  // namespace abut

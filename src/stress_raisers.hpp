@@ -5,11 +5,15 @@
 
 #include "solver/recovery.hpp"
 #include "src/assembly_model.hpp"
+#include "src/largest_stress.hpp"
 
 namespace abut {
 
 /// Where few cells hold half of the squared error of the stresses (smoothed against those of the displacement): adds smaller
 /// cells there. False: the error lies everywhere, and nothing is added. stress: by part of solved.grids.
 bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, WantedSizes& wanted);
+
+/// Smaller cells where the largest stress stands.
+void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted);
 
 }  // namespace abut

@@ -109,7 +109,7 @@ TEST(AccuracyResults, WithoutContactItIsOfStress) {
     out.errors.back().contact_pressure.reset();
     out.errors.back().peak.reset();
     const Result result = filled(out);
-    EXPECT_EQ(result.accuracy.of, "stress");
+    EXPECT_EQ(result.accuracy.of, "stress in the energy norm");
     EXPECT_EQ(result.accuracy.estimate, 0.02);
     EXPECT_FALSE(result.contacts[0].errors);
 }

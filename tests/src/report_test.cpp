@@ -214,6 +214,7 @@ std::vector<report::Patch> patches_of(int n, double size, const std::function<do
             report::Patch patch;
             patch.at = {Vec2(i * h, j * h), Vec2((i + 1) * h, j * h), Vec2((i + 1) * h, (j + 1) * h), Vec2(i * h, (j + 1) * h)};
             for (std::size_t c = 0; c < 4; ++c) patch.value[c] = value(patch.at[c] / size);
+            patch.middle = value(0.5 * (patch.at[0] + patch.at[2]) / size);
             patches.push_back(patch);
         }
     return patches;

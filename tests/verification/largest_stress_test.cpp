@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest stress at small radii, with its own estimate, against Inglis' 1 + 2 a / b of an elliptic hole under tension.
+#include "src/largest_stress.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "src/analysis.hpp"
+
+namespace abut {
+namespace {
+
+std::string plate(const std::string& geometry, const std::string& edges, const std::string& accuracy = "{}") {
+    return R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "accuracy": )" + accuracy +
+           R"(, "parts": [{"name": "p", "material": "m", "geometry": )" + geometry + R"(}],
+        "supports": [{"on": "p/)" +
+           edges + R"(bottom", "symmetry": true},
+            {"part": "p", "rigid": {"translation": [0, null], "rotation": null}}],
+        "loads": [{"on": "p/)" +
+           edges + R"(top", "traction": [0, 1]}]})";
+}
+
+std::string as_ellipse(double b) {
+    std::ostringstream text;
+    text << R"({"difference": [{"rectangle": {"min": [-20, -20], "max": [20, 20]}, "name": "r"},
+        {"ellipse": {"center": [0, 0], "radii": [1, )"
+         << b << R"(]}, "name": "h"}]})";
+    return plate(text.str(), "r/");
+}
+
+/// The same hole as four rational arcs.
+std::string as_nurbs(double b) {
+    std::ostringstream text;
+    text.precision(17);
+    text << R"({"loops": [[{"line": {"from": [-20, -20], "to": [20, -20]}, "name": "bottom"},
+        {"line": {"from": [20, -20], "to": [20, 20]}}, {"line": {"from": [20, 20], "to": [-20, 20]}, "name": "top"},
+        {"line": {"from": [-20, 20], "to": [-20, -20]}}], [)";
+    const std::array<std::array<int, 2>, 9> corner{
+        {{1, 0}, {1, -1}, {0, -1}, {-1, -1}, {-1, 0}, {-1, 1}, {0, 1}, {1, 1}, {1, 0}}};
+    for (std::size_t i = 0; i < 8; i += 2) {
+        text << (i > 0 ? ", " : "") << R"({"nurbs": {"degree": 2, "knots": [0, 0, 0, 1, 1, 1], "points": [)";
+        for (std::size_t k = i; k <= i + 2; ++k)
+            text << (k > i ? ", [" : "[") << corner[k][0] << ", " << b * corner[k][1] << "]";
+        text << R"(], "weights": [1, )" << std::sqrt(0.5) << ", 1]}}";
+    }
+    return plate(text.str() + "]]}", "");
+}
+
+const std::string l_shape = plate(R"({"difference": [{"rectangle": {"min": [0, 0], "max": [2, 2]}, "name": "r"},
+    {"rectangle": {"min": [1, -1], "max": [3, 1]}}]})",
+                                  "r/");
+
+PartResult solved(const std::string& scene, std::vector<std::string>* warnings = nullptr) {
+    const Result result = analyze(read_scene_text(scene, "scene.json"), {});
+    EXPECT_EQ(result.status, "ok") << result.message;
+    if (warnings) *warnings = result.warnings;
+    return result.parts.at(0);
+}
+
+bool warns(const std::vector<std::string>& warnings, const std::string& words) {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+}  // namespace
+
+TEST(LargestStress, OfANeedleHoleIsWithinItsErrorHoweverItIsDrawn) {
+    // the plate is 20 times as large as the hole: its sides raise the stress by 0.3 % at most
+    constexpr double sides = 0.003;
+    for (const double b : {0.1, 0.05, 0.02}) {
+        const double truth = 1 + 2 / b;
+        for (const std::string& scene : {as_ellipse(b), as_nurbs(b)}) {
+            SCOPED_TRACE(scene);
+            const PartResult part = solved(scene);
+            ASSERT_TRUE(part.max_von_mises_error);
+            EXPECT_FALSE(part.max_von_mises_at_corner);
+            EXPECT_LT(*part.max_von_mises_error, 0.01);
+            EXPECT_NEAR(part.max_von_mises.value / truth, 1, *part.max_von_mises_error + sides);
+            EXPECT_NEAR(std::abs(part.max_von_mises.at.x()), 1, 0.1 * b * b);
+        }
+    }
+}
+
+TEST(LargestStress, AtAReentrantCornerHasNoLimitAndSaysSo) {
+    std::vector<std::string> warnings;
+    const PartResult part = solved(l_shape, &warnings);
+    EXPECT_TRUE(part.max_von_mises_at_corner);
+    EXPECT_FALSE(part.max_von_mises_error);
+    EXPECT_TRUE(warns(warnings, "has no limit there"));
+}
+
+TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
+    const std::string coarse = as_ellipse(0.02);
+    Scene scene = read_scene_text(coarse, "scene.json");
+    scene.accuracy.cell_size = 0.5;
+    const Result result = analyze(scene, {});
+    ASSERT_TRUE(result.parts[0].max_von_mises_error);
+    EXPECT_TRUE(warns(result.warnings, "is uncertain by"));
+    EXPECT_GT(result.parts[0].max_von_mises.value * (1 + *result.parts[0].max_von_mises_error), 0.3 * 101);
+}
+
+}  // namespace abut
