@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "src/analysis.hpp"
 #include "tests/verification/scene_answers.hpp"
@@ -59,23 +60,30 @@ std::string block(const std::string& first, const std::string& load, const std::
 }
 const std::string square = R"({"rectangle": {"min": [-1, 0], "max": [1, 1]}})";
 
+/// Warnings but for that of the stress at the ends of a clamped edge, which has no limit.
+std::vector<std::string> others(const Result& r) {
+    std::vector<std::string> warnings;
+    std::copy_if(r.warnings.begin(), r.warnings.end(), std::back_inserter(warnings),
+                 [](const std::string& w) { return w.find("has no limit there") == std::string::npos; });
+    return warnings;
+}
+
 TEST(HalfSceneWarnings, SayWhyAllOfItWasSolved) {
     const Result pushed = test::answer(block(square, R"({"on": "a/left", "pressure": 1})", "{}"));
-    ASSERT_EQ(pushed.warnings.size(), 1u);
-    EXPECT_NE(pushed.warnings[0].find("solved as drawn: not mirror symmetric about x = 0: load 0 has no mirror image"),
+    ASSERT_EQ(others(pushed).size(), 1u);
+    EXPECT_NE(others(pushed)[0].find("solved as drawn: not mirror symmetric about x = 0: load 0 has no mirror image"),
               std::string::npos)
-        << pushed.warnings[0];
+        << others(pushed)[0];
     EXPECT_FALSE(symmetry_of(pushed).on);
     const Result shifted = test::answer(
         block(square, R"({"on": "a/top", "pressure": 1})", R"({"grids": {"a": {"cells": [8, 4], "offset": [0.1, 0]}}})"));
-    ASSERT_EQ(shifted.warnings.size(), 1u);
-    EXPECT_NE(shifted.warnings[0].find("part a: its grid lines have no mirror image"), std::string::npos)
-        << shifted.warnings[0];
+    ASSERT_EQ(others(shifted).size(), 1u);
+    EXPECT_NE(others(shifted)[0].find("part a: its grid lines have no mirror image"), std::string::npos) << others(shifted)[0];
     EXPECT_FALSE(symmetry_of(shifted).on);
     const Result turned =
         test::answer(block(square, R"({"on": "a/top", "pressure": 1})", R"({"grids": {"a": {"cells": [8, 4], "angle": 20}}})"));
-    ASSERT_EQ(turned.warnings.size(), 1u);
-    EXPECT_NE(turned.warnings[0].find("its grid is turned against the mirror line"), std::string::npos) << turned.warnings[0];
+    ASSERT_EQ(others(turned).size(), 1u);
+    EXPECT_NE(others(turned)[0].find("its grid is turned against the mirror line"), std::string::npos) << others(turned)[0];
 }
 
 /// Of groups that do not interact, too.
@@ -86,8 +94,8 @@ TEST(HalfSceneWarnings, AreNotLostWithSeveralGroups) {
         "supports": [{"on": ["a/bottom", "b/bottom"], "fix": ["x", "y"]}], "loads": [{"on": ["a/top", "b/top"], "pressure": 1}],
         "accuracy": {"grids": {"a": {"cells": [6, 4]}, "b": {"cells": [6, 4], "offset": [0.1, 0]}}}})";
     const Result r = test::answer(blocks);
-    ASSERT_EQ(r.warnings.size(), 1u);
-    EXPECT_NE(r.warnings[0].find("part b: its grid lines have no mirror image"), std::string::npos) << r.warnings[0];
+    ASSERT_EQ(others(r).size(), 1u);
+    EXPECT_NE(others(r)[0].find("part b: its grid lines have no mirror image"), std::string::npos) << others(r)[0];
     EXPECT_FALSE(symmetry_of(r).on);
 }
 
@@ -97,7 +105,7 @@ TEST(HalfSceneWarnings, AreNoneWithoutContact) {
         R"({"difference": [{"rectangle": {"min": [-1, 0], "max": [1, 1]}}, {"circle": {"center": [0, 1], "radius": 0.3}}]})",
         R"({"on": ["a/left", "a/right"], "pressure": 1})", R"({"target": 0.01})"));
     ASSERT_EQ(notched.status, "ok") << notched.message;
-    EXPECT_TRUE(notched.warnings.empty()) << notched.warnings[0];
+    EXPECT_TRUE(others(notched).empty()) << others(notched)[0];
     EXPECT_EQ(symmetry_of(notched).calls, notched.solver.grids);
 }
 
