@@ -18,6 +18,7 @@
 #include "src/plan.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
+#include "src/verdict.hpp"
 
 namespace abut {
 
@@ -61,10 +62,12 @@ CommandSpec analyze_spec() {
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
+             {"--strict", "", "end with status 1 also where it is solved with reservations"},
              {"--quiet", "", "print nothing but errors"}},
             "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
             "known;\n"
-            "the exit status is 1 then.\n"};
+            "the exit status is 1 then. An answer is \"reached\" (as accurate as asked for) or \"solved_but\", with reasons:\n"
+            "\"verdict\" and \"reasons\" in result.json, the last lines of the table, the first of the report.\n"};
 }
 
 int analyze_command(const Arguments& arguments) {
@@ -85,9 +88,13 @@ int analyze_command(const Arguments& arguments) {
     complete_import_time(result, reading_seconds);
     write_results(result, folder, scene.output.formats, watch);
     print_result(result, folder, arguments, scene.output);
-    if (result.status != "failed") return exit_done;
+    const Verdict verdict = verdict_of(result);
+    if (verdict == Verdict::reached || (verdict == Verdict::solved_but && !has(arguments, "--strict"))) return exit_done;
     std::cout.flush();
-    std::cerr << "abut: " << arguments.operand << ": the analysis failed: " << one_line_text(result.message) << "\n";
+    std::cerr << "abut: " << arguments.operand << ": "
+              << one_line_text(verdict == Verdict::failed ? "the analysis failed: " + result.message
+                                                          : "solved, but: " + reasons_text(result))
+              << "\n";
     return exit_failed;
 }
 

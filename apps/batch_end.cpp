@@ -31,7 +31,7 @@ void print_totals(const std::string& out, const BatchSummary& summary, const Bat
 void print_failures(const BatchSummary& summary) {
     int printed = 0, all = 0;
     for (const JobRecord& job : summary.jobs) {
-        if (job.status == JobRecord::Status::ok || ++all > most_failures) continue;
+        if (ended_well(job) || ++all > most_failures) continue;
         std::cerr << "abut: " << job.name << ": " << status_word(job.status) << ": " << one_line_text(job.message) << "\n";
         ++printed;
     }

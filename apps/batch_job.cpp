@@ -17,6 +17,7 @@
 #include "src/job_store.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
+#include "src/verdict.hpp"
 #include "src/whole_file.hpp"
 
 namespace abut {
@@ -64,9 +65,13 @@ std::optional<double> worst_error(const Result& result) {
 }
 
 void note_answer(const Result& result, JobRecord& record) {
-    if (result.status == "failed") {
+    const Verdict verdict = verdict_of(result);
+    if (verdict == Verdict::failed) {
         record.status = JobRecord::Status::failed;
         record.message = one_line_text(result.message);
+    } else if (verdict == Verdict::solved_but) {
+        record.status = JobRecord::Status::solved_but;
+        record.message = one_line_text(reasons_text(result));
     }
     int closed = 0;
     for (const ContactResult& contact : result.contacts) {
@@ -79,7 +84,7 @@ void note_answer(const Result& result, JobRecord& record) {
     record.closed = closed;
     record.error_estimate = worst_error(result);
     record.warnings = result.warnings;
-    if (record.status == JobRecord::Status::ok) return;
+    if (ended_well(record)) return;
     record.max_pressure = record.max_von_mises = record.error_estimate = std::nullopt;
     record.closed = std::nullopt;
 }

@@ -54,9 +54,9 @@ std::string time_text(double seconds) {
 
 std::string job_line(const JobRecord& record, bool kept) {
     std::string text = status_word(record.status) + " " + record.name + ":";
-    if (!record.message.empty()) {
-        text += " " + one_line_text(record.message);
-    } else {
+    if (!record.message.empty()) text += " " + one_line_text(record.message);
+    if (ended_well(record)) {
+        text += record.message.empty() ? "" : ";";
         text += " " + plural(record.parts.value_or(0), "part") + ", " + plural(record.pairs.value_or(0), "pair");
         if (record.max_pressure) text += ", peak pressure " + number_text(*record.max_pressure, 4);
         if (record.error_estimate) text += " (estimated error " + number_text(100 * *record.error_estimate, 2) + " %)";

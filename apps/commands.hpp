@@ -11,7 +11,8 @@ namespace abut {
 /// The meaning of the exit status, for all commands.
 enum ExitStatus : int {
     exit_done = 0,
-    exit_failed = 1,       ///< the analysis failed, a comparison differs, or the program itself gave up (memory, a bug)
+    exit_failed = 1,       ///< the analysis failed (--strict: or has reservations), a comparison differs, or the program
+                           ///< itself gave up (memory, a bug)
     exit_wrong_input = 2,  ///< the input or the usage is wrong
 };
 

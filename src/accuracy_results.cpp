@@ -7,6 +7,7 @@
 #include "src/accuracy_goal.hpp"
 #include "src/contact_measures.hpp"
 #include "src/missed_contacts.hpp"
+#include "src/findings.hpp"
 #include "src/result_units.hpp"
 #include "src/svg.hpp"
 
@@ -30,17 +31,25 @@ double force_error(const ContactError& contact, const std::optional<double>& ene
     return std::clamp(energy.value_or(0), contact.force, most_missed * contact.force);
 }
 
-void fill_contact(const ContactError& e, const std::optional<double>& energy, std::size_t k, Result& result) {
-    ContactResult& c = result.contacts[k];
+/// What is to be said of largest pressures.
+struct DoubtfulPeaks {
+    std::vector<Finding> at_corner, uncertain;
+};
+
+void fill_contact(const ContactError& e, const std::optional<double>& energy, std::size_t k, ContactResult& c,
+                  DoubtfulPeaks& peaks) {
     c.error_estimate = e.pressure;
     c.errors = ContactErrors{e.pressure, e.peak, force_error(e, energy), e.at_corner};
-    const std::string largest = "the largest pressure of contact " + std::to_string(k);
-    if (c.errors->at_corner)
-        result.warnings.push_back(largest + " stands at a sharp corner, where it grows with every finer grid (by " +
-                                  percent(e.peak) + " yet, or more); error estimates leave out what is beside it");
+    const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
+    if (e.at_corner)
+        peaks.at_corner.push_back({c.max_pressure.value, name,
+                                   largest + " stands at a sharp corner, where it grows with every finer grid (by " +
+                                       percent(e.peak) + " yet, or more); error estimates leave out what is beside it",
+                                   largest + " stands at a sharp corner, where it has no limit"});
     else if (e.peak > doubtful && c.max_pressure.value > 0)
-        result.warnings.push_back(largest + " is uncertain by " + percent(std::min(e.peak, 1.0)) +
-                                  ": the grids are too coarse for it");
+        peaks.uncertain.push_back(
+            {e.peak, name, largest + " is uncertain by " + percent(std::min(e.peak, 1.0)) + ": the grids are too coarse for it",
+             largest + " known to " + percent(std::min(e.peak, 1.0))});
 }
 
 std::string why_it_ended(PathEnd end) {
@@ -86,22 +95,29 @@ void fill_target(const Outcome& out, Result& result) {
                               ? "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take "
                                 "a larger contacts.penalty, or none"
                               : why_it_ended(out.end);
-    result.warnings.push_back("the estimated error of the " + result.accuracy.of + ", " +
-                              percent(result.accuracy.estimate.value_or(1)) + ", is above the " + percent(out.target) +
-                              " aimed at: " + result.accuracy.why);
+    const std::string estimate = percent(result.accuracy.estimate.value_or(1)), target = percent(out.target);
+    tell({{0, "",
+           "the estimated error of the " + result.accuracy.of + ", " + estimate + ", is above the " + target +
+               " aimed at: " + result.accuracy.why,
+           (error.contact_pressure ? "contact pressures" : "stresses") + (" known to " + estimate + ", not to " + target)}},
+         "accuracy", result);
 }
 
 /// Contacts that the last grids did not resolve.
 void fill_missed(const Outcome& out, Result& result) {
+    std::vector<Finding> findings;
     const MissedContacts missed = missed_contacts(out.solved, out.target);
     for (std::size_t k = 0; k < missed.size(); ++k)
         for (const MissedContact& m : missed[k]) {
-            result.accuracy.reached = false;
-            result.warnings.push_back(result.contacts[k].between[0] + " and " + result.contacts[k].between[1] + " overlap by " +
-                                      number_text(m.depth, 3) +
-                                      " where no contact was found: the cells are too coarse there for a force of up to " +
-                                      percent(std::min(1.0, m.share)) + " of the largest; ask for a higher accuracy");
+            const std::string pair = result.contacts[k].between[0] + " and " + result.contacts[k].between[1];
+            findings.push_back({m.depth, pair,
+                                pair + " overlap by " + number_text(m.depth, 3) +
+                                    " where no contact was found: the cells are too coarse there for a force of up to " +
+                                    percent(std::min(1.0, m.share)) + " of the largest; ask for a higher accuracy",
+                                pair + " overlap where no contact was found"});
         }
+    if (!findings.empty()) result.accuracy.reached = false;
+    tell(std::move(findings), "missed contact", result);
 }
 
 }  // namespace
@@ -126,8 +142,13 @@ void fill_errors(const Outcome& out, Result& result) {
     result.error_estimate.energy = error.energy;
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;
+    DoubtfulPeaks peaks;
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
-        if (error.contacts[k]) fill_contact(*error.contacts[k], error.energy, k, result);
+        if (error.contacts[k]) fill_contact(*error.contacts[k], error.energy, k, result.contacts[k], peaks);
+    if (!result.accuracy.why.empty())  // the verdict has a worse word already
+        for (Finding& f : peaks.uncertain) f.reason.clear();
+    tell(std::move(peaks.at_corner), "corner", result);
+    tell(std::move(peaks.uncertain), "peak", result);
 }
 
 void warn_of_largest_stress(Result& result) {
@@ -135,14 +156,20 @@ void warn_of_largest_stress(Result& result) {
     if (!most) return;
     const std::string which = "the largest von Mises stress, " + number_text(most->max_von_mises.value, 4) + " in " +
                               most->name + " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";
+    // with contact the answer is judged by its pressures
     const bool is_aimed_at = result.accuracy.of != "contact pressure";
     if (most->max_von_mises_at_corner)
-        result.warnings.push_back(which +
-                                  " has no limit there (a re-entrant corner, the end of a support, or the corner of a "
-                                  "contact): it grows with every finer grid");
+        tell({{0, most->name,
+               which + " has no limit there (a re-entrant corner, the end of a support, or the corner of a contact): it grows "
+                       "with every finer grid",
+               is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
+             "corner", result);
     else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
-        result.warnings.push_back(which + " is uncertain by " + percent(std::min(*most->max_von_mises_error, 1.0)) +
-                                  ": the grid is too coarse for it");
+        tell({{0, most->name,
+               which + " is uncertain by " + percent(std::min(*most->max_von_mises_error, 1.0)) +
+                   ": the grid is too coarse for it",
+               result.accuracy.why.empty() ? "the largest stress is uncertain" : ""}},
+             "stress", result);
 }
 
 namespace {

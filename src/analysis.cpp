@@ -3,7 +3,7 @@
 #include "src/analysis.hpp"
 
 #include <chrono>
-#include <set>
+#include <map>
 
 #include "solver/blas_threads.hpp"
 #include "solver/parallel_for.hpp"
@@ -15,6 +15,7 @@
 #include "src/effect_answers.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
+#include "src/findings.hpp"
 #include "src/mirror_symmetry.hpp"
 #include "src/mobility.hpp"
 #include "src/motion_text.hpp"
@@ -24,6 +25,7 @@
 #include "src/rigid_parts.hpp"
 #include "src/self_contact.hpp"
 #include "src/svg.hpp"
+#include "src/verdict.hpp"
 
 namespace abut {
 
@@ -77,6 +79,15 @@ bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& re
     return true;
 }
 
+void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::map<std::string, Finding> findings;  // by motion: each once
+    for (const solver::PartMotion& m : solved.solution.neutral) {
+        const std::string text = motion_text(scene, solved, m);
+        findings[text] = {0, text, "nothing holds a motion that no load drives (the answer of least motion is given): " + text};
+    }
+    tell(values_of(findings), "neutral", result);
+}
+
 void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, int threads,
                   Stopwatches& seconds, Result& result) {
     const SolvedAssembly& solved = out.solved;
@@ -86,6 +97,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     }
     result.under_load = mobility_under_load(scene, conditions, result.contacts);
     result.strain_energy = energy_of(solved);
+    result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
     fill_errors(out, result);
     const auto begin = std::chrono::steady_clock::now();
@@ -93,10 +105,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     warn_of_largest_stress(result);
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    std::set<std::string> neutral;
-    for (const solver::PartMotion& m : solved.solution.neutral) neutral.insert(motion_text(scene, solved, m));
-    for (const std::string& text : neutral)
-        result.warnings.push_back("nothing holds a motion that no load drives (the answer of least motion is given): " + text);
+    tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
     warn_of_self_contact(result);
 }
@@ -166,6 +175,10 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
             result.message = pressed;
         }
         fill_answers(scene, conditions, out, threads, seconds, result);
+        if (const std::string impossible = impossible_in(result); result.status == "ok" && !impossible.empty()) {
+            result.status = "failed";
+            result.message = "what was computed is no answer: " + impossible;
+        }
     }
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     fill_effects(out, total, result);

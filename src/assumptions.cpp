@@ -9,6 +9,7 @@
 #include "solver/ring.hpp"
 #include "src/contact_measures.hpp"
 #include "src/field_results.hpp"
+#include "src/findings.hpp"
 #include "src/left_out_parts.hpp"
 #include "src/plan.hpp"
 #include "src/rigid_parts.hpp"
@@ -74,45 +75,67 @@ LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displac
     return largest;
 }
 
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
 std::string place_text(const Vec2& p) {
     return "(" + number_text(p.x(), 4) + ", " + number_text(p.y(), 4) + ")";
 }
 
 /// What would treat it is an effect of the plan that is off: there is no key for it.
-void check_kinematics(const Scene& scene, const SolvedAssembly& solved, std::size_t k, Result& result) {
-    const PartOnGrid& g = solved.grids[k];
-    const LargestChange largest = largest_change(g, solved.solution.displacement[k]);
-    const std::string& name = scene.parts[at(g.part)].name;
-    const ValueAt& motion = result.parts[at(g.part)].max_displacement;
-    if (motion.value > large_motion * g.size)
-        result.warnings.push_back("large displacement would matter: part " + name + " moves by " +
-                                  number_text(motion.value, 3) + " at " + place_text(motion.at) +
-                                  "; contacts are paired where they are drawn");
-    if (largest.rotation.value > large_rotation)
-        result.warnings.push_back("large displacement would matter: rotation " +
-                                  number_text(largest.rotation.value * 180 / std::numbers::pi, 3) + " degrees at part " + name +
-                                  ", near " + place_text(g.frame.to_global(largest.rotation.at)) +
-                                  "; the answer is that of small displacements");
-    if (largest.strain.value > large_strain)
-        result.warnings.push_back(
-            "large strain: part " + name + " strains by up to " + number_text(100 * largest.strain.value, 3) + " % near " +
-            place_text(g.frame.to_global(largest.strain.at)) + "; the answer is that of linear elasticity");
+void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> motions, rotations, strains;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const PartOnGrid& g = solved.grids[k];
+        const auto& [rotation, strain] = largest_change(g, solved.solution.displacement[k]);
+        const std::string& name = scene.parts[at(g.part)].name;
+        const ValueAt& motion = result.parts[at(g.part)].max_displacement;
+        const double degrees = rotation.value * 180 / std::numbers::pi;
+        if (motion.value > large_motion * g.size)
+            motions.push_back({motion.value / g.size, name,
+                               "large displacement would matter: part " + name + " moves by " + number_text(motion.value, 3) +
+                                   " at " + place_text(motion.at) + "; contacts are paired where they are drawn",
+                               name + " moves by " + percent(motion.value / g.size) + " of its size"});
+        if (rotation.value > large_rotation)
+            rotations.push_back({rotation.value, name,
+                                 "large displacement would matter: rotation " + number_text(degrees, 3) + " degrees at part " +
+                                     name + ", near " + place_text(g.frame.to_global(rotation.at)) +
+                                     "; the answer is that of small displacements",
+                                 name + " turns by " + number_text(degrees, 2) + " degrees"});
+        if (strain.value > large_strain)
+            strains.push_back({strain.value, name,
+                               "large strain: part " + name + " strains by up to " + number_text(100 * strain.value, 3) +
+                                   " % near " + place_text(g.frame.to_global(strain.at)) +
+                                   "; the answer is that of linear elasticity",
+                               name + " strains by " + percent(strain.value)});
+    }
+    tell(std::move(motions), "displacement", result);
+    tell(std::move(rotations), "rotation", result);
+    tell(std::move(strains), "strain", result);
 }
 
-void check_yield(const Scene& scene, std::size_t k, const SolvedAssembly& solved, Result& result) {
-    const int part = solved.grids[k].part;
-    const Material& material = scene.materials[at(scene.parts[at(part)].material)];
-    const ValueAt& reached = result.parts[at(part)].max_von_mises;
-    if (!material.yield || !(reached.value > *material.yield)) return;
-    result.warnings.push_back("yield exceeded: part " + scene.parts[at(part)].name + " reaches a von Mises stress of " +
-                              number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " +
-                              number_text(reached.value / *material.yield, 3) + " times the yield of " + material.name + " (" +
-                              number_text(*material.yield, 4) +
-                              "); the answer is that of linear elasticity, without plasticity");
+void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
+    for (const PartOnGrid& g : solved.grids) {
+        const ScenePart& part = scene.parts[at(g.part)];
+        const Material& material = scene.materials[at(part.material)];
+        const ValueAt& reached = result.parts[at(g.part)].max_von_mises;
+        if (!material.yield || !(reached.value > *material.yield)) continue;
+        const std::string times = number_text(reached.value / *material.yield, 3) + " times ";
+        findings.push_back({reached.value / *material.yield, part.name,
+                            "yield exceeded: part " + part.name + " reaches a von Mises stress of " +
+                                number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " + times +
+                                "the yield of " + material.name + " (" + number_text(*material.yield, 4) +
+                                "); the answer is that of linear elasticity, without plasticity",
+                            part.name + " at " + times + "its yield"});
+    }
+    tell(std::move(findings), "yield", result);
 }
 
-/// A bonded pair that would open if it were a contact.
+/// Bonded pairs that would open if they were contacts.
 void check_bonds(Result& result) {
+    std::vector<Finding> findings;
     for (const ContactResult& c : result.contacts) {
         if (c.kind != "bonded") continue;
         const std::vector<double>& p = c.profile.pressure;
@@ -121,11 +144,13 @@ void check_bonds(Result& result) {
         const auto least = std::min_element(p.begin(), p.end());
         if (p.empty() || *least >= -noted_tension * most) continue;
         const auto k = static_cast<std::size_t>(least - p.begin());
-        result.warnings.push_back("bonded pair in tension: " + c.between[0] + " and " + c.between[1] +
-                                  " are pulled apart with up to " + number_text(-*least, 4) + " at " +
-                                  place_text({c.profile.x[k], c.profile.y[k]}) +
-                                  "; a contact (kind \"contact\" in contacts.pairs) would open there");
+        const std::string pair = c.between[0] + " and " + c.between[1];
+        findings.push_back({-*least, pair,
+                            "bonded pair in tension: " + pair + " are pulled apart with up to " + number_text(-*least, 4) +
+                                " at " + place_text({c.profile.x[k], c.profile.y[k]}) +
+                                "; a contact (kind \"contact\" in contacts.pairs) would open there"});
     }
+    tell(std::move(findings), "bond", result);
 }
 
 /// Parts whose contact reaches the end of what was searched: "a and b".
@@ -144,34 +169,44 @@ std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
 }
 
 void check_rules(const Scene& scene, const Outcome& out, Result& result) {
+    std::vector<Finding> findings;
     for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
         const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
                                       [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
-        if (!used && scene.contacts.pairs[r].kind != PairRule::Kind::ignore)
-            result.warnings.push_back("contacts.pairs " + std::to_string(r) +
-                                      " has no effect: these edges face each other nowhere within the search distance");
+        if (const std::string rule = "contacts.pairs " + std::to_string(r);
+            !used && scene.contacts.pairs[r].kind != PairRule::Kind::ignore)
+            findings.push_back(
+                {0, rule, rule + " has no effect: these edges face each other nowhere within the search distance"});
     }
+    tell(std::move(findings), "rule", result);
 }
 
 /// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are
 /// 4 % off at nu = 0.49 and as large as themselves at 0.4999 (the thick ring E10, eight cells across).
 void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
     for (const PartOnGrid& g : solved.grids) {
         const ScenePart& part = scene.parts[at(g.part)];
         const Material& material = scene.materials[at(part.material)];
         if (!g.is_rigid && !g.input.is_projected && is_nearly_incompressible(scene, material))
-            result.warnings.push_back(
-                "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
-                ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\"");
+            findings.push_back(
+                {material.nu, part.name,
+                 "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
+                     ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\""});
     }
+    tell(std::move(findings), "locking", result);
 }
 
-void check_rounding(Result& result) {
-    const double rounding = std::numeric_limits<double>::epsilon() * result.solver.condition_estimate;
-    if (rounding > noted_rounding)
-        result.warnings.push_back("rounding may change this answer by up to " + number_text(100 * std::min(rounding, 1.0), 1) +
-                                  " % (condition number " + number_text(result.solver.condition_estimate, 2) +
-                                  "): a part is very slender, or runs out in a very sharp tip");
+/// Below the error aimed at rounding is none that matters.
+void check_rounding(double target, Result& result) {
+    const double rounding = std::min(1.0, std::numeric_limits<double>::epsilon() * result.solver.condition_estimate);
+    if (rounding <= noted_rounding) return;
+    const std::string words = "rounding may change this answer by up to " + number_text(100 * rounding, 1) + " %";
+    tell({{0, "",
+           words + " (condition number " + number_text(result.solver.condition_estimate, 2) +
+               "): a part is very slender, or runs out in a very sharp tip",
+           rounding > target ? words : ""}},
+         "rounding", result);
 }
 
 void check_grids(const Scene& scene, const Outcome& out, Result& result) {
@@ -179,8 +214,11 @@ void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (const std::string left_out = left_out_text(left_out_parts(result)); !left_out.empty())
         result.warnings.push_back(left_out);
     if (out.search_too_short)
-        result.warnings.push_back("contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
-                                  "; give contacts.search_distance a larger value");
+        tell({{0, "",
+               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
+                   "; give contacts.search_distance a larger value",
+               "contact reaches the end of what was searched"}},
+             "search", result);
     if (out.solved.limited_grids > 0)
         result.warnings.push_back(
             "grids of " + std::to_string(out.solved.limited_grids) +
@@ -195,30 +233,33 @@ void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Resul
     const bool has_weights = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& l) {
         return l.kind == Load::Kind::gravity || l.kind == Load::Kind::spin;
     });
+    std::vector<Finding> stiff, weightless;
     for (const PartOnGrid& g : solved.grids) {
         if (!g.is_rigid) continue;
         const ScenePart& part = scene.parts[at(g.part)];
         const bool is_asked_for = scene.materials[at(part.material)].rigid;
         if (!is_asked_for)
-            result.warnings.push_back("part " + part.name + " is computed as a rigid body (" + why_rigid(scene, g.part) +
-                                      "): it has no stress");
+            stiff.push_back(
+                {0, part.name,
+                 "part " + part.name + " is computed as a rigid body (" + why_rigid(scene, g.part) + "): it has no stress"});
         if (is_asked_for && has_weights)
-            result.warnings.push_back("part " + part.name +
-                                      " is rigid and weightless, gravity and spin do nothing to it: give it a force");
+            weightless.push_back(
+                {0, part.name,
+                 "part " + part.name + " is rigid and weightless, gravity and spin do nothing to it: give it a force"});
     }
+    tell(std::move(stiff), "rigid", result);
+    tell(std::move(weightless), "weightless", result);
 }
 
 }  // namespace
 
 void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
-    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
-        check_kinematics(scene, out.solved, k, result);
-        check_yield(scene, k, out.solved, result);
-    }
+    check_kinematics(scene, out.solved, result);
+    check_yield(scene, out.solved, result);
     check_bonds(result);
     check_rules(scene, out, result);
     check_grids(scene, out, result);
-    check_rounding(result);
+    check_rounding(out.target, result);
     warn_of_locking(scene, out.solved, result);
     warn_of_rigid_parts(scene, out.solved, result);
 }

@@ -29,7 +29,7 @@ td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
 td.job { min-width: 150px; }
 th, th.n { white-space: normal; }
 .status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
-.status.differs { background: #fff6e5; color: #8a5200; }
+.status.solved_but, .status.differs { background: #fff6e5; color: #8a5200; }
 .status.failed, .status.refused, .status.broken { background: #fdeeee; color: #8a1010; font-weight: 600; }
 )";
 
@@ -190,7 +190,9 @@ std::string filters(const BatchSummary& summary) {
 }
 
 std::string verdict(const BatchSummary& summary) {
-    const char* mood = all_well(summary) ? summary.missing.empty() ? "" : " doubtful" : " failed";
+    const bool doubtful =
+        !summary.missing.empty() || summary.count[static_cast<std::size_t>(JobRecord::Status::solved_but)] > 0;
+    const char* mood = !all_well(summary) ? " failed" : doubtful ? " doubtful" : "";
     std::string text = std::to_string(summary.jobs.size()) + " jobs: " + count_text(summary);
     if (!summary.missing.empty()) text += "; " + std::to_string(summary.missing.size()) + " are not done";
     std::string html = std::string("<p class=\"verdict") + mood + "\">" + escape_xml(text) + "</p>\n";

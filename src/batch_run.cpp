@@ -158,7 +158,7 @@ private:
         ++end_.progress.done;
         end_.edited += is_finished(record) && record.request != requests_.at(job);
         end_.progress.kept += kept;
-        end_.progress.not_ok += record.status != JobRecord::Status::ok;
+        end_.progress.not_ok += !ended_well(record);
         tell(&record, kept);
     }
 

@@ -79,7 +79,7 @@ BatchSummary summarize(const std::string& out, const BatchFile& batch) {
 }
 
 bool all_well(const BatchSummary& summary) {
-    return summary.count[static_cast<std::size_t>(Status::ok)] == static_cast<int>(summary.jobs.size());
+    return std::all_of(summary.jobs.begin(), summary.jobs.end(), ended_well);
 }
 
 std::string expectation_text(const ExpectationCount& count) {

@@ -16,7 +16,7 @@ struct BatchSummary {
     std::vector<std::string> missing;             ///< names of the others
     std::vector<std::string> stale;               ///< those of the missing that OUT has from another batch: other settings,
                                                   ///< template or parameters
-    std::array<int, 5> count{};                   ///< by JobRecord::Status
+    std::array<int, 6> count{};                   ///< by JobRecord::Status
     std::optional<ExpectationCount> expectation;  ///< over all jobs that had one; without its lines
 };
 

@@ -12,6 +12,16 @@ double energy_of(const SolvedAssembly& s) {
     return sum;
 }
 
+double energy_rounding_of(const SolvedAssembly& s) {
+    constexpr double rounding = 1e-9;  // of sums over stiffness matrices, the penalties of supports in them included
+    double sum = 0;
+    for (std::size_t i = 0; i < s.grids.size(); ++i) {
+        const double moved = s.solution.displacement[i].cwiseAbs().maxCoeff();
+        sum += rounding * s.grids[i].input.elasticity.d11 * s.grids[i].input.thickness * moved * moved;
+    }
+    return sum;
+}
+
 double peak_of(const SolvedAssembly& s, std::size_t contact) {
     if (s.interface_of[contact] < 0) return 0;
     const solver::KnotVector& k = s.contacts[contact].face.pressure;

@@ -10,6 +10,8 @@ double peak_of(const SolvedAssembly& solved, std::size_t contact);
 
 /// Of all parts.
 double energy_of(const SolvedAssembly& solved);
+/// What rounding may make of that: the energy of strains as large as displacements over size, times a bound on rounding.
+double energy_rounding_of(const SolvedAssembly& solved);
 
 /// Resultant on the contact's first part, shear of bonds included, and its moment about the origin; from the same quadrature
 /// that the solution used.

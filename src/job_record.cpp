@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Status = JobRecord::Status;
 
-constexpr std::array<const char*, 5> words{"ok", "differs", "failed", "refused", "broken"};
+constexpr std::array<const char*, 6> words{"ok", "solved_but", "differs", "failed", "refused", "broken"};
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -75,6 +75,10 @@ JobRecord record_of(const Json& j) {
 
 std::string status_word(Status status) {
     return words[static_cast<std::size_t>(status)];
+}
+
+bool ended_well(const JobRecord& record) {
+    return record.status == Status::ok || record.status == Status::solved_but;
 }
 
 bool is_finished(const JobRecord& record) {

@@ -19,15 +19,16 @@ struct ExpectationCount {
 struct JobRecord {
     enum class Status {
         ok,
-        differs,  ///< from what was expected
-        failed,   ///< the analysis has no answer
-        refused,  ///< the input is wrong
-        broken    ///< memory, time or the program gave out: tried again by the next run
+        solved_but,  ///< with reasons not to take the answer as it is
+        differs,     ///< from what was expected
+        failed,      ///< the analysis has no answer
+        refused,     ///< the input is wrong
+        broken       ///< memory, time or the program gave out: tried again by the next run
     };
     std::string name, file;
     std::string mode;  ///< "analysis" or "contacts"
     Status status = Status::ok;
-    std::string message;  ///< one line, why it is not ok
+    std::string message;  ///< one line, why it is not ok, or the reasons
     std::string key;      ///< src/job_key.hpp
     std::string request;  ///< src/job_request.hpp: the key without the job's own files
     std::map<std::string, double> parameters;
@@ -43,8 +44,10 @@ struct JobRecord {
     double seconds = 0;                 ///< wall time; with `sizes` the only thing in it that a repetition changes
 };
 
-/// "ok", "differs", "failed", "refused", "broken"
+/// "ok", "solved_but", "differs", "failed", "refused", "broken"
 std::string status_word(JobRecord::Status status);
+/// Has it what was asked for, be it with reservations?
+bool ended_well(const JobRecord& record);
 /// Is there nothing left to do for it?
 bool is_finished(const JobRecord& record);
 

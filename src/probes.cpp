@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "src/findings.hpp"
 #include "src/svg.hpp"
 
 namespace abut {
@@ -28,12 +30,13 @@ void check_probes(const Scene& scene) {
 
 void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                  Result& result) {
+    std::map<std::string, Finding> idle;  // by part
     for (const Probe& probe : scene.output.probes)
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             if (scene.parts[i].name != probe.part) continue;
             if (solved.solver_part[i] < 0) {  // carries nothing: it stays where it is, without stress
                 result.probes.push_back({probe.part, probe.at, {0, 0}, {}});
-                result.warnings.push_back("the probe in part " + probe.part + " is zero: nothing acts on that part");
+                idle[probe.part] = {0, probe.part, "the probe in part " + probe.part + " is zero: nothing acts on that part"};
                 continue;
             }
             const auto k = static_cast<std::size_t>(solved.solver_part[i]);
@@ -43,6 +46,7 @@ void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::ve
             const FieldSample s = sample_field(g, solved.solution.displacement[k], stress[k], element, local);
             result.probes.push_back({probe.part, probe.at, s.displacement, s.stress});
         }
+    tell(values_of(idle), "probe", result);
 }
 
 }  // namespace abut

@@ -19,8 +19,8 @@ struct PictureSize {
 };
 PictureSize picture_size(const Box2& model);
 
-/// The verdict in one sentence, and the box with message and warnings (report_verdict.cpp).
-std::string verdict(const Result& result);
+/// The verdict in one sentence, what there is in another; the box with warnings (report_verdict.cpp).
+std::string verdict_box(const Result& result);
 std::string warnings_box(const Result& result);
 
 std::string assembly_section(const Result& result);

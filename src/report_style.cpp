@@ -15,6 +15,7 @@ p { margin: 4px 0 8px; }
 .verdict { margin: 0; padding: 10px 14px; border-left: 6px solid #2b8a3e; background: #eef8f0; font-size: 16px; overflow-wrap: anywhere; }
 .verdict.failed { border-color: #c92a2a; background: #fdeeee; color: #8a1010; font-weight: 600; }
 .verdict.doubtful { border-color: #d98200; background: #fff6e5; }
+.facts { margin: 6px 0 0; padding: 0 20px; color: #333; }
 .warnings { margin: 10px 0 0; padding: 8px 14px; border-left: 6px solid #d98200; background: #fff6e5; }
 .warnings ul { margin: 2px 0 0; padding-left: 20px; }
 .row { display: flex; flex-wrap: wrap; gap: 20px 24px; align-items: flex-start; }

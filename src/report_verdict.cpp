@@ -3,6 +3,7 @@
 
 #include "src/report_sections.hpp"
 #include "src/result_units.hpp"
+#include "src/verdict.hpp"
 
 namespace abut::report {
 
@@ -30,16 +31,21 @@ std::string stress_words(const Result& result, const ResultUnits& units) {
            " at " + place_text(most->max_von_mises.at, model_size(result));
 }
 
+/// What there is, and the largest of it.
+std::string facts(const Result& result) {
+    const ResultUnits units = result_units(result);
+    const std::string words = result.contacts.empty() ? stress_words(result, units) : contact_words(result, units);
+    const std::string time = seconds_text(stage_seconds(result, "total"));
+    return words + "; residual " + number_text(result.equilibrium.relative_residual, 1) + (time.empty() ? "" : "; " + time);
+}
+
 }  // namespace
 
-std::string verdict(const Result& result) {
-    if (result.status != "ok") return "Failed: " + (result.message.empty() ? "no reason was given" : result.message);
-    const ResultUnits units = result_units(result);
-    std::string words = result.solver.converged ? "Solved: " : "Solved without convergence: ";
-    words += result.contacts.empty() ? stress_words(result, units) : contact_words(result, units);
-    words += "; residual " + number_text(result.equilibrium.relative_residual, 1);
-    const std::string time = seconds_text(stage_seconds(result, "total"));
-    return words + (time.empty() ? "" : "; " + time);
+std::string verdict_box(const Result& result) {
+    const Verdict verdict = verdict_of(result);
+    const std::string mood = verdict == Verdict::failed ? " failed" : verdict == Verdict::solved_but ? " doubtful" : "";
+    const std::string box = "<p class=\"verdict" + mood + "\">" + escape_xml(verdict_sentence(result)) + "</p>\n";
+    return verdict == Verdict::failed ? box : box + "<p class=\"facts\">" + escape_xml(facts(result)) + "</p>\n";
 }
 
 std::string warnings_box(const Result& result) {

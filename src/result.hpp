@@ -170,6 +170,12 @@ struct PassSummary {
     std::optional<double> estimated_error;  ///< of what accuracy.target steers; nothing to compare with on the first grids
 };
 
+/// Why a solved answer is less than what was asked for. One is enough for the verdict "solved, but" (src/verdict.hpp).
+struct Reason {
+    std::string kind;  ///< a word for programs: "accuracy", "yield", ... (src/README.md)
+    std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
+};
+
 struct Result {
     std::string title, status = "ok", message;  ///< status: ok, failed
     std::string length_unit, force_unit;
@@ -187,6 +193,7 @@ struct Result {
     std::vector<std::pair<std::string, double>> stages;
     std::vector<Effect> effects;
     double strain_energy = 0;
+    double energy_rounding = 0;  ///< what rounding may make of it; not part of result.json
     struct {
         Vec2 applied{0, 0}, reaction{0, 0};
         double relative_residual = 0, relative_moment_residual = 0;
@@ -210,6 +217,7 @@ struct Result {
     std::vector<Reaction> reactions;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;
+    std::vector<Reason> reasons;
     std::vector<PassSummary> passes;  ///< in their order; the last one is the answer's
 
     // For the pictures; not part of result.json.

@@ -6,6 +6,7 @@
 
 #include "src/functional_json.hpp"
 #include "src/result.hpp"
+#include "src/verdict.hpp"
 
 namespace abut {
 
@@ -191,6 +192,8 @@ Json to_json(const Result& r) {
     const bool failed = r.status != "ok";
     Json j = {{"abut", 1}, {"title", r.title}, {"status", r.status}};
     if (failed) j["message"] = r.message;
+    j["verdict"] = verdict_word(verdict_of(r));
+    j["reasons"] = list_of(r.reasons, [](const Reason& reason) { return Json{{"kind", reason.kind}, {"text", reason.text}}; });
     j["unknowns"] = r.unknowns;
     j["degree"] = r.degree;
     j["multipliers"] = r.multipliers;

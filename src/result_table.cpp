@@ -6,6 +6,7 @@
 #include "src/result_units.hpp"
 #include "src/svg.hpp"
 #include "src/text_table.hpp"
+#include "src/verdict.hpp"
 
 namespace abut {
 
@@ -57,9 +58,6 @@ std::string summary(const Result& result) {
                 most->name + " at " + place_text(most->max_von_mises.at, model_size(result));
     text += "\nequilibrium: relative residual " + number_text(result.equilibrium.relative_residual, 2) + " of forces, " +
             number_text(result.equilibrium.relative_moment_residual, 2) + " of moments\n";
-    if (!result.solver.converged)
-        text += "NOT CONVERGED after " +
-                counted(static_cast<std::size_t>(std::max(result.solver.contact_iterations, 0)), "contact iteration") + "\n";
     return text;
 }
 
@@ -72,12 +70,8 @@ std::string effort(const Result& result) {
 }
 
 /// What was reached, and what more would cost.
-std::string accuracy_lines(const Result& result) {
-    if (!result.accuracy.estimate) return "";
-    const std::string time = seconds_text(stage_seconds(result, "total"));
-    std::string text = "estimated error of the " + result.accuracy.of + ": " + number_text(100 * *result.accuracy.estimate, 2) +
-                       " % (aimed at " + number_text(100 * result.accuracy.target, 2) + " %)" +
-                       (time.empty() ? "" : ", in " + time) + "\n";
+std::string last_lines(const Result& result) {
+    std::string text = verdict_sentence(result) + "\n";
     if (result.next_level)
         text += number_text(100 * result.next_level->target, 2) + " % (--accuracy " + result.next_level->accuracy +
                 ") would take about " + seconds_text(result.next_level->seconds) + "\n";
@@ -96,7 +90,7 @@ std::string result_table(const Result& result) {
     if (!failed) text += summary(result);
     if (result.unknowns > 0) text += effort(result);
     for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
-    if (!failed) text += accuracy_lines(result);
+    if (!failed) text += last_lines(result);
     return text;
 }
 

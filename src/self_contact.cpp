@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/findings.hpp"
 #include "src/result_units.hpp"
 
 namespace abut {
@@ -61,11 +62,17 @@ std::optional<Vec2> self_overlap(const PartField& field) {
 }
 
 void warn_of_self_contact(Result& result) {
+    std::vector<Finding> findings;
     for (std::size_t i = 0; i < result.parts.size(); ++i)
-        if (const std::optional<Vec2> place = self_overlap(result.fields[i]))
-            result.warnings.push_back("part " + result.parts[i].name + " closes on itself near " + pair_text(*place, 4) +
-                                      ": contact of a part with itself is not supported, this answer lets it overlap there; " +
-                                      "draw it as two bonded parts");
+        if (const std::optional<Vec2> place = self_overlap(result.fields[i])) {
+            const std::string& name = result.parts[i].name;
+            findings.push_back({0, name,
+                                "part " + name + " closes on itself near " + pair_text(*place, 4) +
+                                    ": contact of a part with itself is not supported, this answer lets it overlap there; " +
+                                    "draw it as two bonded parts",
+                                name + " overlaps itself"});
+        }
+    tell(std::move(findings), "self-contact", result);
 }
 
 }  // namespace abut

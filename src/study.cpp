@@ -184,7 +184,8 @@ void Course::add_notes() {
             "ones come out too small, and an error that all runs share is not seen.");
     if (options_.threads != 1 && threads_ == 1)
         study_.notes.push_back(
-            "No runs with threads: there is one processor, or the linear algebra library may not be called from several threads.");
+            "No runs with threads: there is one processor, or the linear algebra library may not be called from several "
+            "threads.");
     if (grids_.empty()) study_.notes.push_back("No level gave an answer, so that there are no grids to study.");
 }
 

@@ -44,6 +44,7 @@ struct StudyRun {
     StudySetting setting;
     enum class Status { ok, failed, skipped } status = Status::ok;
     std::string message{};  ///< why it failed or was skipped; of one that was solved, why there is no error
+    std::string reasons{};  ///< not to take a solved one as it is (verdict.hpp)
     int repeats = 0;        ///< solved so many times; seconds are medians
     int unknowns = 0, multipliers = 0;
     std::array<int, 3> cells{0, 0, 0};      ///< inner, boundary, outer

@@ -17,15 +17,15 @@ std::string kind_text(StudySetting::Kind kind) {
     return kind == StudySetting::Kind::graded ? "graded" : "equal";
 }
 
-std::string status_text(StudyRun::Status status) {
-    if (status == StudyRun::Status::ok) return "ok";
-    return status == StudyRun::Status::failed ? "failed" : "skipped";
+std::string status_text(const StudyRun& run) {
+    if (run.status == StudyRun::Status::ok) return run.reasons.empty() ? "ok" : "solved_but";
+    return run.status == StudyRun::Status::failed ? "failed" : "skipped";
 }
 
 std::string csv_line(const StudyRun& r) {
     const StudySetting& s = r.setting;
     std::string line = kind_text(s.kind) + "," + csv_field(s.level) + "," + std::to_string(s.degree) + "," + s.basis + "," +
-                       csv_field(s.size) + "," + status_text(r.status) + "," + std::to_string(r.repeats) + "," +
+                       csv_field(s.size) + "," + status_text(r) + "," + std::to_string(r.repeats) + "," +
                        std::to_string(r.unknowns) + "," + std::to_string(r.multipliers);
     for (int n : r.cells) line += "," + std::to_string(n);
     line += "," + csv_field(r.solver_seconds) + "," + csv_field(r.seconds) + "," + csv_field(r.cpu_seconds);
@@ -62,8 +62,9 @@ Json run_json(const StudyRun& r) {
     for (std::size_t s = 0; s < study_stages.size(); ++s) stages[study_stages[s]] = r.stage[s];
     for (double error : r.error) errors.push_back(number(error));
     return {{"setting", setting_json(r.setting)},
-            {"status", status_text(r.status)},
+            {"status", status_text(r)},
             {"message", r.message},
+            {"reasons", r.reasons},
             {"repeats", r.repeats},
             {"unknowns", r.unknowns},
             {"multipliers", r.multipliers},

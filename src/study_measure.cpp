@@ -10,6 +10,7 @@
 
 #include "src/analysis.hpp"
 #include "src/study_child.hpp"
+#include "src/verdict.hpp"
 #include "src/verify.hpp"
 
 namespace abut {
@@ -103,6 +104,7 @@ void fill_run(const Result& result, StudyRun& run) {
         run.status = StudyRun::Status::failed;
         run.message = result.message;
     }
+    run.reasons = reasons_text(result);
     run.unknowns = result.unknowns + result.multipliers;
     run.multipliers = result.multipliers;
     run.cells = result.cells;

@@ -11,6 +11,8 @@ namespace abut::report {
 namespace {
 
 std::string status_words(const StudyRun& run) {
+    if (run.status == StudyRun::Status::ok && run.setting.kind == StudySetting::Kind::level && !run.reasons.empty())
+        return "solved, but: " + run.reasons + (run.message.empty() ? "" : "; " + run.message);
     if (run.status == StudyRun::Status::ok) return run.message;
     return (run.status == StudyRun::Status::failed ? "failed: " : "left out: ") + run.message;
 }
@@ -31,7 +33,8 @@ std::vector<std::string> run_row(const StudyRun& run, std::optional<std::size_t>
             duration_text(run.seconds),
             duration_text(run.cpu_seconds),
             run.peak_bytes > 0 ? memory_text(run.peak_bytes) : "",
-            std::to_string(run.repeats)};
+            std::to_string(run.repeats),
+            status_words(run)};
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ Json run_json(const StudyRun& r) {
     for (const PassSummary& p : r.passes) passes.push_back(pass_json(p));
     return {{"failed", r.status == StudyRun::Status::failed},
             {"message", r.message},
+            {"reasons", r.reasons},
             {"repeats", r.repeats},
             {"unknowns", r.unknowns},
             {"multipliers", r.multipliers},
@@ -81,6 +82,7 @@ StudyRun run_of(const Json& json) {
     StudyRun r;
     r.status = json["failed"] ? StudyRun::Status::failed : StudyRun::Status::ok;
     r.message = json["message"];
+    r.reasons = json["reasons"];
     r.repeats = json["repeats"];
     r.unknowns = json["unknowns"];
     r.multipliers = json["multipliers"];

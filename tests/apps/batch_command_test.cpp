@@ -35,6 +35,26 @@ TEST_F(BatchCommand, AnalysesATableThroughATemplate) {
         EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
+TEST_F(BatchCommand, AnswersWithReservationsAreShownAndAreNoFailures) {
+    SceneText scene;
+    scene.supports = R"([{"on": "block/bottom", "symmetry": true}, {"on": "block/left", "symmetry": true}])";
+    fs::create_directory(folder_ / "scenes");
+    write("scenes/reached.json", scene.text());
+    scene.material = R"({"E": 210000, "nu": 0.3, "yield": 0.4})";
+    write("scenes/yields.json", scene.text());
+    const Outcome run = abut({"batch", "scenes", "-o", "o"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_TRUE(run.errors.empty()) << joined(run.errors);
+    EXPECT_TRUE(any_line_has(lines_of(run.output), {"2 jobs: 1 ok, 1 solved_but"})) << run.output;
+    EXPECT_TRUE(any_line_has(lines_of(run.output), {"solved_but yields.json: block at 2.5 times its yield; 1 part, "}))
+        << run.output;
+    const auto job = nlohmann::json::parse(read(folder_ / "o/jobs/yields.json/job.json"));
+    EXPECT_EQ(job["status"], "solved_but");
+    EXPECT_EQ(job["message"], "block at 2.5 times its yield");
+    EXPECT_NEAR(job["max_von_mises"].get<double>(), 1, 1e-6);
+    EXPECT_EQ(abut({"merge", "o"}).status, 0);
+}
+
 TEST_F(BatchCommand, OneBadFileIsItsOwnResultAndStopsNothing) {
     write_sketches(2);
     write("in/bad.dxf", "0\nSECTION\n");

@@ -122,6 +122,31 @@ TEST_F(CommandLine, QuietPrintsNothingAndJsonTheResult) {
     EXPECT_EQ(json.output, read(folder_ / "out/result.json"));
 }
 
+TEST_F(CommandLine, StrictTakesReservationsForAFailure) {
+    SceneText scene;
+    scene.supports = R"([{"on": "block/bottom", "symmetry": true}, {"on": "block/left", "symmetry": true}])";
+    write("reached.json", scene.text());
+    scene.material = R"({"E": 210000, "nu": 0.3, "yield": 0.4})";
+    write("but.json", scene.text());
+    scene.supports = R"([{"on": "block/bottom", "fix": ["x"]}])";
+    write("failed.json", scene.text());
+    for (const auto& [file, verdict, status, strict] :
+         {std::tuple("reached", "reached", 0, 0), {"but", "solved_but", 0, 1}, {"failed", "failed", 1, 1}}) {
+        const std::string name = std::string(file) + ".json";
+        const Outcome run = abut({"analyze", name});
+        EXPECT_EQ(run.status, status) << name << joined(run.errors);
+        EXPECT_EQ(run.errors.size(), static_cast<std::size_t>(status)) << joined(run.errors);
+        expect_words(read(folder_ / "out/result.json"), {std::string("\"verdict\": \"") + verdict + "\""});
+        const Outcome strictly = abut({"analyze", name, "--strict", "--quiet"});
+        EXPECT_EQ(strictly.status, strict) << name;
+        EXPECT_EQ(strictly.errors.size(), static_cast<std::size_t>(strict)) << joined(strictly.errors);
+    }
+    EXPECT_TRUE(any_line_has(lines_of(abut({"analyze", "reached.json"}).output), {"Solved, accuracy reached"}));
+    const Outcome but = abut({"analyze", "but.json", "--strict"});
+    EXPECT_TRUE(any_line_has(lines_of(but.output), {"Solved, but: block at 2.5 times its yield"})) << but.output;
+    EXPECT_EQ(but.errors, (std::vector<std::string>{"abut: but.json: solved, but: block at 2.5 times its yield"}));
+}
+
 TEST_F(CommandLine, AccuracyIsALevelOrAnError) {
     write("scene.json", SceneText{}.text());
     for (const auto& [accuracy, target] : {std::pair{"draft", "0.05"}, {"0.003", "0.003"}}) {

@@ -60,6 +60,7 @@ TEST(AccuracyResults, ForcesErrLikeTheEnergyWithinWhatTheirChangeSays) {
 TEST(AccuracyResults, ReachedTargetsWarnOfNothing) {
     const Result result = filled(outcome(0.008, 0.002, PathEnd::reached));
     EXPECT_TRUE(result.warnings.empty());
+    EXPECT_TRUE(result.reasons.empty());
     EXPECT_TRUE(result.accuracy.reached);
     EXPECT_EQ(result.accuracy.of, "contact pressure");
     EXPECT_EQ(result.accuracy.target, 0.01);
@@ -91,6 +92,9 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;
         EXPECT_TRUE(is_warned(result, "above the 1 % aimed at"));
+        ASSERT_EQ(result.reasons.size(), 1u);
+        EXPECT_EQ(result.reasons[0].kind, "accuracy");
+        EXPECT_EQ(result.reasons[0].text, "contact pressures known to 3 %, not to 1 %");
     }
 }
 
@@ -101,6 +105,28 @@ TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
     corner.errors.back().contacts[0]->peak = 0.2;
     EXPECT_TRUE(is_warned(filled(corner), "sharp corner"));
     EXPECT_FALSE(is_warned(filled(corner), "uncertain"));
+    ASSERT_EQ(filled(corner).reasons.size(), 1u);
+    EXPECT_EQ(filled(corner).reasons[0].kind, "corner");
+}
+
+TEST(AccuracyResults, ManyPeaksAtCornersAreOneWarningThatNamesTheLargest) {
+    Outcome out = outcome(0.005, 0.2, PathEnd::reached);
+    std::vector<std::optional<ContactError>>& errors = out.errors.back().contacts;
+    errors[0]->at_corner = true;
+    errors.resize(3, errors[0]);
+    Result result;
+    for (const double pressure : {100, 300, 200}) result.contacts.emplace_back().max_pressure.value = pressure;
+    fill_errors(out, result);
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_EQ(result.warnings[0].find("the largest pressure of contact 1 stands at a sharp corner"), 0u);
+    EXPECT_NE(result.warnings[0].find("the same of 2 others: contact 2, contact 0"), std::string::npos) << result.warnings[0];
+    EXPECT_EQ(result.reasons.size(), 1u);
+}
+
+TEST(AccuracyResults, DoubtfulPeaksAreReasonsWhereNothingWasAimedAt) {
+    const Result result = filled(outcome(0.005, 0.2, PathEnd::no_need));
+    ASSERT_EQ(result.reasons.size(), 1u);
+    EXPECT_EQ(result.reasons[0].text, "the largest pressure of contact 0 known to 20 %");
 }
 
 TEST(AccuracyResults, WithoutContactItIsOfStress) {

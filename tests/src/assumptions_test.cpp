@@ -26,12 +26,49 @@ std::string warning(const Result& r, const std::string& begin) {
     return found == r.warnings.end() ? "" : *found;
 }
 
+bool has_reason(const Result& r, const std::string& kind, const std::string& begin) {
+    return std::any_of(r.reasons.begin(), r.reasons.end(),
+                       [&](const Reason& reason) { return reason.kind == kind && reason.text.starts_with(begin); });
+}
+
+/// Bars side by side, each pulled by its right end with a traction of its own.
+Result bars(const std::vector<double>& tractions) {
+    std::string parts, names, loads;
+    for (std::size_t k = 0; k < tractions.size(); ++k) {
+        const std::string name = "bar_" + std::to_string(k), y = test::number(10 * static_cast<double>(k));
+        parts += (k == 0 ? "" : ", ") + (R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [0, )") +
+                 y + R"(], "max": [4, )" + test::number(10 * static_cast<double>(k) + 1) + "]}}}";
+        names += (k == 0 ? "" : ", ") + ("\"" + name + "/left\", \"" + name + "/bottom\"");
+        loads += (k == 0 ? "" : ", ") + (R"({"on": ")" + name + R"(/right", "traction": [)") + test::number(tractions[k]) + ", 0]}";
+    }
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3, "yield": 1}}, "parts": [)" + parts +
+                        R"(], "supports": [{"on": [)" + names + R"(], "symmetry": true}], "loads": [)" + loads +
+                        R"(], "accuracy": {"cell_size": 0.5}})");
+}
+
+TEST(Assumptions, TheSameOfManyPartsIsOneLineThatNamesTheWorst) {
+    const Result r = bars({2, 60, 3, 70, 0.5, 80, 4, 5});
+    for (const char* begin : {"yield exceeded", "large strain", "large displacement would matter"})
+        EXPECT_EQ(std::count_if(r.warnings.begin(), r.warnings.end(),
+                                [&](const std::string& w) { return w.starts_with(begin); }),
+                  1)
+            << begin;
+    const std::string yield = warning(r, "yield exceeded: part bar_5 reaches a von Mises stress of 80 ");
+    EXPECT_TRUE(yield.ends_with("; the same of 6 others: bar_3, bar_1, bar_7, bar_6 and 2 more")) << yield;
+    EXPECT_TRUE(has_reason(r, "yield", "bar_5 at 80 times its yield (and 6 others)"));
+    const std::string strain = warning(r, "large strain: part bar_5 strains by up to 8");
+    EXPECT_TRUE(strain.ends_with("; the same of 2 others: bar_3, bar_1")) << strain;
+    EXPECT_TRUE(bars({0.5, 0.7}).reasons.empty());
+}
+
 TEST(Assumptions, LargeRotationsAreSaidWithPartPlaceAndSize) {
     // the end turns by P L^2 / (2 E I): 0.12 for P = 0.2
     const Result r = arm(R"({"on": "arm/right", "force": [0, -0.2]})");
     const std::string w = warning(r, "large displacement would matter: rotation 6.9");
     EXPECT_NE(w.find(" degrees at part arm, near (10, "), std::string::npos) << w;
     EXPECT_FALSE(warning(r, "large displacement would matter: part arm moves by").empty());
+    EXPECT_TRUE(has_reason(r, "rotation", "arm turns by 6.9 degrees"));
+    EXPECT_TRUE(has_reason(r, "displacement", "arm moves by 8"));
     EXPECT_TRUE(warning(arm(R"({"on": "arm/right", "force": [0, -0.02]})"), "large displacement").empty());
 }
 
@@ -47,6 +84,8 @@ TEST(Assumptions, YieldIsComparedWhereItIsGiven) {
     const Result r = arm(load, "0.9");
     const std::string w = warning(r, "yield exceeded: part arm reaches a von Mises stress of ");
     EXPECT_NE(w.find("times the yield of m (0.9)"), std::string::npos) << w;
+    EXPECT_TRUE(has_reason(r, "yield", "arm at "));
+    EXPECT_FALSE(has_reason(arm(load, "5"), "yield", ""));
     EXPECT_TRUE(warning(arm(load, "5"), "yield").empty());
     EXPECT_TRUE(warning(arm(load), "yield").empty());
 }

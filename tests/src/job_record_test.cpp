@@ -65,11 +65,27 @@ TEST(JobKey, TellsEverySettingAndFileApart) {
     EXPECT_EQ(hash.text(), "af63dc4c8601ec8c");
 }
 
+TEST(BatchPage, ShowsAnswersWithReservations) {
+    BatchSummary summary;
+    summary.jobs = {full_record()};
+    summary.jobs[0].status = JobRecord::Status::ok;
+    summary.count[static_cast<std::size_t>(JobRecord::Status::ok)] = 1;
+    EXPECT_NE(index_html(summary, "").find("<p class=\"verdict\">1 jobs: 1 ok"), std::string::npos);
+    summary.jobs[0].status = JobRecord::Status::solved_but;
+    std::swap(summary.count[0], summary.count[1]);
+    EXPECT_NE(index_html(summary, "").find("<p class=\"verdict doubtful\">1 jobs: 1 solved_but"), std::string::npos);
+    EXPECT_NE(index_html(summary, "").find("<span class=\"status solved_but\">"), std::string::npos);
+    EXPECT_TRUE(all_well(summary));
+    EXPECT_EQ(parse_job_json(job_json(summary.jobs[0]))->status, JobRecord::Status::solved_but);
+    summary.jobs[0].status = JobRecord::Status::differs;
+    EXPECT_FALSE(all_well(summary));
+}
+
 TEST(BatchPage, HoldsNoTextOfAFileAsMarkup) {
     BatchSummary summary;
     summary.jobs = {full_record()};
     summary.jobs[0].name = "<script>alert(1)</script>&\"";
-    summary.count[1] = 1;
+    summary.count[static_cast<std::size_t>(JobRecord::Status::differs)] = 1;
     const std::string page = index_html(summary, "<i>");
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     EXPECT_EQ(page.find("<b>"), std::string::npos);

@@ -31,7 +31,8 @@ TEST(ClosedForm, FreeDiscUnderRadialBodyForce) {
     EXPECT_NEAR(r.probes[0].stress.xx, 4125, 0.01 * 4125);  // "standard" aims at about 1 %
     EXPECT_NEAR(r.probes[1].displacement.x(), 0.0175, 0.001 * 0.0175);
     EXPECT_LT(r.equilibrium.relative_residual, 1e-9);
-    EXPECT_EQ(r.warnings.size(), 3u) << "two slides and a rotation are neutral";
+    ASSERT_EQ(r.warnings.size(), 1u);
+    EXPECT_NE(r.warnings[0].find("the same of 2 others: "), std::string::npos) << "two slides and a rotation are neutral";
 }
 
 TEST(ClosedForm, ShrinkFit) {
