@@ -36,10 +36,12 @@ Result bars(const std::vector<double>& tractions) {
     std::string parts, names, loads;
     for (std::size_t k = 0; k < tractions.size(); ++k) {
         const std::string name = "bar_" + std::to_string(k), y = test::number(10 * static_cast<double>(k));
-        parts += (k == 0 ? "" : ", ") + (R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [0, )") +
-                 y + R"(], "max": [4, )" + test::number(10 * static_cast<double>(k) + 1) + "]}}}";
+        parts += (k == 0 ? "" : ", ") +
+                 (R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [0, )") + y +
+                 R"(], "max": [4, )" + test::number(10 * static_cast<double>(k) + 1) + "]}}}";
         names += (k == 0 ? "" : ", ") + ("\"" + name + "/left\", \"" + name + "/bottom\"");
-        loads += (k == 0 ? "" : ", ") + (R"({"on": ")" + name + R"(/right", "traction": [)") + test::number(tractions[k]) + ", 0]}";
+        loads +=
+            (k == 0 ? "" : ", ") + (R"({"on": ")" + name + R"(/right", "traction": [)") + test::number(tractions[k]) + ", 0]}";
     }
     return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3, "yield": 1}}, "parts": [)" + parts +
                         R"(], "supports": [{"on": [)" + names + R"(], "symmetry": true}], "loads": [)" + loads +
@@ -49,9 +51,8 @@ Result bars(const std::vector<double>& tractions) {
 TEST(Assumptions, TheSameOfManyPartsIsOneLineThatNamesTheWorst) {
     const Result r = bars({2, 60, 3, 70, 0.5, 80, 4, 5});
     for (const char* begin : {"yield exceeded", "large strain", "large displacement would matter"})
-        EXPECT_EQ(std::count_if(r.warnings.begin(), r.warnings.end(),
-                                [&](const std::string& w) { return w.starts_with(begin); }),
-                  1)
+        EXPECT_EQ(
+            std::count_if(r.warnings.begin(), r.warnings.end(), [&](const std::string& w) { return w.starts_with(begin); }), 1)
             << begin;
     const std::string yield = warning(r, "yield exceeded: part bar_5 reaches a von Mises stress of 80 ");
     EXPECT_TRUE(yield.ends_with("; the same of 6 others: bar_3, bar_1, bar_7, bar_6 and 2 more")) << yield;

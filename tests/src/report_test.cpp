@@ -50,8 +50,9 @@ TEST(Report, IsOneWellFormedFileWithoutTheNetwork) {
 
 TEST(Report, SaysTheVerdictInWords) {
     EXPECT_TRUE(has(report_html(bracket()), "<p class=\"verdict\">Solved</p>"));
-    EXPECT_TRUE(has(report_html(bracket()),
-                    "<p class=\"facts\">1 contact, largest pressure 132.4 MPa on bracket/hole at (0, 40); residual 3e-13; 0.082 s"));
+    EXPECT_TRUE(
+        has(report_html(bracket()),
+            "<p class=\"facts\">1 contact, largest pressure 132.4 MPa on bracket/hole at (0, 40); residual 3e-13; 0.082 s"));
 }
 
 TEST(Report, HasEverySection) {

@@ -80,7 +80,10 @@ TEST(Impossible, NumbersThatAreNotFiniteAreNamedWhereverTheyAre) {
         {[&](Result& r) { r.fields[1].boundary[0][3].displacement.y() = nan; }, "part pin"},
         {[&](Result& r) { r.contacts[0].force.x() = nan; }, "contact 0"},
         {[&](Result& r) { r.contacts[0].profile.pressure[5] = -infinity; }, "contact 0"},
-        {[&](Result& r) { r.contacts[0].errors = ContactErrors{0.01, nan, 0.01, false}; }, "contact 0"},
+        {[&](Result& r) {
+             r.contacts[0].errors = ContactErrors{0.01, nan, 0.01, false};
+         },
+         "contact 0"},
         {[&](Result& r) { r.reactions[1].moment = nan; }, "the reaction of fix x on bracket/left"},
         {[&](Result& r) { r.probes[0].stress.xy = nan; }, "the probe in part bracket"},
         {[&](Result& r) { r.equilibrium.relative_residual = nan; }, "the balance of forces"},
