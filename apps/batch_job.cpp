@@ -14,6 +14,7 @@
 #include "src/analysis.hpp"
 #include "src/batch_thumbnail.hpp"
 #include "src/detect.hpp"
+#include "src/expected_pairs.hpp"
 #include "src/job_store.hpp"
 #include "src/result.hpp"
 #include "src/scene.hpp"
@@ -108,7 +109,7 @@ void analyze_job(const JobSettings& settings, Scene& scene, const std::string& f
 void detect_job(const JobSettings& settings, const BatchJob& job, const Scene& scene, const std::string& folder,
                 JobRecord& record) {
     const Detection detection = detect_contacts(scene, settings.distance);
-    record.pairs = static_cast<int>(detection.pairs.size());
+    record.pairs = count_pairs(detection);
     record.warnings = scene.warnings;
     if (const std::vector<ExpectedPair>* expected = expected_for(settings, job)) {
         record.expectation = count_expected(detection, *expected);

@@ -11,6 +11,7 @@
 #include "geometry/input_error.hpp"
 #include "src/accuracy_results.hpp"
 #include "src/nearest_name.hpp"
+#include "src/result_units.hpp"
 
 namespace abut {
 
@@ -29,7 +30,7 @@ void set_time(Result& result, const std::string& name, double seconds) {
 }
 
 std::string contact_file(std::size_t k) {
-    return "contact_" + std::to_string(k) + ".csv";
+    return "contact_" + contact_number(k) + ".csv";
 }
 
 void write_contacts(const Result& result, const std::string& folder) {

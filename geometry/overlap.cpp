@@ -2,6 +2,8 @@
 #include "geometry/overlap.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "geometry/curve_meetings.hpp"
 #include "geometry/edge_tree.hpp"
@@ -36,13 +38,22 @@ Side side_of(const Curve& curve, double t, const Part& other, const std::vector<
     return contains(material, p) ? Side::inside : Side::outside;
 }
 
+/// The boundary of the common region: its edges in no particular order (all that areas need), and whose they are.
+struct Region {
+    Part boundary;
+    std::vector<std::array<int, 2>> source;  ///< part (0, 1) and its edge
+};
+
 /// Appends the pieces of the boundary of `part` that bound the common region. A piece along both boundaries is to be counted
 /// once; one where the boundaries run against each other has material on either side, and bounds nothing in common.
-void add_pieces(const Part& part, const Part& other, bool count_shared, double tolerance, Part& region) {
+void add_pieces(const std::array<const Part*, 2>& parts, int which, double tolerance, Region& region) {
+    const Part &part = *parts[static_cast<std::size_t>(which)], &other = *parts[static_cast<std::size_t>(1 - which)];
+    const bool count_shared = which == 0;
     const Box2 reach = bounding_box(other);
     const EdgeTree tree(other);
     const std::vector<MonotonePiece> material = monotone_pieces(other);
-    for (const Edge& edge : part.edges) {
+    for (std::size_t e = 0; e < part.edges.size(); ++e) {
+        const Edge& edge = part.edges[e];
         const Box2 box = bounding_box(edge.curve);
         if (!box.overlaps(reach, tolerance)) continue;
         const std::vector<int> near = tree.near(box, tolerance);
@@ -53,20 +64,67 @@ void add_pieces(const Part& part, const Part& other, bool count_shared, double t
             if (side != Side::inside && !(side == Side::along && count_shared)) continue;
             Edge piece;
             piece.curve = trimmed(edge.curve, cuts[i], cuts[i + 1]);
-            region.edges.push_back(piece);
+            region.boundary.edges.push_back(piece);
+            region.source.push_back({which, static_cast<int>(e)});
         }
     }
+}
+
+double distance_to(const Box2& box, const Vec2& p) {
+    return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
+}
+
+struct Nearest {
+    int edge = -1;
+    double distance = std::numeric_limits<double>::infinity();
+};
+Nearest nearest_edge(const Part& part, const std::vector<Box2>& boxes, const Vec2& p) {
+    Nearest nearest;
+    for (std::size_t e = 0; e < part.edges.size(); ++e) {
+        if (distance_to(boxes[e], p) >= nearest.distance) continue;
+        const Curve& curve = part.edges[e].curve;
+        const double distance = (point(curve, closest_parameter(curve, p)) - p).norm();
+        if (distance < nearest.distance) nearest = {static_cast<int>(e), distance};
+    }
+    return nearest;
+}
+
+/// The deepest point of the region's boundary, as far as the parts' edges know it.
+void find_deepest(const std::array<const Part*, 2>& parts, const Region& region, Overlap& found) {
+    constexpr int samples = 32;  // even: the middle is one
+    std::array<std::vector<Box2>, 2> boxes;
+    for (std::size_t side = 0; side < 2; ++side)
+        for (const Edge& edge : parts[side]->edges) boxes[side].push_back(bounding_box(edge.curve));
+    double deepest = -1;
+    for (std::size_t k = 0; k < region.source.size(); ++k) {
+        const auto [which, edge] = region.source[k];
+        const auto other = static_cast<std::size_t>(1 - which);
+        for (int i = 1; i < samples; ++i) {
+            const Vec2 p = point(region.boundary.edges[k].curve, static_cast<double>(i) / samples);
+            const Nearest nearest = nearest_edge(*parts[other], boxes[other], p);
+            if (nearest.distance <= deepest) continue;
+            deepest = nearest.distance;
+            found.edge1 = which == 0 ? edge : nearest.edge;
+            found.edge2 = which == 0 ? nearest.edge : edge;
+            found.at = p;
+        }
+    }
+    found.depth = deepest;
 }
 
 }  // namespace
 
 Overlap overlap(const Part& part1, const Part& part2, double tolerance) {
     if (!bounding_box(part1).overlaps(bounding_box(part2), 0)) return {};
-    Part region;  // its edges are the boundary of the common region, in no particular order: all that areas need
-    add_pieces(part1, part2, true, tolerance, region);
-    add_pieces(part2, part1, false, tolerance, region);
-    if (region.edges.empty()) return {};
-    return {std::max(0.0, area(region)), perimeter(region)};
+    const std::array<const Part*, 2> parts{&part1, &part2};
+    Region region;
+    for (const int which : {0, 1}) add_pieces(parts, which, tolerance, region);
+    if (region.source.empty()) return {};
+    Overlap found;
+    found.area = std::max(0.0, area(region.boundary));
+    find_deepest(parts, region, found);
+    if (found.depth <= tolerance) found.depth = 2 * found.area / perimeter(region.boundary);
+    return found;
 }
 
 }  // namespace abut::geometry

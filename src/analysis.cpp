@@ -10,12 +10,14 @@
 #include "src/accuracy_results.hpp"
 #include "src/adaptive.hpp"
 #include "src/assumptions.hpp"
+#include "src/candidate_faces.hpp"
 #include "src/contact_measures.hpp"
 #include "src/contact_results.hpp"
 #include "src/effect_answers.hpp"
 #include "src/equilibrium.hpp"
 #include "src/field_results.hpp"
 #include "src/findings.hpp"
+#include "src/held_contacts.hpp"
 #include "src/mirror_symmetry.hpp"
 #include "src/mobility.hpp"
 #include "src/motion_text.hpp"
@@ -26,6 +28,7 @@
 #include "src/self_contact.hpp"
 #include "src/svg.hpp"
 #include "src/verdict.hpp"
+#include "src/unpaired_touches.hpp"
 
 namespace abut {
 
@@ -93,7 +96,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     const SolvedAssembly& solved = out.solved;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         result.contacts.push_back(contact_result(scene, solved, out.candidates[k], k));
-        result.contacts.back().functional = functional_interface(scene, out.candidates[k]);
+        result.contacts.back().functional = faces_of(scene, out.candidates[k]).functional;
     }
     result.under_load = mobility_under_load(scene, conditions, result.contacts);
     result.strain_energy = energy_of(solved);
@@ -107,6 +110,8 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
+    warn_of_held_contacts(scene, conditions, out, result);
+    warn_of_unpaired_touches(scene, result);
     warn_of_self_contact(result);
 }
 

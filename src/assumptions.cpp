@@ -197,6 +197,16 @@ void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& r
     tell(std::move(findings), "locking", result);
 }
 
+/// More than this out of balance is the rounding of a badly conditioned system.
+constexpr double noted_imbalance = 1e-6;
+
+void check_balance(Result& result) {
+    const double off = std::max(result.equilibrium.relative_residual, result.equilibrium.relative_moment_residual);
+    if (off <= noted_imbalance) return;
+    const std::string text = "forces and moments balance only to " + number_text(off, 2) + " of the largest";
+    tell({{off, "", text + ": rounding, of cells that are tiny beside their part", text}}, "balance", result);
+}
+
 /// Below the error aimed at rounding is none that matters.
 void check_rounding(double target, Result& result) {
     const double rounding = std::min(1.0, std::numeric_limits<double>::epsilon() * result.solver.condition_estimate);
@@ -260,6 +270,7 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
     check_rules(scene, out, result);
     check_grids(scene, out, result);
     check_rounding(out.target, result);
+    check_balance(result);
     warn_of_locking(scene, out.solved, result);
     warn_of_rigid_parts(scene, out.solved, result);
 }

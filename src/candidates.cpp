@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <tuple>
 
-#include "geometry/overlap.hpp"
-#include "src/pair_rules.hpp"
-#include "src/svg.hpp"
+#include "src/drawn_overlap.hpp"
 
 namespace abut {
 
@@ -17,78 +16,119 @@ const geometry::Part& part_of(const Scene& scene, int i) {
     return scene.parts[static_cast<std::size_t>(i)].part;
 }
 
-void check_overlap(const Scene& scene, const Candidate& c, double allowed, std::vector<Problem>& problems) {
-    if (c.zone.gap_min >= -allowed) return;
-    const ScenePart &a = scene.parts[static_cast<std::size_t>(c.first)], &b = scene.parts[static_cast<std::size_t>(c.second)];
-    const std::string edges = a.name + "/" + a.part.edges[static_cast<std::size_t>(c.zone.chain1.edges.front())].name +
-                              " and " + b.name + "/" + b.part.edges[static_cast<std::size_t>(c.zone.chain2.edges.front())].name;
-    problems.push_back(
-        {a.where, "parts " + a.name + " and " + b.name + " overlap by " + number_text(-c.zone.gap_min, 4) + " at " + edges,
-         "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\""});
+/// Is a pair of edges searched at all? Without detection only what rules speak of.
+bool is_searched(const Scene& scene, int rule) {
+    return rule < 0 ? scene.contacts.detect
+                    : scene.contacts.pairs[static_cast<std::size_t>(rule)].kind != PairRule::Kind::ignore;
 }
 
-/// A part drawn inside another's material: no boundaries need to meet.
-void check_containment(const Scene& scene, int i, int j, double allowed, std::vector<Problem>& problems) {
-    const auto inside = [&](const geometry::Part& outer, const geometry::Part& inner) {
-        const Vec2 p = point(inner.edges.front().curve, 0.5);
-        double away = std::numeric_limits<double>::infinity();
-        for (const geometry::Edge& e : outer.edges)
-            away = std::min(away, (point(e.curve, closest_parameter(e.curve, p)) - p).norm());
-        return away > allowed && contains(outer, p);
+/// Overlaps deeper than this have faces that are not paired.
+double deepest_paired(const PartReach& reach, int first, int second) {
+    return std::min(reach.searched(first, second, 1), first_search_fraction * reach.size(first, second));
+}
+
+/// A zone whose faces have passed each other: where parts have nothing in common, and deeper than any fit, these are the far
+/// sides of thin parts.
+bool is_far_side(const geometry::FacingZone& zone, const geometry::Overlap& common, double touching, double deepest) {
+    return zone.gap_min < -(common.depth > touching ? deepest : 2 * touching);
+}
+
+Candidate candidate_of(const Scene& scene, int first, int second, RuledZone&& ruled) {
+    Candidate c{first, second, acting_zone(part_of(scene, first), part_of(scene, second), std::move(ruled.zone)), 0,
+                scene.contacts.overlap == "ignore"};
+    c.rule = ruled.rule;
+    if (c.rule >= 0) {
+        const PairRule& rule = scene.contacts.pairs[static_cast<std::size_t>(c.rule)];
+        c.closing = rule.interference;
+        c.bonded = rule.kind == PairRule::Kind::bonded;
+    }
+    return c;
+}
+
+/// Pairs run along the middle of both normals, at most 30 degrees from either: a zone along an overlap sees more than half of
+/// its depth.
+bool sees_depth(const geometry::FacingZone& zone, double depth) {
+    return zone.gap_min <= -0.5 * depth;
+}
+
+std::vector<Candidate> in_order(std::vector<Meeting>&& meetings) {
+    std::vector<Candidate> candidates;
+    for (Meeting& m : meetings) std::move(m.candidates.begin(), m.candidates.end(), std::back_inserter(candidates));
+    std::stable_sort(candidates.begin(), candidates.end(), comes_before);
+    return candidates;
+}
+
+/// Does the zone begin or end at the closest points? At a corner: its pair there runs along the middle normal, at most 30
+/// degrees from the shortest way.
+bool ends_at_closest(const Scene& scene, const Meeting& m, const geometry::FacingZone& zone, double tolerance) {
+    constexpr double beside = 0.6;  // above the tangent of 30 degrees
+    const auto meets = [&](double s1, double guess) {
+        const geometry::FacingPair p = pair_from_first(part_of(scene, m.first), part_of(scene, m.second), zone, s1, guess);
+        const double off1 = (p.on1.x - m.closest->x1).norm(), off2 = (p.on2.x - m.closest->x2).norm();
+        return std::min(off1, off2) <= tolerance && std::max(off1, off2) <= beside * std::abs(p.gap) + tolerance;
     };
-    const geometry::Part &a = part_of(scene, i), &b = part_of(scene, j);
-    const bool same_place = std::abs(area(a) - area(b)) <= allowed * perimeter(a) &&
-                            (centroid(a) - centroid(b)).norm() <= allowed && std::abs(perimeter(a) - perimeter(b)) <= allowed &&
-                            overlap(a, b, allowed).area > 0.5 * area(a);
-    if (!same_place && !inside(a, b) && !inside(b, a)) return;
-    const ScenePart &first = scene.parts[static_cast<std::size_t>(i)], &second = scene.parts[static_cast<std::size_t>(j)];
-    problems.push_back({second.where, "parts " + first.name + " and " + second.name + " lie in the same place",
-                        "move one of them, or cut the one out of the other"});
+    return m.closest && (meets(zone.begin1, zone.begin2) || meets(zone.end1, zone.end2));
 }
 
 }  // namespace
 
-double search_distance(const Scene& scene, int first, int second, double factor) {
-    if (scene.contacts.search_distance) return *scene.contacts.search_distance;
-    const double size =
-        std::min(bounding_box(part_of(scene, first)).diagonal(), bounding_box(part_of(scene, second)).diagonal());
-    return factor * first_search_fraction * size;
+double drawn_gap(const Scene& scene, const Meeting& m, const Candidate& c, double touching) {
+    return ends_at_closest(scene, m, c.zone, touching) ? std::min(c.zone.gap_min, m.closest->distance) : c.zone.gap_min;
 }
 
-std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
-    std::vector<Candidate> candidates;
-    std::vector<Problem> problems;
-    if (!scene.contacts.detect && scene.contacts.pairs.empty()) return candidates;
+Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
+             const MeetingDistances& distances) {
+    const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
+    const double touching = reach.touching(first, second), deepest = deepest_paired(reach, first, second);
+    const geometry::Overlap common = overlap(a, b, touching);
+    Meeting m{first, second};
+    m.closest = closest_points(a, b, std::max(distances.closest, touching));
+    bool paired = false, depth_seen = false;
+    for (geometry::FacingZone& zone : find_facing_zones(a, b, std::max(distances.search, touching))) {
+        if (is_far_side(zone, common, touching, first_search_fraction * reach.size(first, second))) continue;
+        paired = paired ||
+                 (m.closest && (zone.gap_min <= m.closest->distance + touching || ends_at_closest(scene, m, zone, touching)));
+        depth_seen = depth_seen || sees_depth(zone, common.depth);
+        for (RuledZone& ruled : split_by_rules(scene, rules, first, second, zone))
+            if (is_searched(scene, ruled.rule)) m.candidates.push_back(candidate_of(scene, first, second, std::move(ruled)));
+    }
+    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.closing <= distances.shown;
+    if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {
+        m.overlap = common;
+        m.too_deep = common.depth > deepest || !depth_seen;
+    }
+    m.unpaired = m.closest && !paired && is_searched(scene, rules.of(first, m.closest->edge1, second, m.closest->edge2));
+    return m;
+}
+
+std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
+    std::vector<Meeting> meetings;
+    if (!scene.contacts.detect && scene.contacts.pairs.empty()) return meetings;
+    const PairRules rules(scene);
+    const PartReach reach(scene);
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
-            const auto box_i = bounding_box(part_of(scene, i)), box_j = bounding_box(part_of(scene, j));
-            const double size = std::min(box_i.diagonal(), box_j.diagonal());
-            const double distance = search_distance(scene, i, j, factor);
-            if (!box_i.overlaps(box_j, distance)) continue;
-            if (factor == 1 && scene.contacts.overlap == "report")
-                check_containment(scene, i, j, overlap_fraction * size, problems);
-            const double deepest = -first_search_fraction * size;
-            for (geometry::FacingZone& zone : find_facing_zones(part_of(scene, i), part_of(scene, j), distance)) {
-                if (zone.gap_min < deepest && distance > first_search_fraction * size) continue;  // a far side, not an overlap
-                const Candidate whole{i, j, acting_zone(part_of(scene, i), part_of(scene, j), std::move(zone)), 0,
-                                      scene.contacts.overlap == "ignore"};
-                for (Ruled& ruled : split_by_rules(scene, whole)) {
-                    Candidate& c = ruled.candidate;
-                    const PairRule* rule =
-                        ruled.rule < 0 ? nullptr : &scene.contacts.pairs[static_cast<std::size_t>(ruled.rule)];
-                    if (rule ? rule->kind == PairRule::Kind::ignore : !scene.contacts.detect) continue;
-                    if (rule) c.closing = rule->interference;
-                    c.bonded = rule && rule->kind == PairRule::Kind::bonded;
-                    c.rule = ruled.rule;
-                    if (factor == 1 && scene.contacts.overlap == "report")
-                        check_overlap(scene, c, overlap_fraction * size, problems);
-                    candidates.push_back(std::move(c));
-                }
-            }
+            const double distance = reach.searched(i, j, factor), shown = reach.shown(i, j);
+            if (reach.within(i, j, distance)) meetings.push_back(meet(scene, rules, reach, i, j, {distance, shown, shown}));
         }
+    return meetings;
+}
+
+bool comes_before(const Candidate& a, const Candidate& b) {
+    return std::tuple(!a.shown, a.first, a.second) < std::tuple(!b.shown, b.first, b.second);
+}
+
+std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
+    std::vector<Meeting> meetings = find_meetings(scene, factor);
+    std::vector<Problem> problems;
+    if (factor == 1) check_overlaps(scene, meetings, problems);
     if (!problems.empty()) throw InputError(problems);
-    return candidates;
+    return in_order(std::move(meetings));
+}
+
+std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor) {
+    return in_order(find_meetings(scene, factor));
 }
 
 PartPairs touching_pairs(const std::vector<Candidate>& candidates) {

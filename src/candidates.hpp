@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which stretches of which parts can come into contact.
+// Which stretches of which parts can come into contact: the one search that all commands share.
 #pragma once
+#include <optional>
+#include <utility>
 #include <vector>
 
+#include "geometry/closest_points.hpp"
 #include "geometry/facing.hpp"
+#include "geometry/overlap.hpp"
+#include "src/pair_rules.hpp"
+#include "src/part_reach.hpp"
 #include "src/scene.hpp"
 
 namespace abut {
@@ -27,27 +33,48 @@ struct Candidate {
     bool no_overlap = false;  ///< drawn overlaps count as touching
     bool bonded = false;      ///< held together as drawn
     int rule = -1;            ///< the scene's rule for this pair, if any
+    bool shown = true;        ///< within the distance that `contacts` shows
     std::vector<ExpectedEnd> ends{};
     ExpectedPressure expected{};  ///< empty: nothing is known
 };
-
-/// Drawn overlaps up to this fraction of the smaller part's diagonal are the drawing's rounding, not a fault.
-inline constexpr double overlap_fraction = 1e-6;
-
-/// Distance up to which two parts are candidates at first, as a fraction of the smaller diagonal; it grows where contact
-/// reaches the end of a zone.
-inline constexpr double first_search_fraction = 0.05;
-
-/// Distance up to which two parts are searched.
-double search_distance(const Scene& scene, int first, int second, double factor);
 
 using PartPairs = std::vector<std::pair<int, int>>;
 /// The parts of every candidate; those that an interference presses together, or with "press_fit" a drawn overlap.
 PartPairs touching_pairs(const std::vector<Candidate>& candidates);
 PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates);
 
-/// factor: widens the search distance. Throws InputError for drawn overlaps that the scene does not allow, naming edges and
-/// place.
+/// What two parts have to do with each other as drawn.
+struct Meeting {
+    int first, second;
+    std::vector<Candidate> candidates{};               ///< along the first part
+    std::optional<geometry::ClosestPoints> closest{};  ///< of the boundaries, within the distance asked for
+    bool unpaired = false;                             ///< at the closest points no faces oppose each other
+    std::optional<geometry::Overlap> overlap{};        ///< more than rounding, and not left alone by a rule
+    bool too_deep = false;                             ///< the overlap: no faces are paired across it
+};
+
+/// Distances up to which zones are looked for, are shown, and closest points are looked for.
+struct MeetingDistances {
+    double search, shown, closest;
+};
+
+/// Zones are cut where rules change; those left alone are not among the candidates.
+Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
+             const MeetingDistances& distances);
+
+/// A candidate's smallest gap; at a corner the distance, since gaps along middle normals are longer there.
+double drawn_gap(const Scene& scene, const Meeting& meeting, const Candidate& candidate, double touching);
+
+/// All meetings within the search distance that `factor` widens, by parts.
+std::vector<Meeting> find_meetings(const Scene& scene, double factor);
+
+/// What people call contacts 1, 2, ...: those shown come first, in the order of parts. Does `a` come before `b`?
+bool comes_before(const Candidate& a, const Candidate& b);
+
+/// Candidates of all meetings, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
+/// naming edges and place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);
+/// The same whatever overlaps.
+std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor);
 
 }  // namespace abut

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/interface_kind.hpp"
+#include "src/candidate_faces.hpp"
 #include "src/contact_measures.hpp"
 
 namespace abut {
@@ -167,7 +168,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     fill_profile(scene, solved, contact, candidate, result);
     name_edges(result.profile.edge, result.profile.pressure, result.edges[0], result.between[0]);
     name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);
-    result.interface = interface_of(scene, candidate, result.between);
+    result.interface = corner_kind(scene, candidate).value_or(interface_of(scene, candidate, result.between));
     if (result.status == "open") return result;
     const ContactForce total = contact_force(solved, contact);
     result.force = total.force;

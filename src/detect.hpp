@@ -11,32 +11,32 @@
 
 namespace abut {
 
-/// Pairs are listed up to this distance, as a fraction of the smaller part's extent.
-inline constexpr double default_distance_fraction = 0.02;
-
+/// A row of the table: a zone of two parts as the analysis takes it (candidates.hpp), or where no faces oppose each other a
+/// place.
 struct DetectedPair {
     std::array<int, 2> part{0, 0};
     std::array<std::string, 2> parts, between;
     std::array<std::vector<std::string>, 2> edges;
-    std::string status;     ///< touching, gap, overlap
-    std::string interface;  ///< "pin-in-hole", "flat-on-flat", ...
-    double gap_min = 0, gap_max = 0;
-    double overlap_area = 0;
-    double length = 0;         ///< of the facing boundary within the search distance
-    double shared_length = 0;  ///< of edges that lie on each other wherever they face each other
-    std::string cells_case;    ///< the dissertation's a-e (section 4.5.1)
+    std::string status;               ///< touching, gap, overlap
+    std::string interface;            ///< "pin-in-hole", "flat-on-flat", ...
+    double gap_min = 0, gap_max = 0;  ///< less the interference that a rule gives
+    double overlap_area = 0;          ///< of both parts, in the row that is deepest
+    double length = 0;                ///< of the zone along the first part; 0: no faces oppose each other
+    double shared_length = 0;         ///< of edges that lie on each other wherever they face each other
+    std::string cells_case;           ///< the dissertation's a-e (section 4.5.1)
     std::string why;
     FunctionalInterface functional;          ///< of all that faces each other
     std::vector<std::array<Vec2, 2>> marks;  ///< facing points, on the first and on the second part, for the picture
 };
 
 struct Detection {
-    std::vector<DetectedPair> pairs, near_misses;
-    double distance = 0;  ///< the largest search distance that was used
+    std::vector<DetectedPair> pairs, near_misses;  ///< pairs in the order of the analysis, places without faces last
+    double distance = 0;                           ///< the largest up to which pairs were listed
 };
 
-/// distance unset: 2 % of the smaller part's extent (its largest distance of two points, a rectangle's diagonal), near misses
-/// to 10 %.
+/// Lists what comes as close as `distance`; unset: what the analysis calls shown, 2 % of the smaller part's extent (its largest
+/// distance of two points, a rectangle's diagonal). Near misses to 10 %. Zones are as long as the analysis searches them at
+/// first, or up to `distance` where that is more.
 Detection detect_contacts(const Scene& scene, std::optional<double> distance);
 
 std::string detection_json(const Scene& scene, const Detection& detection);

@@ -121,12 +121,29 @@ const DetectedPair* pair_of(const std::vector<DetectedPair>& pairs, const std::a
     return nullptr;
 }
 
+/// Cells are those of two parts, whatever their zones: the parts' first row, with the numbers of all, "2, 3".
+struct Numbered {
+    const DetectedPair* pair;
+    std::string numbers;
+};
+std::vector<Numbered> numbered(const std::vector<DetectedPair>& pairs) {
+    std::vector<Numbered> list;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const auto own =
+            std::find_if(list.begin(), list.end(), [&](const Numbered& n) { return n.pair->part == pairs[k].part; });
+        if (own == list.end())
+            list.push_back({&pairs[k], contact_number(k)});
+        else
+            own->numbers += ", " + contact_number(k);
+    }
+    return list;
+}
+
 std::string numbers_svg(const CellsPicture& picture, const View& view, LabelPlacement& labels) {
     std::string svg;
-    for (std::size_t k = 0; k < picture.detection.pairs.size(); ++k)
-        if (const ContactCells* contact = contact_of(picture.common, picture.detection.pairs[k].part))
-            svg += placed_text(number_places(contact->meeting, picture.common.grid, view), std::to_string(k + 1), "number",
-                               labels);
+    for (const auto& [pair, numbers] : numbered(picture.detection.pairs))
+        if (const ContactCells* contact = contact_of(picture.common, pair->part))
+            svg += placed_text(number_places(contact->meeting, picture.common.grid, view), numbers, "number", labels);
     return svg;
 }
 
@@ -228,8 +245,7 @@ std::string grid_text(const CellsPicture& picture) {
 std::vector<std::string> legend_lines(const CellsPicture& picture) {
     std::vector<std::string> lines{grid_text(picture)};
     const std::vector<DetectedPair>& pairs = picture.detection.pairs;
-    for (std::size_t k = 0; k < pairs.size(); ++k)
-        lines.push_back(std::to_string(k + 1) + "  " + found_text(picture, pairs[k]));
+    for (const auto& [pair, numbers] : numbered(pairs)) lines.push_back(numbers + "  " + found_text(picture, *pair));
     for (const ContactCells& contact : picture.common.contacts) {
         if (pair_of(pairs, contact.part)) continue;
         const bool is_near = pair_of(picture.detection.near_misses, contact.part) != nullptr;

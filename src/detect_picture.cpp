@@ -156,7 +156,7 @@ std::string legend_svg(const Scene& scene, const Detection& detection, double to
     };
     for (std::size_t k = 0; k < detection.pairs.size(); ++k) {
         const DetectedPair& p = detection.pairs[k];
-        line(std::to_string(k + 1) + "  ", "face " + p.status,
+        line(contact_number(k) + "  ", "face " + p.status,
              p.parts[0] + " - " + p.parts[1] + ": " + p.status + ", " + p.interface + ", gap " + number_text(p.gap_min, 3) +
                  " to " + with_unit(p.gap_max, 3, scene.length_unit));
     }

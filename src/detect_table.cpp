@@ -21,7 +21,7 @@ std::string pair_rows(const Scene& scene, const std::vector<DetectedPair>& pairs
     for (std::size_t k = 0; k < pairs.size(); ++k) {
         const DetectedPair& p = pairs[k];
         const std::string gap = number_text(p.gap_min, 3) + " to " + number_text(p.gap_max, 3);
-        rows.push_back({std::to_string(k + 1), p.parts[0] + " - " + p.parts[1], p.status, p.interface, gap,
+        rows.push_back({contact_number(k), p.parts[0] + " - " + p.parts[1], p.status, p.interface, gap,
                         number_text(p.length, 4), p.cells_case, p.between[0] + " - " + p.between[1]});
         if (overlaps) rows.back().push_back(p.overlap_area > 0 ? number_text(p.overlap_area, 4) : "");
     }

@@ -73,13 +73,12 @@ private:
     /// Pairs whose boxes come within the search distance; without detection those that a rule names.
     std::vector<IndexPair> searched() const {
         if (!scene_.contacts.detect) return ruled([](const PairRule& r) { return r.kind != PairRule::Kind::ignore; });
+        const PartReach reach(scene_);
         std::vector<IndexPair> found;
         const int n = static_cast<int>(scene_.parts.size());
         for (int i = 0; i < n; ++i)
             for (int j = i + 1; j < n; ++j)
-                if (bounding_box(scene_.parts[at(i)].part)
-                        .overlaps(bounding_box(scene_.parts[at(j)].part), search_distance(scene_, i, j, 1)))
-                    found.push_back({i, j});
+                if (reach.within(i, j, reach.searched(i, j, 1))) found.push_back({i, j});
         return found;
     }
 

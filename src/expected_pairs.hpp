@@ -16,6 +16,9 @@ struct ExpectedPair {
     std::string status, interface;     ///< empty: any
 };
 
+/// Pairs of parts, however many zones these have.
+int count_pairs(const Detection& detection);
+
 /// Each expected pair is looked for, each detected one has to be expected; differences as lines, in that order. A pair whose
 /// status or interface is another than the expected one counts as neither found nor expected.
 ExpectationCount count_expected(const Detection& detection, const std::vector<ExpectedPair>& expected);

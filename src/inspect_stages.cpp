@@ -50,10 +50,8 @@ void append_line(std::string& data, const PartCells& part, int axis, int line, b
 }  // namespace
 
 Stages first_stages(const Scene& scene) {
-    Scene tolerant = scene;
-    tolerant.contacts.overlap = "ignore";
     Stages stages;
-    stages.candidates = find_candidates(tolerant, 1);
+    stages.candidates = find_candidates_anyway(scene, 1);
     const double coarseness = coarseness_of(scene.accuracy, !stages.candidates.empty());
     const WantedSizes wanted = first_sizes(scene, stages.candidates, coarseness);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {

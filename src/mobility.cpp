@@ -4,10 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/extent.hpp"
-#include "geometry/interface_kind.hpp"
-#include "src/detect.hpp"
-#include "src/facing_edges.hpp"
+#include "src/candidate_faces.hpp"
 #include "src/motion_text.hpp"
 #include "src/support_components.hpp"
 
@@ -17,23 +14,16 @@ namespace {
 
 using geometry::Connection;
 using geometry::force_through;
-using geometry::Part;
 using geometry::ScrewScale;
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-ScrewScale scale_of(const std::vector<const Part*>& parts) {
-    geometry::Box2 box;
-    for (const Part* part : parts) box.extend(bounding_box(*part));
-    return {box.center(), box.diagonal()};
-}
-
 ScrewScale scale_of(const Scene& scene) {
-    std::vector<const Part*> parts;
-    for (const ScenePart& p : scene.parts) parts.push_back(&p.part);
-    return scale_of(parts);
+    geometry::Box2 box;
+    for (const ScenePart& p : scene.parts) box.extend(bounding_box(p.part));
+    return {box.center(), box.diagonal()};
 }
 
 /// Forces of a support along an edge, at points enough for any curve: ends and in between.
@@ -110,39 +100,13 @@ MobilityResult mobility_of(const Scene& scene, const ResolvedConditions& conditi
     return result;
 }
 
-FunctionalInterface bonded_interface(const FacingEdges& stretch) {
-    FunctionalInterface result;
-    result.kind = "bonded";
-    result.at = 0.5 * (stretch.ends[0] + stretch.ends[1]);
-    result.wrenches = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    return result;
-}
-
 }  // namespace
-
-FunctionalInterface functional_interface(const Scene& scene, const Candidate& candidate) {
-    const Part &first = scene.parts[at(candidate.first)].part, &second = scene.parts[at(candidate.second)].part;
-    std::vector<FacingEdges> stretches;
-    for (const geometry::ZonePiece& piece : zone_pieces(first, second, candidate.zone))
-        stretches.push_back(facing_edges(first, second, candidate.zone, piece));
-    if (stretches.empty()) return {};
-    const auto longest = std::max_element(stretches.begin(), stretches.end(),
-                                          [](const FacingEdges& a, const FacingEdges& b) { return a.length < b.length; });
-    put_first(stretches, longest->edge1, longest->edge2);
-    if (candidate.bonded) return bonded_interface(stretches.front());
-    const std::string kind = geometry::interface_kind(first, stretches[0].edge1, second, stretches[0].edge2);
-    return functional_interface(first, second, kind, stretches, scale_of({&first, &second}));
-}
 
 MobilityResult mobility_as_drawn(const Scene& scene, const ResolvedConditions& conditions,
                                  const std::vector<Candidate>& candidates) {
     std::vector<Joint> joints;
-    for (const Candidate& c : candidates) {
-        const double size =
-            std::min(geometry::extent(scene.parts[at(c.first)].part), geometry::extent(scene.parts[at(c.second)].part));
-        if (c.zone.gap_min - c.closing <= default_distance_fraction * size)
-            joints.push_back({{c.first, c.second}, functional_interface(scene, c).wrenches});
-    }
+    for (const Candidate& c : candidates)
+        if (c.shown) joints.push_back({{c.first, c.second}, faces_of(scene, c).functional.wrenches});
     return mobility_of(scene, conditions, joints);
 }
 

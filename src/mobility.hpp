@@ -16,7 +16,4 @@ MobilityResult mobility_as_drawn(const Scene& scene, const ResolvedConditions& c
 MobilityResult mobility_under_load(const Scene& scene, const ResolvedConditions& conditions,
                                    const std::vector<ContactResult>& contacts);
 
-/// Of a candidate, from the edges that face each other longest; its screws are about the origin of assembly coordinates.
-FunctionalInterface functional_interface(const Scene& scene, const Candidate& candidate);
-
 }  // namespace abut

@@ -35,13 +35,12 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
         const double largest = solver::largest_displacement(s.grids[k].input, s.solution.displacement[k]);
         reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], largest);
     }
+    const PartReach parts(scene);
     double factor = 0;
-    for (std::size_t i = 0; i < scene.parts.size(); ++i)
-        for (std::size_t j = i + 1; j < scene.parts.size(); ++j) {
-            const auto a = bounding_box(scene.parts[i].part), b = bounding_box(scene.parts[j].part);
-            const double closing = reach[i] + reach[j];
-            if (a.overlaps(b, closing))
-                factor = std::max(factor, closing / (first_search_fraction * std::min(a.diagonal(), b.diagonal())));
+    for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i)
+        for (int j = i + 1; j < static_cast<int>(scene.parts.size()); ++j) {
+            const double closing = reach[at(i)] + reach[at(j)];
+            if (parts.within(i, j, closing)) factor = std::max(factor, closing / (first_search_fraction * parts.size(i, j)));
         }
     return factor;
 }

@@ -140,14 +140,12 @@ void reorder(std::vector<T>& items, const std::vector<std::size_t>& order) {
     items = std::move(sorted);
 }
 
-/// Contacts in the order of their parts, as a search of the whole scene gives them.
+/// Contacts in the order in which a search of the whole scene gives them.
 void sort_contacts(Outcome& whole) {
     std::vector<std::size_t> order(whole.candidates.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const Candidate &x = whole.candidates[a], &y = whole.candidates[b];
-        return std::pair(x.first, x.second) < std::pair(y.first, y.second);
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return comes_before(whole.candidates[a], whole.candidates[b]); });
     reorder(whole.candidates, order);
     reorder(whole.solved.contacts, order);
     reorder(whole.solved.interface_of, order);

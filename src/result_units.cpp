@@ -84,7 +84,7 @@ double model_size(const Result& result) {
 }
 
 std::string contact_number(std::size_t k) {
-    return std::to_string(k);
+    return std::to_string(k + 1);
 }
 
 std::string joined(const std::vector<std::string>& items, const std::string& separator) {

@@ -32,7 +32,7 @@ std::string pair_text(const Vec2& v, int digits);
 std::string place_text(const Vec2& p, double model_size);
 /// The diagonal of all parts' common box, 0 without geometry.
 double model_size(const Result& result);
-/// The number of the k-th contact: its place in result.json and in the name of contact_<k>.csv, from 0.
+/// The number of the k-th contact for people, from 1: in tables, pictures and the name of contact_<k>.csv.
 std::string contact_number(std::size_t k);
 std::string joined(const std::vector<std::string>& items, const std::string& separator);
 /// "2 contacts", "1 contact".

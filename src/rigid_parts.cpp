@@ -33,9 +33,8 @@ const Material& material_of(const Scene& scene, int part) {
     return scene.materials[at(scene.parts[at(part)].material)];
 }
 
-bool can_touch(const Scene& scene, int i, int j) {
-    return bounding_box(scene.parts[at(i)].part)
-        .overlaps(bounding_box(scene.parts[at(j)].part), search_distance(scene, std::min(i, j), std::max(i, j), 1));
+bool can_touch(const PartReach& reach, int i, int j) {
+    return reach.within(i, j, reach.searched(i, j, 1));
 }
 
 geometry::Grid coarse_grid(const geometry::Part& local) {
@@ -143,13 +142,14 @@ std::string why_rigid(const Scene& scene, int part) {
     if (own.rigid) return "its material is \"rigid\"";
     const auto is_softer = [&](const Material& m) { return own.E > rigid_stiffness_ratio * m.E; };
     if (std::none_of(scene.materials.begin(), scene.materials.end(), is_softer)) return "";
+    const PartReach reach(scene);
     bool has_neighbour = false;
     for (int j = 0; j < static_cast<int>(scene.parts.size()); ++j) {
         if (j == part) continue;
         const bool softer = is_softer(material_of(scene, j));
-        if (!softer && !can_touch(scene, part, j)) continue;
+        if (!softer && !can_touch(reach, part, j)) continue;
         if (!softer) return "";
-        has_neighbour = has_neighbour || can_touch(scene, part, j);
+        has_neighbour = has_neighbour || can_touch(reach, part, j);
     }
     if (!has_neighbour || deforms_by_itself(scene, part)) return "";
     return "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2);

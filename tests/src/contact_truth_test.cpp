@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "src/detect.hpp"
 
@@ -63,6 +64,27 @@ void expect_as_true(const DetectedPair& pair, const Json& truth) {
     EXPECT_NEAR(pair.shared_length, shared, 1e-3 * shared) << who;
 }
 
+int closeness(const DetectedPair& p) {
+    return p.status == "overlap" ? 0 : p.status == "touching" ? 1 : 2;
+}
+
+/// The rows of two parts as one: truths are of pairs of parts.
+std::vector<DetectedPair> by_parts(const Detection& detection) {
+    std::vector<DetectedPair> pairs;
+    for (const DetectedPair& row : detection.pairs) {
+        const auto own = std::find_if(pairs.begin(), pairs.end(), [&](const auto& p) { return p.part == row.part; });
+        if (own == pairs.end()) {
+            pairs.push_back(row);
+            continue;
+        }
+        own->gap_min = std::min(own->gap_min, row.gap_min);
+        own->overlap_area += row.overlap_area;
+        own->shared_length += row.shared_length;
+        if (closeness(row) < closeness(*own)) own->status = row.status;
+    }
+    return pairs;
+}
+
 }  // namespace
 
 TEST_P(ContactTruth, EveryListedPairAndNoOther) {
@@ -79,7 +101,7 @@ TEST_P(ContactTruth, EveryListedPairAndNoOther) {
         std::sort(names.begin(), names.end());
         expected[names] = truth;
     }
-    for (const DetectedPair& pair : detect_contacts(scene, distance).pairs) {
+    for (const DetectedPair& pair : by_parts(detect_contacts(scene, distance))) {
         Names names{name_of[pair.parts[0]], name_of[pair.parts[1]]};
         std::sort(names.begin(), names.end());
         const auto truth = expected.find(names);
@@ -113,10 +135,10 @@ INSTANTIATE_TEST_SUITE_P(Exports, ContactTruth,
 TEST(ContactTruthOfGears, TeethMeetTeethHoweverTheFlanksAreDrawn) {
     for (const char* file : {"gear_pair_r14.dxf", "gear_pair_r14_lwpoly.dxf", "gear_pair.3mf"}) {
         if (!std::filesystem::exists(generated + file)) GTEST_SKIP() << "the file is not here";
-        int toothed = 0;
+        std::set<std::array<int, 2>> toothed;
         for (const DetectedPair& pair : detect_contacts(read_sound(file).scene, distance).pairs)
-            toothed += pair.interface == "tooth-on-tooth";
-        EXPECT_EQ(toothed, 1) << file;
+            if (pair.interface == "tooth-on-tooth") toothed.insert(pair.part);
+        EXPECT_EQ(toothed.size(), 1U) << file;
     }
 }
 

@@ -34,6 +34,20 @@ TEST(ExpectedPairs, CountsWhatIsFoundAndWhatIsNot) {
     EXPECT_NE(expectation_text({}).find("precision - (0 of 0"), std::string::npos);
 }
 
+TEST(ExpectedPairs, ARowAZoneIsOnePairAsCloseAsItsClosestRow) {
+    Detection detection;
+    detection.pairs = {pair("a", "b", "gap"), pair("a", "b"), pair("b", "c", "gap")};
+    detection.pairs[0].interface = "flat-on-flat";
+    detection.pairs[1].interface = "round-on-flat";
+    EXPECT_EQ(count_pairs(detection), 2);
+    const auto differences = [&](const std::string& status, const std::string& interface) {
+        return count_expected(detection, {{{"a", "b"}, status, interface}, {{"b", "c"}, "", ""}}).differences.size();
+    };
+    EXPECT_EQ(differences("touching", "round-on-flat"), 0U);
+    EXPECT_EQ(differences("gap", ""), 1U);
+    EXPECT_EQ(differences("touching", "flat-on-flat"), 1U);
+}
+
 class ExpectationTableTest : public FolderTest {};
 
 TEST_F(ExpectationTableTest, ReadsRowsAndFilesWithoutPairs) {

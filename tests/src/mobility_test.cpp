@@ -79,9 +79,12 @@ TEST(FunctionalInterface, FaceOnFaceSlides) {
 TEST(FunctionalInterface, TheFacesOfASlotAddUp) {
     // a block in a U: held sideways and against turning by the walls, downwards by the floor
     const std::string u = R"({"polygon": [[0, 0], [6, 0], [6, 4], [4.01, 4], [4.01, 1], [1.99, 1], [1.99, 4], [0, 4]]})";
-    const FunctionalInterface f = detected(part("u", u) + "," + block("key", "[2, 1]", "[4, 5]"));
-    EXPECT_EQ(f.wrenches.size(), 3U);
-    EXPECT_TRUE(f.twists.empty());
+    const std::string parts = part("u", u) + "," + block("key", "[2, 1]", "[4, 5]");
+    std::vector<Screw> wrenches;
+    for (const DetectedPair& row : detect_contacts(scene_of(parts, ""), std::nullopt).pairs)
+        wrenches.insert(wrenches.end(), row.functional.wrenches.begin(), row.functional.wrenches.end());
+    EXPECT_EQ(wrench_space(wrenches, {{3, 2.5}, 8}).size(), 3U);
+    EXPECT_EQ(motions(drawn(scene_of(parts, R"({"on": "u/*", "fix": ["x", "y"]})")), "key"), Words{});
 }
 
 TEST(FunctionalInterface, ARoundPartRollsAndSlidesOnAFace) {
