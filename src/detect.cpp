@@ -76,7 +76,8 @@ std::string status_of(double gap, double touching) {
 }
 
 std::string why_overlapping(const Scene& scene, const Meeting& m) {
-    return overlap_text(scene, m) + ": " + overlap_hint(scene, m);
+    const bool is_allowed = scene.contacts.overlap != "report" && !m.too_deep;
+    return overlap_text(scene, m) + (is_allowed ? "" : ": " + overlap_hint(scene, m));
 }
 
 /// "touching at (0, 0)", "0.1 mm apart at (0, 0)".
@@ -178,13 +179,14 @@ struct Rows {
 
 void list_pairs(const Listing& l, Rows& rows) {
     const Meeting& m = l.meeting;
-    if (m.overlap && m.too_deep) rows.places.push_back(overlap_row(l));
     const auto deepest = std::min_element(m.candidates.begin(), m.candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.zone.gap_min < b.zone.gap_min;
     });
+    const bool faces_measure_it = !m.too_deep && deepest != m.candidates.end() && deepest->zone.gap_min < -l.touching;
+    if (m.overlap && !faces_measure_it) rows.places.push_back(overlap_row(l));
     for (const Candidate& c : m.candidates) {
         const bool covered = m.too_deep && c.zone.gap_min < -l.touching;  // the zone ends on its way into the overlap
-        if (c.shown && !covered) rows.faces.push_back(row_of(l, c, m.too_deep ? nullptr : &*deepest));
+        if (c.shown && !covered) rows.faces.push_back(row_of(l, c, faces_measure_it ? &*deepest : nullptr));
     }
     if (m.unpaired && !m.overlap && m.closest->distance <= std::max(l.shown, l.touching)) rows.places.push_back(place_row(l));
 }
