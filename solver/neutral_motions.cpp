@@ -108,6 +108,20 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
     return svd.matrixU().leftCols((svd.singularValues().array() > same_motion).count());
 }
 
+/// Of a basis of motions the part in which the bodies do not turn against each other. Lines that meet in a point leave a turn
+/// about it free at first, but a body that turns in a hollow rises: it is held as soon as it moves.
+MatrixXd without_turning(const AssemblyProblem& problem, const Interface& f, const MatrixXd& basis) {
+    const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
+                           b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
+    VectorXd turn(a.cols() + b.cols());
+    turn << a.row(2).transpose(), -b.row(2).transpose();
+    const VectorXd of_basis = basis.transpose() * turn;
+    if (of_basis.size() == 0 || of_basis.norm() <= same_motion * turn.cwiseAbs().maxCoeff()) return basis;
+    const Index n = of_basis.size();
+    const MatrixXd rest = Eigen::JacobiSVD<MatrixXd>(of_basis.transpose(), Eigen::ComputeFullV).matrixV().rightCols(n - 1);
+    return basis * rest;
+}
+
 /// What an interface resists of a motion: its closing along the lines that forces act on, but for the motions that leave these
 /// as they are, and those in which a body's own outline slides in itself.
 Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
@@ -118,7 +132,7 @@ Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
     if (f.bilateral) return {acting, acting};
     const MatrixXd own =
         mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) { return problem.own_normals[face][q]; }));
-    const MatrixXd neutral = joined(neutral_to(acting), neutral_to(own));
+    const MatrixXd neutral = joined(without_turning(problem, f, neutral_to(acting)), neutral_to(own));
     if (neutral.cols() == 0) return {acting, acting};
     const MatrixXd resisted = MatrixXd::Identity(acting.rows(), acting.cols()) - neutral * neutral.transpose();
     return {resisted * acting * resisted, acting};

@@ -17,6 +17,7 @@
 #include "src/next_candidates.hpp"
 #include "src/next_grids.hpp"
 #include "src/part_groups.hpp"
+#include "src/placement.hpp"
 #include "src/plan.hpp"
 #include "src/stress_error.hpp"
 #include "src/stress_raisers.hpp"
@@ -254,7 +255,7 @@ private:
     bool is_in_contact(const SolvedAssembly& now) const { return any_run(now) || any_missed(missed_); }
 
     void look_for_missed(const SolvedAssembly& now) {
-        missed_ = is_solved(now) ? missed_contacts(now, out_.target) : MissedContacts(now.contacts.size());
+        missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target) : MissedContacts(now.contacts.size());
     }
 
     /// A part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
@@ -264,7 +265,7 @@ private:
         for (std::size_t k = 0; k < now.grids.size(); ++k) {
             const PartOnGrid& g = now.grids[k];
             const double farthest = solver::largest_displacement(g.input, now.solution.displacement[k]),
-                         turn = std::abs(solver::free_rotation(now.problem.parts[k], now.solution.displacement[k]));
+                         turn = std::abs(rigid_motion_of(now, k).rotation);
             if (farthest <= g.size && turn <= 1) continue;
             return "part " + scene_.parts[static_cast<std::size_t>(g.part)].name + " moves by " + number_text(farthest, 3) +
                    (turn > 1 ? " and turns by more than a radian" : ", more than its own size,") +
@@ -307,11 +308,21 @@ private:
             look_for_missed(now);
         }
         if (is_reached()) return end(std::move(now), PathEnd::reached);
-        if (next_.on_final_cells() && now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
+        if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
+            return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
         prepare_next(now, out_.errors.back());
         return false;
+    }
+
+    /// Where one part has as many cells as it may, others may still have too few.
+    bool is_improving() const {
+        constexpr double worthwhile = 0.7;
+        const std::size_t n = out_.errors.size();
+        if (n < comparable_from_ + 3 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 2].contact_pressure)
+            return true;
+        return *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 2].contact_pressure;
     }
 
     bool is_reached() const {

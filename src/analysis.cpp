@@ -22,13 +22,14 @@
 #include "src/mobility.hpp"
 #include "src/motion_text.hpp"
 #include "src/part_results.hpp"
+#include "src/placement.hpp"
 #include "src/plan.hpp"
 #include "src/probes.hpp"
 #include "src/rigid_parts.hpp"
 #include "src/self_contact.hpp"
 #include "src/svg.hpp"
-#include "src/verdict.hpp"
 #include "src/unpaired_touches.hpp"
+#include "src/verdict.hpp"
 
 namespace abut {
 
@@ -102,7 +103,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
-    fill_errors(out, result);
+    fill_errors(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
     warn_of_largest_stress(result);
@@ -139,24 +140,49 @@ void note_not_folded(const std::string& why, Result& result) {
     result.warnings.push_back("\"symmetry\": \"auto\": " + text);
 }
 
-Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
+bool has_answer(const Outcome& out) {
+    return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
+}
+
+/// The analysis of the parts where they are drawn, and where they go far before they rest, again from there: the scene that it
+/// ends with, if another.
+std::optional<Scene> follow_to_rest(const Scene& drawn, ResolvedConditions conditions, const AnalyzeOptions& options,
+                                    Stopwatches& seconds, Outcome& out, Result& result) {
+    constexpr int most_placements = 5;
+    std::optional<Scene> rest;
+    for (int k = 0; k < most_placements && has_answer(out); ++k) {
+        std::optional<PlacedScene> placed = placed_at_rest(rest ? *rest : drawn, out.solved);
+        if (!placed) break;
+        conditions.mirror.reset();
+        Outcome there = solve_adaptively(placed->scene, conditions, options, seconds);
+        if (!has_answer(there)) break;
+        out = std::move(there);
+        rest = std::move(placed->scene);
+        result.warnings.push_back("analysed where the loads take it, " + first_few(placed->moved) + " from where it was " +
+                                  (k == 0 ? "drawn" : "before") + ": places and displacements are those from there");
+    }
+    return rest;
+}
+
+Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
     Result result;
-    result.title = scene.title;
-    result.length_unit = scene.length_unit;
-    result.force_unit = scene.force_unit;
-    result.degree = scene.accuracy.degree;
-    result.warnings = scene.warnings;
-    check_probes(scene);
-    ResolvedConditions conditions = resolve_conditions(scene);
-    result.effects = plan_effects(scene, conditions);
-    if (scene.fold_symmetry) conditions.mirror = mirror_to_use(scene, conditions, result);
+    result.title = drawn.title;
+    result.length_unit = drawn.length_unit;
+    result.force_unit = drawn.force_unit;
+    result.degree = drawn.accuracy.degree;
+    result.warnings = drawn.warnings;
+    check_probes(drawn);
+    ResolvedConditions conditions = resolve_conditions(drawn);
+    result.effects = plan_effects(drawn, conditions);
+    if (drawn.fold_symmetry) conditions.mirror = mirror_to_use(drawn, conditions, result);
+    const int threads = solver::usable_threads(options.threads);
+    Outcome out = solve_adaptively(drawn, conditions, options, seconds);
+    const std::optional<Scene> rest = follow_to_rest(drawn, conditions, options, seconds, out, result);
+    const Scene& scene = rest ? *rest : drawn;
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
-
-    const int threads = solver::usable_threads(options.threads);
-    const Outcome out = solve_adaptively(scene, conditions, options, seconds);
     fill_parts(scene, out.solved, result);
     if (!out.solved.not_folded.empty()) note_not_folded(out.solved.not_folded, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);

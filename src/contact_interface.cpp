@@ -189,6 +189,7 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
     const GapRule drawn{candidate.closing, candidate.no_overlap};
     if (scene.contacts.penalty) return make_penalty_interface(scene, candidate.zone, first, second, solver_part, drawn);
     ContactInterface c;
+    c.drawn = drawn;
     c.part = {first.part, second.part};
     c.zone = candidate.zone;
     const std::vector<Piece> pieces = measure(scene, c, first, second);
@@ -216,7 +217,7 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
             const auto [pair, stretch] =
                 pair_in_middle(scene, c, m, interpolate(middle, c.s1, m), interpolate(middle, c.s2, m));
             if (!pair.found) continue;
-            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch, drawn);
+            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch);
         }
     }
     c.face.expected = expected_coefficients(c, candidate.expected);

@@ -23,6 +23,14 @@ inline constexpr double end_overhang = 0.16;
 /// A body that holds less than this share of the compliance 1/E1 + 1/E2 does not limit the pressure's resolution.
 inline constexpr double compliance_share = 0.2;
 
+/// How a candidate's drawn gap counts.
+struct GapRule {
+    double closing = 0;       ///< how much it is reduced (interference)
+    bool no_overlap = false;  ///< negative ones count as zero
+
+    double of(double gap) const { return (no_overlap && gap < 0 ? 0.0 : gap) - closing; }
+};
+
 struct ContactInterface {
     std::array<int, 2> part;  ///< indices into Scene::parts
     geometry::FacingZone zone;
@@ -32,6 +40,7 @@ struct ContactInterface {
     std::vector<double> s1, s;
     std::vector<double> s2;  ///< partners on chain 2 of the table's entries
     double foundation = 0;
+    GapRule drawn{};
     Pairing pairing = Pairing::middle;
 };
 

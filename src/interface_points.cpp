@@ -79,12 +79,12 @@ double compliance(const Scene& scene, const PartOnGrid& g) {
 }
 
 void append_point(ContactInterface& c, const FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second, double s,
-                  double weight, const GapRule& rule) {
+                  double weight) {
     solver::InterfacePoint p;
     p.s = s;
     // around an axis: the radius midway, the same for both, so that what one presses the other feels
     p.weight = first.input.axis ? weight * 0.5 * (pair.on1.x.x() + pair.on2.x.x()) : weight;
-    p.gap = (rule.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - rule.closing;
+    p.gap = c.drawn.of(pair.gap);
     p.element = {element_of(first, pair.on1), element_of(second, pair.on2)};
     p.x = {first.frame.to_local(pair.on1.x), second.frame.to_local(pair.on2.x)};
     p.normal = {first.frame.vector_to_local(pair.normal), second.frame.vector_to_local(pair.normal)};

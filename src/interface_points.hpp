@@ -29,15 +29,9 @@ double size_along(const PartOnGrid& g, const geometry::ChainPoint& p);
 /// 1/E of a part on its grid.
 double compliance(const Scene& scene, const PartOnGrid& g);
 
-/// How a candidate's drawn gap counts.
-struct GapRule {
-    double closing;   ///< how much it is reduced (interference)
-    bool no_overlap;  ///< negative ones count as zero
-};
-
-/// The pair as a point of the interface, at arc length s.
+/// The pair as a point of the interface, at arc length s; its gap as c.drawn has it.
 void append_point(ContactInterface& c, const geometry::FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second,
-                  double s, double weight, const GapRule& rule);
+                  double s, double weight);
 
 /// Stiffness of a Winkler foundation as deep as the larger body's tenth: only the start of the active set depends on it.
 double winkler_stiffness(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second);

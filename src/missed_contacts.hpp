@@ -12,14 +12,14 @@ namespace abut {
 struct MissedContact {
     ContactRun run{};  ///< the stretch, with free ends
     double depth = 0;  ///< of the overlap, at its deepest
-    /// What it may carry, over the largest force of the scene: two half planes that are pressed together by the depth answer
+    /// What it may carry, over the largest force on the part that has less: two half planes that are pressed together by the depth answer
     /// with less than E* times thickness times depth.
     double share = 0;
 };
 
-/// By contact, ascending along its zone; stretches that may carry more than `least_share` of the largest force.
+/// By contact, ascending along its zone; stretches that may carry more than `least_share` of that force.
 using MissedContacts = std::vector<std::vector<MissedContact>>;
-MissedContacts missed_contacts(const SolvedAssembly& solved, double least_share);
+MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share);
 
 bool any_missed(const MissedContacts& missed);
 

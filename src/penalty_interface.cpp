@@ -67,6 +67,7 @@ void make_table(const Scene& scene, const PartOnGrid& first, const PartOnGrid& s
 ContactInterface make_penalty_interface(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first,
                                         const PartOnGrid& second, std::array<int, 2> solver_part, const GapRule& rule) {
     ContactInterface c;
+    c.drawn = rule;
     c.part = {first.part, second.part};
     c.zone = zone;
     c.pairing = scene.contacts.penalty->pairing;
@@ -83,7 +84,7 @@ ContactInterface make_penalty_interface(const Scene& scene, const geometry::Faci
             const double s1 = c.s1[k] + gauss.points[q] * length;
             const geometry::FacingPair pair = partners.at(s1);
             if (!pair.found) continue;
-            append_point(c, pair, first, second, s1 - zone.begin1, gauss.weights[q] * length * pair.stretch, rule);
+            append_point(c, pair, first, second, s1 - zone.begin1, gauss.weights[q] * length * pair.stretch);
             c.face.penalty.push_back(stiffness_at(scene, first, second, pair));
         }
     }
