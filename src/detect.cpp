@@ -168,6 +168,7 @@ void list_near_miss(const Listing& l, std::vector<DetectedPair>& near_misses) {
         all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.zone.gap_min < b.zone.gap_min; });
     if (nearest == all.end() && !l.meeting.unpaired) return;
     near_misses.push_back(nearest == all.end() || l.meeting.unpaired ? place_row(l) : row_of(l, *nearest, nullptr));
+    near_misses.back().marks = {{l.meeting.closest->x1, l.meeting.closest->x2}};
     near_misses.back().why = how_close(l.scene, near_misses.back().gap_min, l.touching, l.meeting.closest->x1) +
                              ", farther than the distance of pairs " + with_unit(l.shown, 4, l.scene.length_unit);
 }

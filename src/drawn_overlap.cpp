@@ -40,7 +40,7 @@ std::string overlap_text(const Scene& scene, const Meeting& m) {
 std::string overlap_hint(const Scene& scene, const Meeting& m) {
     if (!m.too_deep) return "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\"";
     return "move them apart, cut the one out of the other, or leave them to overlap by contacts.pairs {\"between\": [\"" +
-           part_of(scene, m.first).name + "\", \"" + part_of(scene, m.second).name + "\"], \"kind\": \"ignore\"}";
+           part_of(scene, m.first).name + "/*\", \"" + part_of(scene, m.second).name + "/*\"], \"kind\": \"ignore\"}";
 }
 
 void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems) {

@@ -48,11 +48,6 @@ FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZon
 PairRules::PairRules(const Scene& scene) {
     const auto edges_of = [&](const Selector& selector) {
         Edges edges;
-        for (std::size_t p = 0; p < scene.parts.size(); ++p)  // a part's name stands for all of its edges
-            if (selector.pattern == scene.parts[p].name)
-                for (std::size_t e = 0; e < scene.parts[p].part.edges.size(); ++e)
-                    edges.insert({static_cast<int>(p), static_cast<int>(e)});
-        if (!edges.empty()) return edges;
         for (const EdgePortion& portion : select(scene, {selector})) edges.insert({portion.part, portion.edge});
         return edges;
     };

@@ -333,7 +333,7 @@ TEST(Detect, IgnoredPairsAreLeftOut) {
     const Detection fewer = detect_contacts(scene, {});
     ASSERT_EQ(fewer.pairs.size(), 2u);
     EXPECT_EQ(fewer.pairs[0].parts[1], "c");
-    rule.between[0].pattern = "c";
+    rule.between[0].pattern = "c/*";
     rule.between[1].pattern = "a/*";
     scene.contacts.pairs.push_back(rule);
     EXPECT_EQ(detect_contacts(scene, {}).pairs.size(), 1u);
