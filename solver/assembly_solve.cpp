@@ -3,6 +3,7 @@
 // -> the contact QP -> displacements.
 #include "solver/assembly_solve.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -131,6 +132,24 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
     recover();
 }
 
+/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of the
+/// rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. False: nothing is
+/// changed, for there is none, or pressures would change by more than a trifle.
+bool balance(const ContactQp& qp, const MatrixXd& levers, VectorXd& forces) {
+    constexpr double balanced = 1e-13, most_change = 0.02;
+    MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
+    motions << qp.modes, levers;
+    VectorXd imbalance = VectorXd::Zero(motions.cols());
+    imbalance.tail(levers.cols()) = levers.transpose() * forces;
+    if (imbalance.cwiseAbs().maxCoeff() <= balanced * forces.cwiseAbs().sum()) return false;
+    const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
+    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(motions.transpose() * weighted);
+    const VectorXd change = (forces.array() != 0).select(-motions * factor.solve(imbalance), 0.0);
+    if (!(change.cwiseAbs().maxCoeff() <= most_change)) return false;
+    forces += forces.cwiseAbs().cwiseProduct(change);
+    return true;
+}
+
 }  // namespace
 
 AssemblyRows assembly_rows(const AssemblyProblem& problem) {
@@ -161,8 +180,8 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
     find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
     if (!solution.mechanism.empty()) return answered;
-    MatrixXd held(qp.modes.cols(), split.resisted.cols() + split.balanced.cols());
-    held << split.resisted, split.balanced;
+    const MatrixXd all_modes = split.balanced.cols() > 0 ? qp.modes : MatrixXd();
+    const MatrixXd& held = split.resisted;
     qp.modes = qp.modes * held;
     qp.mode_load = held.transpose() * qp.mode_load;
     const ContactQpResult found = solve_contact_qp(qp);
@@ -176,6 +195,8 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     }
     ContactAnswer answer{found.multipliers, found.settled, found.motion};
     recover_refined(problem, rows, qp, held, found.active, threads, answer, solution);
+    if (split.balanced.cols() > 0 && balance(qp, all_modes * split.balanced, answer.forces))
+        recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
     add_rigid_motions(problem, held * (answer.settled + answer.motion), solution);
     take_least_motion(problem, split.neutral, solution);
     answered.multipliers = answer.forces.cwiseQuotient(rows.weight);

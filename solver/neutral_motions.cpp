@@ -25,6 +25,10 @@ constexpr double same_motion = 1e-3;
 /// neutral by, is rounding.
 constexpr double least_lever = 1e-6, clear_lever = 30;
 
+/// What a hollow resists of a motion that it leaves free at first: less than counts as resisted, and the part of the loads that
+/// is expected to find its balance by a motion that is small beside the hollow.
+constexpr double hollow_resistance = 0.5 * neutral_motion_fraction;
+
 /// Force along the normal at a point, and its moment about a center: times (translation, rotation) about it, the motion that it
 /// resists.
 using Wrench = std::array<double, 3>;
@@ -108,18 +112,19 @@ MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
     return svd.matrixU().leftCols((svd.singularValues().array() > same_motion).count());
 }
 
-/// Of a basis of motions the part in which the bodies do not turn against each other. Lines that meet in a point leave a turn
-/// about it free at first, but a body that turns in a hollow rises: it is held as soon as it moves.
-MatrixXd without_turning(const AssemblyProblem& problem, const Interface& f, const MatrixXd& basis) {
+/// The motion of a basis that turns the bodies against each other, but for what another basis has of it; zero where none does.
+/// Lines that meet in a point leave a turn about it free at first, but a body that turns in a hollow rises: it is held as soon
+/// as it moves.
+VectorXd turn_in_hollow(const AssemblyProblem& problem, const Interface& f, const MatrixXd& basis, const MatrixXd& own) {
     const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
                            b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
     VectorXd turn(a.cols() + b.cols());
     turn << a.row(2).transpose(), -b.row(2).transpose();
-    const VectorXd of_basis = basis.transpose() * turn;
-    if (of_basis.size() == 0 || of_basis.norm() <= same_motion * turn.cwiseAbs().maxCoeff()) return basis;
-    const Index n = of_basis.size();
-    const MatrixXd rest = Eigen::JacobiSVD<MatrixXd>(of_basis.transpose(), Eigen::ComputeFullV).matrixV().rightCols(n - 1);
-    return basis * rest;
+    VectorXd motion = basis * (basis.transpose() * turn);
+    if (motion.norm() <= same_motion * turn.norm()) return VectorXd::Zero(turn.size());
+    motion.normalize();
+    motion -= own * (own.transpose() * motion);
+    return motion.norm() > same_motion ? motion.normalized() : VectorXd::Zero(turn.size());
 }
 
 /// What an interface resists of a motion: its closing along the lines that forces act on, but for the motions that leave these
@@ -132,10 +137,11 @@ Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
     if (f.bilateral) return {acting, acting};
     const MatrixXd own =
         mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) { return problem.own_normals[face][q]; }));
-    const MatrixXd neutral = joined(without_turning(problem, f, neutral_to(acting)), neutral_to(own));
+    const MatrixXd across = neutral_to(acting), in_outline = neutral_to(own), neutral = joined(across, in_outline);
     if (neutral.cols() == 0) return {acting, acting};
     const MatrixXd resisted = MatrixXd::Identity(acting.rows(), acting.cols()) - neutral * neutral.transpose();
-    return {resisted * acting * resisted, acting};
+    const VectorXd held = hollow_resistance * turn_in_hollow(problem, f, across, in_outline);
+    return {resisted * acting * resisted + held * held.transpose(), acting};
 }
 
 /// Amplitudes of an interface's motions.

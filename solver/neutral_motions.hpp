@@ -10,8 +10,7 @@ namespace abut::solver {
 
 /// Orthonormal bases of the motions that something resists, and of the neutral ones (amplitudes x motions). balanced: neutral
 /// motions in which contact forces have levers all the same, since a force on a round part acts on the line that both bodies
-/// share, not through the part's own centre: their equilibrium is a condition of the contact problem like any other's. Their
-/// amplitudes there mean nothing, and are taken out again by take_least_motion.
+/// share, not through the part's own centre (scaled to levers of one). Pressures are made to balance in them.
 struct MotionSplit {
     Eigen::MatrixXd resisted, neutral, balanced;
 };

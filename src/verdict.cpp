@@ -14,7 +14,7 @@ namespace {
 
 /// Forces and moments without balance, of the largest resultant: what the coarsest accuracy level would not leave of anything
 /// else.
-constexpr double largest_residual = 1e-3;
+constexpr double largest_residual = 1e-2;
 
 std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
