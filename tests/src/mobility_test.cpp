@@ -83,7 +83,7 @@ TEST(FunctionalInterface, TheFacesOfASlotAddUp) {
     std::vector<Screw> wrenches;
     for (const DetectedPair& row : detect_contacts(scene_of(parts, ""), std::nullopt).pairs)
         wrenches.insert(wrenches.end(), row.functional.wrenches.begin(), row.functional.wrenches.end());
-    EXPECT_EQ(wrench_space(wrenches, {{3, 2.5}, 8}).size(), 3U);
+    EXPECT_EQ(geometry::wrench_space(wrenches, {{3, 2.5}, 8}).size(), 3U);
     EXPECT_EQ(motions(drawn(scene_of(parts, R"({"on": "u/*", "fix": ["x", "y"]})")), "key"), Words{});
 }
 
