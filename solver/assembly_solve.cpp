@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "solver/assembly_rows.hpp"
@@ -132,22 +133,49 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
     recover();
 }
 
-/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of the
-/// rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. False: nothing is
-/// changed, for there is none, or pressures would change by more than a trifle.
-bool balance(const ContactQp& qp, const MatrixXd& levers, VectorXd& forces) {
-    constexpr double balanced = 1e-13, most_change = 0.02;
+/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
+/// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
+/// pressures would change by more than a trifle.
+std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, const VectorXd& forces) {
+    constexpr double rounding = 1e-13, most_change = 0.02;
     MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
     motions << qp.modes, levers;
     VectorXd imbalance = VectorXd::Zero(motions.cols());
     imbalance.tail(levers.cols()) = levers.transpose() * forces;
-    if (imbalance.cwiseAbs().maxCoeff() <= balanced * forces.cwiseAbs().sum()) return false;
+    if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
     const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
     const Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(motions.transpose() * weighted);
     const VectorXd change = (forces.array() != 0).select(-motions * factor.solve(imbalance), 0.0);
-    if (!(change.cwiseAbs().maxCoeff() <= most_change)) return false;
-    forces += forces.cwiseAbs().cwiseProduct(change);
-    return true;
+    if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
+    return forces + forces.cwiseAbs().cwiseProduct(change);
+}
+
+/// The contact problem under the motions `held`, and its answer.
+struct HeldAnswer {
+    ContactQp qp;
+    MatrixXd held;
+    ContactQpResult result;
+
+    HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
+        qp.modes = qp.modes * held;
+        qp.mode_load = held.transpose() * qp.mode_load;
+        result = solve_contact_qp(qp);
+    }
+    bool has_answer() const { return result.feasible && result.converged; }
+};
+
+/// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
+/// these, too: their amplitudes mean nothing.
+HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers) {
+    HeldAnswer answer(qp, split.resisted);
+    if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
+    MatrixXd more(split.resisted.rows(), split.resisted.cols() + split.balanced.cols());
+    more << split.resisted, split.balanced;
+    ContactQp again = qp;
+    again.expected = answer.result.multipliers;
+    HeldAnswer all(std::move(again), std::move(more));
+    all.result.iterations += answer.result.iterations;
+    return all.has_answer() ? all : answer;
 }
 
 }  // namespace
@@ -180,24 +208,25 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
     find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
     if (!solution.mechanism.empty()) return answered;
-    const MatrixXd all_modes = split.balanced.cols() > 0 ? qp.modes : MatrixXd();
-    const MatrixXd& held = split.resisted;
-    qp.modes = qp.modes * held;
-    qp.mode_load = held.transpose() * qp.mode_load;
-    const ContactQpResult found = solve_contact_qp(qp);
-    solution.iterations = found.iterations;
-    solution.converged = found.converged;
-    solution.used_fallback = found.used_fallback;
+    const MatrixXd levers = qp.modes * split.balanced;
+    const HeldAnswer held = solve_held(qp, split, levers);
+    solution.iterations = held.result.iterations;
+    solution.converged = held.result.converged;
+    solution.used_fallback = held.result.used_fallback;
     solution.seconds.contact = laps.lap();
-    if (!found.feasible) {
-        solution.mechanism = part_motions(problem.parts, held * found.mechanism);
+    if (!held.result.feasible) {
+        solution.mechanism = part_motions(problem.parts, held.held * held.result.mechanism);
         return answered;
     }
-    ContactAnswer answer{found.multipliers, found.settled, found.motion};
-    recover_refined(problem, rows, qp, held, found.active, threads, answer, solution);
-    if (split.balanced.cols() > 0 && balance(qp, all_modes * split.balanced, answer.forces))
-        recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
-    add_rigid_motions(problem, held * (answer.settled + answer.motion), solution);
+    ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
+    recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
+    if (levers.cols() > 0)
+        if (const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);
+            forces && *forces != answer.forces) {
+            answer.forces = *forces;
+            recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
+        }
+    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
     take_least_motion(problem, split.neutral, solution);
     answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();

@@ -103,31 +103,13 @@ void fill_target(const Outcome& out, Result& result) {
          "accuracy", result);
 }
 
-/// Contacts that the last grids did not resolve.
-void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
-    std::vector<Finding> findings;
-    const MissedContacts missed = missed_contacts(scene, out.solved, out.target);
-    for (std::size_t k = 0; k < missed.size(); ++k)
-        for (const MissedContact& m : missed[k]) {
-            const std::string pair = result.contacts[k].between[0] + " and " + result.contacts[k].between[1];
-            findings.push_back({m.depth, pair,
-                                pair + " overlap by " + number_text(m.depth, 3) +
-                                    " where no contact was found: the cells are too coarse there for a force of up to " +
-                                    percent(std::min(1.0, m.share)) + " of the largest on one of them; ask for a higher accuracy",
-                                pair + " overlap where no contact was found"});
-        }
-    if (!findings.empty()) result.accuracy.reached = false;
-    tell(std::move(findings), "missed contact", result);
-}
-
 }  // namespace
 
-void fill_errors(const Scene& scene, const Outcome& out, Result& result) {
+void fill_errors(const Outcome& out, Result& result) {
     for (std::size_t k = 0; k < out.passes.size(); ++k)
         result.passes.push_back(
             {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
     fill_target(out, result);
-    fill_missed(scene, out, result);
     const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
     if (!error.energy && !error.contact_pressure) {
         result.error_estimate.method = "none: nothing is strained";
@@ -149,6 +131,22 @@ void fill_errors(const Scene& scene, const Outcome& out, Result& result) {
         for (Finding& f : peaks.uncertain) f.reason.clear();
     tell(std::move(peaks.at_corner), "corner", result);
     tell(std::move(peaks.uncertain), "peak", result);
+}
+
+void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
+    std::vector<Finding> findings;
+    const MissedContacts missed = missed_contacts(scene, out.solved, out.target);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+        for (const MissedContact& m : missed[k]) {
+            const std::string pair = result.contacts[k].between[0] + " and " + result.contacts[k].between[1];
+            findings.push_back({m.depth, pair,
+                                pair + " overlap by " + number_text(m.depth, 3) +
+                                    " where no contact was found: the cells are too coarse there for a force of up to " +
+                                    percent(std::min(1.0, m.share)) + " of the largest on one of them; ask for a higher accuracy",
+                                pair + " overlap where no contact was found"});
+        }
+    if (!findings.empty()) result.accuracy.reached = false;
+    tell(std::move(findings), "missed contact", result);
 }
 
 void warn_of_largest_stress(Result& result) {

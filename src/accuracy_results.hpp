@@ -8,7 +8,10 @@ namespace abut {
 
 /// Estimated errors of the contacts (parallel to the candidates) and of the whole, passes, and warnings where the target was
 /// missed or a pressure may have no limit.
-void fill_errors(const Scene& scene, const Outcome& out, Result& result);
+void fill_errors(const Outcome& out, Result& result);
+
+/// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
+void fill_missed(const Scene& scene, const Outcome& out, Result& result);
 
 /// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
 void warn_of_largest_stress(Result& result);

@@ -258,17 +258,17 @@ private:
         missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target) : MissedContacts(now.contacts.size());
     }
 
-    /// A part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
+    /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
     /// displacements have it.
     std::string lost_part(const SolvedAssembly& now) const {
         if (!is_solved(now)) return "";
         for (std::size_t k = 0; k < now.grids.size(); ++k) {
-            const PartOnGrid& g = now.grids[k];
-            const double farthest = solver::largest_displacement(g.input, now.solution.displacement[k]),
-                         turn = std::abs(rigid_motion_of(now, k).rotation);
-            if (farthest <= g.size && turn <= 1) continue;
-            return "part " + scene_.parts[static_cast<std::size_t>(g.part)].name + " moves by " + number_text(farthest, 3) +
-                   (turn > 1 ? " and turns by more than a radian" : ", more than its own size,") +
+            const solver::RigidMotion motion = rigid_motion_of(now, k);
+            const double farthest = motion.translation.norm(), turn = std::abs(motion.rotation);
+            if (farthest <= now.grids[k].size && turn <= 1) continue;
+            return "part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
+                   (turn > 1 ? " turns by more than a radian"
+                             : " moves by " + number_text(farthest, 3) + ", more than its own size,") +
                    " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest";
         }
         return "";

@@ -103,7 +103,8 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
-    fill_errors(scene, out, result);
+    fill_errors(out, result);
+    fill_missed(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
     warn_of_largest_stress(result);

@@ -68,7 +68,8 @@ TEST(ActingZone, AFlatLendsItsNormalToWhateverIsCurved) {
 
 TEST(ActingZone, CirclesActAlongTheLineOfCentresNearIt) {
     // the angle from that line is of third order in the distance from it: an eighth at half the distance
-    const Part small = disc({0, 0}, 1), large = disc({0.6, 2.8}, 2 - 0.15);
+    const double apart = Vec2(0.6, 2.8).norm();
+    const Part small = disc({0, 0}, 1), large = disc({0.6, 2.8}, apart - 1);
     const Vec2 centres = Vec2(0.6, 2.8).normalized();
     const FacingZone zone = acting_zones(small, large, 0.4).at(0);
     const auto angle_at = [&](double offset) {

@@ -26,7 +26,7 @@ Result scaled_plate(double length, double E, const Vec2& offset) {
                   number(0.2 * length) + R"(}}]}}],
         "supports": [{"on": "a/left", "fix": ["x", "y"]}],
         "loads": [{"on": "a/right", "traction": [)" +
-                  number(E) + "," + number(-0.3 * E) + R"(]}],
+                  number(1e-3 * E) + "," + number(-3e-4 * E) + R"(]}],
         "accuracy": {"grids": {"a": {"cells": [19, 13], "angle": 12}}},
         "output": {"probes": [{"part": "a", "at": )" +
                   at(2, 1) + R"(}, {"part": "a", "at": )" + at(0.8, 0.66) + R"(}, {"part": "a", "at": )" + at(1.999, 0.001) +
