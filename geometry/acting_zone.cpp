@@ -48,12 +48,29 @@ std::array<bool, 2> corners_of(const Part& part1, const Part& part2, const Facin
     return {is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1), is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2)};
 }
 
-/// One end of the zone: the pair of the chain that ends there, of the first where none or both do.
-void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, double& s1, double& s2) {
-    const bool second_ends = is_end(zone.chain2, s2) && !is_end(zone.chain1, s1);
+/// The pair at the same sum of the lengths run along both chains, so that neither is preferred.
+FacingPair pair_in_middle(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double s2) {
+    constexpr int max_steps = 20;
+    const double sum = s1 - s2, rounding = 1e-14 * (zone.chain1.length + zone.chain2.length);
     FacingPair pair;
-    if (!second_ends) pair = pair_from_first(part1, part2, zone, s1, s2);
+    for (int step = 0; step < max_steps; ++step) {
+        pair = pair_from_first(part1, part2, zone, s1, s2);
+        const double left = sum - (pair.s1 - pair.s2);
+        if (!pair.found || std::abs(left) <= rounding) break;
+        s2 = pair.s2;
+        s1 += left / (1 - pair.slope);
+    }
+    return pair;
+}
+
+/// One end of the zone: the pair of the chain that ends there, of the first where both do, in the middle where none does.
+void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, double& s1, double& s2) {
+    const bool first_ends = is_end(zone.chain1, s1), second_ends = is_end(zone.chain2, s2);
+    FacingPair pair;
+    if (!first_ends && !second_ends) pair = pair_in_middle(part1, part2, zone, s1, s2);
+    if (!pair.found && !second_ends) pair = pair_from_first(part1, part2, zone, s1, s2);
     if (!pair.found) pair = pair_from_second(part1, part2, zone, s2, s1);
+    if (!pair.found) pair = pair_from_first(part1, part2, zone, s1, s2);
     if (!pair.found) return;
     s1 = pair.s1;
     s2 = pair.s2;

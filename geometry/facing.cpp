@@ -18,9 +18,21 @@ namespace {
 struct Weights {
     double w1, w2;
 };
+/// The round side's own normal where the hollow's curvature is the same, the hollow's where it is flat.
+Weights conforming(double ratio) {
+    const double w = std::min(1.0, ratio);
+    return {w, 1 - w};
+}
+
 Weights weights(const FacingZone& zone, const ChainPoint& p1, const ChainPoint& p2) {
     if (!zone.is_acting) return {0.5, 0.5};
     if (zone.at_corner[0] != zone.at_corner[1]) return zone.at_corner[0] ? Weights{0, 1} : Weights{1, 0};
+    // a round part in a hollow
+    if (p1.curvature > 0 && p2.curvature < 0) return conforming(-p2.curvature / p1.curvature);
+    if (p2.curvature > 0 && p1.curvature < 0) {
+        const Weights swapped = conforming(-p1.curvature / p2.curvature);
+        return {swapped.w2, swapped.w1};
+    }
     const double k1 = std::abs(p1.curvature) + zone.sharpness[0], k2 = std::abs(p2.curvature) + zone.sharpness[1];
     return k1 + k2 > 0 ? Weights{k2 / (k1 + k2), k1 / (k1 + k2)} : Weights{0.5, 0.5};
 }

@@ -71,14 +71,16 @@ bool holds_exactly(const ShiftedQp& shifted, const VectorXd& anchor, const Activ
 }
 
 /// Passes with less and less of the proximal term. state: the start's multipliers, and the answer. repeats: the primal-dual
-/// active set is known to come back to the same sets, and is left out.
-bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeats, ClosedFactor& factor, ContactState& state,
-                ContactQpResult& result) {
+/// active set is known to come back to the same sets, and is left out. may_descend: the descending set is tried where a pass
+/// loses its own.
+bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeats, bool may_descend, ClosedFactor& factor,
+                ContactState& state, ContactQpResult& result) {
     Proximal proximal{first_proximal(stiffness), VectorXd::Zero(shifted.qp.modes.cols())};
     for (int pass = 0; pass < max_passes; ++pass) {
         const VectorXd before = state.multipliers;
         const ActiveSet start = result.active;
         if (repeats || primal_dual(shifted, proximal, result.active, factor, state, result.iterations) != SetSearch::found) {
+            if (!may_descend) return false;
             repeats = result.used_fallback = true;
             result.active = start;
             state.multipliers = before;
@@ -211,8 +213,14 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ClosedFactor factor(qp.compliance, start.multipliers);
     result.active = closed_by(qp, start.multipliers);
     const SetSearch search = solve_exactly(near, factor, state, result);
-    result.converged = search == SetSearch::found || solve_from_inside(near, start.multipliers, factor, state, result) ||
-                       run_passes(near, start.stiffness, search == SetSearch::repeated, factor, state, result);
+    const auto pass = [&](bool may_descend) {
+        result.active = closed_by(qp, start.multipliers);
+        state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
+        const bool repeats = may_descend && search == SetSearch::repeated;
+        return run_passes(near, start.stiffness, repeats, may_descend, factor, state, result);
+    };
+    result.converged = search == SetSearch::found || (search == SetSearch::singular && pass(false)) ||
+                       solve_from_inside(near, start.multipliers, factor, state, result) || pass(true);
     if (!result.converged) state.closing = closing_of(qp, state.multipliers);
     conclude(near, start.amplitudes, state, result);
     return result;

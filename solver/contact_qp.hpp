@@ -44,12 +44,11 @@ struct ContactQpResult {
 ///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
 ///    Without unilateral rows there is nothing to search, and this is left out.
 /// 2. Primal-dual active set [Hueber05] from the settle's. Usually the end.
-/// 3. Where it repeats a set, or meets one that leaves a motion free: the interior point method, and the active set again from
-///    the rows that it closes.
-/// 4. Where that does not end either: passes of the active set under a proximal term on the amplitudes, a fraction of the
-/// foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of
-///    each pass is tried without the term; where a single point carries all, the balance becomes exact by the passes.
-/// 5. Where a pass repeats or loses a set: the descending active set, which always ends, on the same pass.
+/// 3. Where it meets a set that leaves a motion free: passes of the same under a proximal term on the amplitudes, a fraction of
+///    the foundation's stiffness against the rigid motions that is reduced tenfold a pass. The set of each pass is tried
+///    without the term; where a single point carries all, the balance becomes exact by the passes.
+/// 4. Where it repeats a set, or a pass does: the interior point method, and the active set again from the rows that it closes.
+/// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.

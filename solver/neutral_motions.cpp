@@ -103,13 +103,14 @@ MatrixXd neutral_to(const MatrixXd& squared) {
     return eigen.eigenvectors().leftCols(n);
 }
 
-/// Orthonormal basis of what two bases span together.
-MatrixXd joined(const MatrixXd& a, const MatrixXd& b) {
-    if (a.cols() == 0 || b.cols() == 0) return a.cols() == 0 ? b : a;
-    MatrixXd both(a.rows(), a.cols() + b.cols());
-    both << a, b;
-    const Eigen::JacobiSVD<MatrixXd> svd(both, Eigen::ComputeThinU);
-    return svd.matrixU().leftCols((svd.singularValues().array() > same_motion).count());
+/// A basis, and what another spans besides; both orthonormal.
+MatrixXd joined(const MatrixXd& basis, const MatrixXd& other) {
+    if (basis.cols() == 0 || other.cols() == 0) return basis.cols() == 0 ? other : basis;
+    const Eigen::JacobiSVD<MatrixXd> svd(other - basis * (basis.transpose() * other), Eigen::ComputeThinU);
+    const Index more = (svd.singularValues().array() > same_motion).count();
+    MatrixXd both(basis.rows(), basis.cols() + more);
+    both << basis, svd.matrixU().leftCols(more);
+    return both;
 }
 
 /// The motion of a basis that turns the bodies against each other, but for what another basis has of it; zero where none does.
@@ -137,7 +138,7 @@ Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
     if (f.bilateral) return {acting, acting};
     const MatrixXd own =
         mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) { return problem.own_normals[face][q]; }));
-    const MatrixXd across = neutral_to(acting), in_outline = neutral_to(own), neutral = joined(across, in_outline);
+    const MatrixXd across = neutral_to(acting), in_outline = neutral_to(own), neutral = joined(in_outline, across);
     if (neutral.cols() == 0) return {acting, acting};
     const MatrixXd resisted = MatrixXd::Identity(acting.rows(), acting.cols()) - neutral * neutral.transpose();
     const VectorXd held = hollow_resistance * turn_in_hollow(problem, f, across, in_outline);

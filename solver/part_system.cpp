@@ -312,15 +312,6 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
     return sum;
 }
 
-double free_rotation(const PartSystem& system, const Eigen::VectorXd& displacement) {
-    if (system.free_motions.empty() || displacement.size() != system.modes.rows()) return 0;
-    const Eigen::VectorXd share =
-        (system.modes.transpose() * system.modes).ldlt().solve(system.modes.transpose() * displacement);
-    double turn = 0;
-    for (Eigen::Index k = 0; k < share.size(); ++k) turn += share[k] * system.free_motions[static_cast<std::size_t>(k)].rotation;
-    return turn;
-}
-
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
     if (system.body) return 0;
     if (system.input.structure) return weighted_strain_energy(system.input, displacement);

@@ -114,9 +114,6 @@ Resultant traction_resultant(const PartInput& input, const SupportSet& set, cons
 /// Resultant of a load vector (2n) on the plain functions.
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
 
-/// By how much the free motions in a displacement turn the part (radians); 0 where none of them turns.
-double free_rotation(const PartSystem& system, const Eigen::VectorXd& displacement);
-
 /// Of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
 

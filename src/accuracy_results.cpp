@@ -62,7 +62,7 @@ std::string why_it_ended(PathEnd end) {
 
 /// A penalty's penetration is an error of the pressure that no grid shows.
 ErrorEstimate with_penetration(ErrorEstimate e, const SolvedAssembly& solved) {
-    for (std::size_t k = 0; k < e.contacts.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(e.contacts.size(), solved.contacts.size()); ++k) {
         const double share = penetration_share(solved, k);
         if (!e.contacts[k] || share == 0) continue;
         ContactError& c = *e.contacts[k];
@@ -142,7 +142,8 @@ void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
             findings.push_back({m.depth, pair,
                                 pair + " overlap by " + number_text(m.depth, 3) +
                                     " where no contact was found: the cells are too coarse there for a force of up to " +
-                                    percent(std::min(1.0, m.share)) + " of the largest on one of them; ask for a higher accuracy",
+                                    percent(std::min(1.0, m.share)) +
+                                    " of the largest on one of them; ask for a higher accuracy",
                                 pair + " overlap where no contact was found"});
         }
     if (!findings.empty()) result.accuracy.reached = false;

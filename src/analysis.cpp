@@ -35,7 +35,8 @@ namespace abut {
 
 namespace {
 
-/// Sides of the patches that fields are drawn by, of the model's diagonal: a few pixels of a report's pictures.
+/// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
+/// pictures.
 constexpr double drawn_patch = 1.0 / 160;
 
 std::size_t at(int i) {
@@ -65,7 +66,7 @@ void fill_largest(const LargestStress& largest, PartResult& part) {
 bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
     const SolvedAssembly& solved = out.solved;
     geometry::Box2 model;
-    for (const ScenePart& part : scene.parts) model.extend(bounding_box(part.part));
+    for (const PartOnGrid& g : solved.grids) model.extend(bounding_box(scene.parts[at(g.part)].part));
     solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
         if (!out.stress[at(k)].failure.empty()) return;
         const auto i = at(solved.grids[at(k)].part);

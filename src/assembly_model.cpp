@@ -280,8 +280,8 @@ bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
     return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
 }
 
-/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie fewer
-/// points apart than two cells have are one.
+/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
+/// fewer points apart than two cells have are one.
 std::vector<ContactRun> without_flicker(std::vector<ContactRun> runs, const solver::KnotVector& points, int points_per_cell) {
     std::vector<ContactRun> joined;
     for (const ContactRun& run : runs) {

@@ -12,8 +12,8 @@ namespace abut {
 struct MissedContact {
     ContactRun run{};  ///< the stretch, with free ends
     double depth = 0;  ///< of the overlap, at its deepest
-    /// What it may carry, over the largest force on the part that has less: two half planes that are pressed together by the depth answer
-    /// with less than E* times thickness times depth.
+    /// What it may carry, over the largest force on the part that has less: two half planes that are pressed together by the
+    /// depth answer with less than E* times thickness times depth.
     double share = 0;
 };
 

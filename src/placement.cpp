@@ -29,6 +29,13 @@ Placement placement_of(const solver::RigidMotion& motion) {
     return p;
 }
 
+/// A motion is known no better than the deformation that goes with it: digits beyond would only turn parts out of the symmetry
+/// that they were drawn with.
+double rounded(double value, double motion) {
+    constexpr double digits = 1e-6;
+    return digits * motion * std::round(value / (digits * motion));
+}
+
 std::string words_of(const std::string& name, const solver::RigidMotion& motion, double size) {
     std::string text =
         name + " by (" + number_text(motion.translation.x(), 3) + ", " + number_text(motion.translation.y(), 3) + ")";
@@ -69,13 +76,20 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 }
 
 std::optional<PlacedScene> placed_at_rest(const Scene& scene, const SolvedAssembly& solved) {
-    if (scene.analysis == Analysis::axisymmetric || depends_on_place(scene)) return std::nullopt;
+    // bonds hold as drawn
+    const bool has_bond = std::any_of(solved.problem.interfaces.begin(), solved.problem.interfaces.end(),
+                                      [](const solver::Interface& face) { return face.bilateral; });
+    if (has_bond || scene.analysis == Analysis::axisymmetric || depends_on_place(scene)) return std::nullopt;
     PlacedScene placed{scene, {}};
     if (placed.scene.contacts.overlap == "report") placed.scene.contacts.overlap = "press_fit";
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         ScenePart& part = placed.scene.parts[at(solved.grids[k].part)];
         const double size = solved.grids[k].size;
-        const solver::RigidMotion motion = rigid_motion_of(solved, k);
+        solver::RigidMotion motion = rigid_motion_of(solved, k);
+        if (const double far = std::max(motion.translation.norm(), size * std::abs(motion.rotation)); far > 0) {
+            motion.translation = {rounded(motion.translation.x(), far), rounded(motion.translation.y(), far)};
+            motion.rotation = rounded(motion.rotation * size, far) / size;
+        }
         const Placement p = placement_of(motion);
         part.part = geometry::transformed(part.part, p.c, p.s, p.shift);
         for (Probe& probe : placed.scene.output.probes)

@@ -88,18 +88,6 @@ std::vector<std::string> not_finite_in(const Result& r) {
     return names;
 }
 
-/// "pin by 153 (its size is 20)"
-std::vector<std::string> moved_too_far(const Result& result) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < std::min(result.parts.size(), result.geometry.size()); ++i) {
-        const double moved = result.parts[i].max_displacement.value, size = bounding_box(result.geometry[i]).diagonal();
-        if (moved > size)
-            names.push_back(result.parts[i].name + " by " + number_text(moved, 3) + " (its size is " + number_text(size, 3) +
-                            ")");
-    }
-    return names;
-}
-
 void add(std::string& text, const std::string& more) {
     text += (text.empty() ? "" : "; ") + more;
 }
@@ -147,8 +135,6 @@ std::string impossible_in(const Result& result) {
         add(text, "numbers are not finite (" + first_few(names) + ")");
     if (result.strain_energy < -result.energy_rounding)
         add(text, "the strain energy is below zero (" + number_text(result.strain_energy, 3) + ")");
-    if (const std::vector<std::string> names = moved_too_far(result); !names.empty())
-        add(text, "parts move by more than their own size: " + first_few(names));
     if (result.equilibrium.relative_residual > largest_residual)
         add(text, "forces are out of balance by " + percent(result.equilibrium.relative_residual) + " of the largest");
     if (result.equilibrium.relative_moment_residual > largest_residual)

@@ -23,7 +23,7 @@ std::string verdict_sentence(const Result& result);
 std::string reasons_text(const Result& result);
 
 /// What the answer of no problem has, in words; empty where there is nothing of the kind: numbers that are not finite, a strain
-/// energy below zero, a part that moves by more than its own size, forces or moments that are not balanced.
+/// energy below zero, forces or moments that are not balanced.
 std::string impossible_in(const Result& result);
 
 }  // namespace abut

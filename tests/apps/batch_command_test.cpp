@@ -18,14 +18,14 @@ TEST_F(BatchCommand, AnalysesATableThroughATemplate) {
     write("jobs.csv", "file,name,P\nin/s0.dxf,light,100\nin/s0.dxf,heavy,200\nin/s1.dxf,,\n");
     const Outcome run = abut({"batch", "jobs.csv", "--template", "template.json", "-o", "o", "-j", "2"});
     EXPECT_EQ(run.status, 0) << joined(run.errors);
-    EXPECT_TRUE(any_line_has(lines_of(run.output), {"3 jobs: 3 ok"})) << run.output;
-    EXPECT_TRUE(any_line_has(lines_of(run.output), {"ok heavy: 2 parts, 1 pair, peak pressure"})) << run.output;
+    EXPECT_TRUE(any_line_has(lines_of(run.output), {"3 jobs: 3 solved_but"})) << run.output;
+    EXPECT_TRUE(any_line_has(lines_of(run.output), {"solved_but heavy: ", "2 parts, 1 pair, peak pressure"})) << run.output;
     const auto light = result("o", "light"), heavy = result("o", "heavy"), plain = result("o", "0003-in-s1.dxf");
     EXPECT_NEAR(light["equilibrium"]["applied"][1].get<double>(), -100, 1e-6);
     EXPECT_NEAR(heavy["equilibrium"]["applied"][1].get<double>(), -200, 1e-6);
     EXPECT_NEAR(plain["equilibrium"]["applied"][1].get<double>(), -50, 1e-6);
     const auto summary = nlohmann::json::parse(read(folder_ / "o/summary.json"));
-    EXPECT_EQ(summary["counts"]["ok"], 3);
+    EXPECT_EQ(summary["counts"]["solved_but"], 3);
     EXPECT_EQ(summary["jobs"][1]["name"], "heavy");
     EXPECT_EQ(summary["jobs"][1]["parameters"]["P"], 200);
     EXPECT_GT(summary["jobs"][1]["max_pressure"], summary["jobs"][0]["max_pressure"]);
@@ -247,13 +247,15 @@ TEST_F(BatchCommand, EveryRealFileHasAResultOrOneClearError) {
     EXPECT_EQ(run.status, 1);  // some of them are wrong on purpose
     const auto summary = nlohmann::json::parse(read(folder_ / "o/summary.json"));
     EXPECT_EQ(summary["counts"]["broken"], 0);
-    EXPECT_EQ(summary["counts"]["failed"], 0);
-    EXPECT_GE(summary["counts"]["ok"], 59);
+    const auto solved = [&](const char* status) { return summary["counts"].value(status, 0); };
+    EXPECT_GE(solved("ok") + solved("solved_but"), 59);
     EXPECT_GE(summary["jobs"].size(), 75U);
     for (const auto& job : summary["jobs"]) {
         const std::string message = job["message"], file = job["file"];
         EXPECT_EQ(message.empty(), job["status"] == "ok") << file;
-        EXPECT_TRUE(message.empty() || message.starts_with(file)) << message;
+        EXPECT_TRUE(job["status"] != "refused" || message.starts_with(file)) << message;
+        EXPECT_TRUE(job["status"] != "failed" || file.find("/truth/") != std::string::npos)
+            << file;  // loads that nothing holds, on purpose
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
 }

@@ -18,6 +18,7 @@ constexpr double rounding = 1e-7;
 struct Touch {
     Vec2 force{0, 0};
     double force_error = 0;
+    double pressing = 0;  ///< about the integral of the pressure, for a thickness of 1: press fits have no resultant
     double peak = 0, peak_error = 0;
     bool at_corner = false, is_known = true;  // whether the answer says how far it may be off
 };
@@ -37,6 +38,7 @@ std::map<std::string, Touch> touches_of(const Result& r, const Change& change) {
         Touch& t = touches[in_order ? c.parts[0] + " on " + c.parts[1] : c.parts[1] + " on " + c.parts[0]];
         t.force += (in_order ? 1 : -1) * as_drawn(c.force, change);
         const double peak = c.max_pressure.value * stress;
+        t.pressing += peak * c.contact_length * change.unit;
         if (c.errors) t.force_error += c.errors->force * c.force.norm();
         if (peak > 0 && !c.errors) t.is_known = false;
         if (peak <= t.peak) continue;
@@ -59,7 +61,7 @@ std::string apart(const std::string& what, double a, double b, double allowed) {
 
 double largest_force(const std::map<std::string, Touch>& touches) {
     double largest = 0;
-    for (const auto& [name, t] : touches) largest = std::max(largest, t.force.norm());
+    for (const auto& [name, t] : touches) largest = std::max({largest, t.force.norm(), t.pressing});
     return largest;
 }
 

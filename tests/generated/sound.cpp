@@ -80,7 +80,7 @@ void check_balance_of_parts(const Scene& scene, const Result& r, Faults& faults)
     double largest = 0;
     const auto add = [&](std::size_t k, const Vec2& f, double m) {
         sum[k].add(f, m);
-        largest = std::max(largest, f.norm());
+        largest = std::max({largest, f.norm(), std::abs(m) / size_of(scene)});
     };
     const auto index_of = [&](const std::string& name) {
         const auto found = std::find_if(r.parts.begin(), r.parts.end(), [&](const PartResult& p) { return p.name == name; });

@@ -198,9 +198,7 @@ TEST(KnotVector, WithRepeatedKnotsSumsToOneAndIsAsSmoothAsItsKnots) {
                     return i >= 0 && i <= degree ? v[static_cast<std::size_t>(i)] : 0.0;
                 };
                 EXPECT_NEAR(on(left, 0), on(right, 1), 1e-12);
-                if (times < degree) {
-                    EXPECT_NEAR(on(dl, 0), on(dr, 1), 1e-10);
-                }
+                if (times < degree) { EXPECT_NEAR(on(dl, 0), on(dr, 1), 1e-10); }
                 for (int i = 0; i < 3; ++i) {
                     const IntervalRange r = support(k, f);
                     EXPECT_EQ(i >= r.begin && i < r.end,

@@ -118,15 +118,15 @@ TEST(AccuracyResults, ManyPeaksAtCornersAreOneWarningThatNamesTheLargest) {
     for (const double pressure : {100, 300, 200}) result.contacts.emplace_back().max_pressure.value = pressure;
     fill_errors(out, result);
     ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_EQ(result.warnings[0].find("the largest pressure of contact 1 stands at a sharp corner"), 0u);
-    EXPECT_NE(result.warnings[0].find("the same of 2 others: contact 2, contact 0"), std::string::npos) << result.warnings[0];
+    EXPECT_EQ(result.warnings[0].find("the largest pressure of contact 2 stands at a sharp corner"), 0u);
+    EXPECT_NE(result.warnings[0].find("the same of 2 others: contact 3, contact 1"), std::string::npos) << result.warnings[0];
     EXPECT_EQ(result.reasons.size(), 1u);
 }
 
 TEST(AccuracyResults, DoubtfulPeaksAreReasonsWhereNothingWasAimedAt) {
     const Result result = filled(outcome(0.005, 0.2, PathEnd::no_need));
     ASSERT_EQ(result.reasons.size(), 1u);
-    EXPECT_EQ(result.reasons[0].text, "the largest pressure of contact 0 known to 20 %");
+    EXPECT_EQ(result.reasons[0].text, "the largest pressure of contact 1 known to 20 %");
 }
 
 TEST(AccuracyResults, WithoutContactItIsOfStress) {

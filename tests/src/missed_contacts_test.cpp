@@ -16,12 +16,13 @@ std::string on_rollers(double lower) {
     for (int k = -1; k <= 1; ++k) {
         const std::string name = "r" + std::to_string(k + 1), x = std::to_string(25 * k),
                           y = std::to_string(-10 - (k == 0 ? lower : 0));
-        parts += R"(, {"name": ")" + name + R"(", "material": "m", "geometry": {"difference": [{"circle": {"center": [)" + x + ", " + y +
-                 R"(], "radius": 10}, "name": "o"}, {"circle": {"center": [)" + x + ", " + y + R"(], "radius": 4}, "name": "i"}]}})";
+        parts += R"(, {"name": ")" + name + R"(", "material": "m", "geometry": {"difference": [{"circle": {"center": [)" + x +
+                 ", " + y + R"(], "radius": 10}, "name": "o"}, {"circle": {"center": [)" + x + ", " + y +
+                 R"(], "radius": 4}, "name": "i"}]}})";
         supports += R"(, {"on": ")" + name + R"(/i/circle", "fix": ["x", "y"]})";
     }
-    return R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" + parts + R"(], "supports": [)" + supports +
-           R"(], "loads": [{"on": "plate/top", "force": [0, -100]}]})";
+    return R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" + parts + R"(], "supports": [)" +
+           supports + R"(], "loads": [{"on": "plate/top", "force": [0, -100]}]})";
 }
 
 double force_on(const Result& r, const std::string& part) {

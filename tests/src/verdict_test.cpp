@@ -78,12 +78,12 @@ TEST(Impossible, NumbersThatAreNotFiniteAreNamedWhereverTheyAre) {
         {[&](Result& r) { r.parts[1].max_von_mises.value = infinity; }, "part pin"},
         {[&](Result& r) { r.fields[0].samples[7].stress.zz = nan; }, "part bracket"},
         {[&](Result& r) { r.fields[1].boundary[0][3].displacement.y() = nan; }, "part pin"},
-        {[&](Result& r) { r.contacts[0].force.x() = nan; }, "contact 0"},
-        {[&](Result& r) { r.contacts[0].profile.pressure[5] = -infinity; }, "contact 0"},
+        {[&](Result& r) { r.contacts[0].force.x() = nan; }, "contact 1"},
+        {[&](Result& r) { r.contacts[0].profile.pressure[5] = -infinity; }, "contact 1"},
         {[&](Result& r) {
              r.contacts[0].errors = ContactErrors{0.01, nan, 0.01, false};
          },
-         "contact 0"},
+         "contact 1"},
         {[&](Result& r) { r.reactions[1].moment = nan; }, "the reaction of fix x on bracket/left"},
         {[&](Result& r) { r.probes[0].stress.xy = nan; }, "the probe in part bracket"},
         {[&](Result& r) { r.equilibrium.relative_residual = nan; }, "the balance of forces"},
@@ -106,15 +106,6 @@ TEST(Impossible, EnergyBelowZeroButForRounding) {
     EXPECT_EQ(impossible_in(r), "the strain energy is below zero (-1.1e-09)");
 }
 
-TEST(Impossible, APartThatMovesByMoreThanItsSize) {
-    Result r = reached();
-    const double size = std::hypot(2 * 19.9, 2 * 19.9);  // the pin's box
-    r.parts[1].max_displacement.value = 0.99 * size;
-    EXPECT_EQ(impossible_in(r), "");
-    r.parts[1].max_displacement.value = 153;
-    EXPECT_EQ(impossible_in(r), "parts move by more than their own size: pin by 153 (its size is 56.3)");
-}
-
 TEST(Impossible, ForcesOrMomentsOutOfBalance) {
     Result r = reached();
     r.equilibrium.relative_residual = r.equilibrium.relative_moment_residual = 0.9e-6;
@@ -123,7 +114,7 @@ TEST(Impossible, ForcesOrMomentsOutOfBalance) {
     EXPECT_EQ(impossible_in(r), "forces are out of balance by 2 % of the largest");
     r.equilibrium.relative_residual = 0;
     r.equilibrium.relative_moment_residual = 1.1e-2;
-    EXPECT_EQ(impossible_in(r).find("moments are out of balance by 0.00011 %"), 0u) << impossible_in(r);
+    EXPECT_EQ(impossible_in(r).find("moments are out of balance by 1.1 %"), 0u) << impossible_in(r);
 }
 
 /// A bar pulled by its end: the stress is the same everywhere, the far end moves by load / E of its length.
@@ -133,15 +124,6 @@ Result bar(const std::string& traction) {
         "supports": [{"on": ["bar/left", "bar/bottom"], "symmetry": true}],
         "loads": [{"on": "bar/right", "traction": [)" +
                         traction + R"(, 0]}]})");
-}
-
-TEST(Impossible, MakesAnAnalysisFail) {
-    const Result r = bar("2");
-    EXPECT_EQ(r.status, "failed");
-    EXPECT_NE(r.message.find("parts move by more than their own size: bar by 8 (its size is 4.12)"), std::string::npos)
-        << r.message;
-    EXPECT_EQ(verdict_of(bar("0.5")), Verdict::solved_but);  // it strains by a half
-    EXPECT_EQ(verdict_of(bar("0.01")), Verdict::reached);
 }
 
 }  // namespace

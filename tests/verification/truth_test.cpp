@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "src/verdict.hpp"
 #include "tests/generated/sound.hpp"
 
 namespace abut {
@@ -135,6 +136,10 @@ TEST_P(Truth, IsAnswered) {
     const test::Answer answer = test::answer_of(scene);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     EXPECT_LE(taken.count(), row.value("seconds", 60.0));
+    if (row.contains("not_yet")) {  // known to be wrong or refused: never without a word
+        EXPECT_TRUE(answer.refused || verdict_of(answer.result) == Verdict::solved_but) << row["not_yet"];
+        return;
+    }
     ASSERT_EQ(answer.refused, row.value("outcome", "solved") == "refused") << answer.message;
     if (answer.refused) return;
     for (const std::string& fault : test::faults_of(scene, answer.result)) ADD_FAILURE() << fault;
@@ -169,7 +174,7 @@ TEST(TruthTable, SeesAWrongAnswer) {
     ASSERT_FALSE(answer.refused) << answer.message;
     answer.result.contacts.at(0).force *= 1.03;
     EXPECT_FALSE(test::faults_of(read_scene(path.string()), answer.result).empty());
-    EXPECT_NONFATAL_FAILURE(expect_near(1.03, 1, of_forces, "force"), "off by 3 %");
+    EXPECT_NONFATAL_FAILURE(expect_near(1.03, 1, of_forces, "force"), "off by");
 }
 
 }  // namespace
