@@ -18,9 +18,9 @@ namespace {
 struct Weights {
     double w1, w2;
 };
-/// The round side's own normal where the hollow's curvature is the same, the hollow's where it is flat.
+/// The round side's own normal in a hollow of up to twice its radius, the hollow's where that is flat. ratio: of curvatures.
 Weights conforming(double ratio) {
-    const double w = std::min(1.0, ratio);
+    const double w = std::min(1.0, 2 * ratio);
     return {w, 1 - w};
 }
 

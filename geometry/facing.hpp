@@ -10,8 +10,8 @@
 //   N = 2 (w1 n1 - w2 n2),   w1 = |kappa2| / (|kappa1| + |kappa2|),   w2 = 1 - w1.
 // For two circles its direction is the same all along the contact, that of the line of centres; a straight side lends its own
 // normal to anything curved, and a flat to the corner that stands on it, so that a body that slides along it does no work. A
-// round part in a hollow has w1 = |kappa2| / kappa1 (at most 1): where it fits, forces pass through its centre, and turning it
-// does no work.
+// round part in a hollow has w1 = 2 |kappa2| / kappa1 (at most 1): where it fits, forces pass through its centre, and turning
+// it does no work.
 #pragma once
 #include <array>
 #include <vector>

@@ -11,8 +11,6 @@ namespace abut::test {
 
 namespace {
 
-constexpr double balanced = 1e-9;  // relative to the largest resultant; moments: times the assembly's size
-
 /// A force, its moment about the origin.
 struct Resultant {
     Vec2 force{0, 0};
@@ -75,7 +73,7 @@ double thickness_of(const Scene& scene, const ContactResult& c) {
                     scene.parts[static_cast<std::size_t>(c.part[1])].thickness);
 }
 
-void check_balance_of_parts(const Scene& scene, const Result& r, Faults& faults) {
+void check_balance_of_parts(const Scene& scene, const Result& r, double balanced, Faults& faults) {
     std::vector<Resultant> sum(r.parts.size());
     double largest = 0;
     const auto add = [&](std::size_t k, const Vec2& f, double m) {
@@ -112,7 +110,7 @@ void check_balance_of_parts(const Scene& scene, const Result& r, Faults& faults)
 
 }  // namespace
 
-std::vector<std::string> faults_of(const Scene& scene, const Result& r) {
+std::vector<std::string> faults_of(const Scene& scene, const Result& r, double balanced) {
     Faults faults;
     check_numbers(r, faults);
     if (r.strain_energy < 0) faults.lines.push_back("the energy is negative");
@@ -121,7 +119,7 @@ std::vector<std::string> faults_of(const Scene& scene, const Result& r) {
     for (std::size_t k = 0; k < r.parts.size(); ++k)
         faults.at_most(r.parts[k].max_displacement.value, geometry::extent(scene.parts[k].part),
                        "the displacement of " + r.parts[k].name);
-    check_balance_of_parts(scene, r, faults);
+    check_balance_of_parts(scene, r, balanced, faults);
     return faults.lines;
 }
 

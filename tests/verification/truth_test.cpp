@@ -142,7 +142,7 @@ TEST_P(Truth, IsAnswered) {
     }
     ASSERT_EQ(answer.refused, row.value("outcome", "solved") == "refused") << answer.message;
     if (answer.refused) return;
-    for (const std::string& fault : test::faults_of(scene, answer.result)) ADD_FAILURE() << fault;
+    for (const std::string& fault : test::faults_of(scene, answer.result, row.value("balance", 1e-9))) ADD_FAILURE() << fault;
     expect_answer(answer.result, row);
 }
 
