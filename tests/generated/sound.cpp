@@ -98,7 +98,7 @@ void check_balance_of_parts(const Scene& scene, const Result& r, double balanced
         if (l.kind != Load::Kind::part_force) continue;
         const std::size_t k = index_of(l.part);
         const Vec2 force(l.value[0](0, 0), l.value[1](0, 0));
-        add(k, force, geometry::cross(centroid(scene.parts[k].part), force));
+        add(k, force, geometry::cross(centroid(r.geometry[k]), force));
     }
     for (std::size_t k = 0; k < sum.size(); ++k) {
         if (!r.parts[k].solved || !only_forces(scene, r.parts[k].name)) continue;
