@@ -27,8 +27,9 @@ struct PartMotion {
 /// A free motion is neutral where contact resists it by less than this, of what it resists a motion straight against a face
 /// (rotations measured at the part's size): kept, it would turn rounding into large rotations.
 inline constexpr double neutral_motion_fraction = 1e-3;
-/// The loads may do this much work in a neutral motion, relative to load times size.
-inline constexpr double neutral_work_fraction = 1e-9;
+/// The loads may do this much work in a neutral motion, relative to load times size: outlines are drawn no more exactly, so that
+/// a load straight against a face is inclined to it by so much.
+inline constexpr double neutral_work_fraction = 1e-6;
 
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
