@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "geometry/input_error.hpp"
-#include "src/accuracy_goal.hpp"
-#include "src/nearest_name.hpp"
-#include "src/scene_words.hpp"
-#include "src/svg.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/report/svg.hpp"
+#include "src/scene/accuracy_goal.hpp"
+#include "src/scene/scene_words.hpp"
 
 namespace abut {
 

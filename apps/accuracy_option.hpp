@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "apps/arguments.hpp"
-#include "src/scene.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

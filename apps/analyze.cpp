@@ -11,14 +11,14 @@
 #include "apps/result_files.hpp"
 #include "apps/stopwatch.hpp"
 #include "apps/thread_option.hpp"
-#include "src/analysis.hpp"
-#include "src/left_out_parts.hpp"
-#include "src/mirror_symmetry.hpp"
-#include "src/nearest_name.hpp"
-#include "src/plan.hpp"
-#include "src/result.hpp"
-#include "src/scene.hpp"
-#include "src/verdict.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/plan/left_out_parts.hpp"
+#include "src/plan/mirror_symmetry.hpp"
+#include "src/plan/plan.hpp"
+#include "src/results/result.hpp"
+#include "src/results/verdict.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "geometry/input_error.hpp"
-#include "src/nearest_name.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
 
 namespace abut {
 

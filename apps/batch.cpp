@@ -15,12 +15,12 @@
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
 #include "apps/version.hpp"
-#include "geometry/input_error.hpp"
-#include "solver/blas_threads.hpp"
-#include "src/batch_run.hpp"
-#include "src/batch_summary.hpp"
-#include "src/batch_template.hpp"
-#include "src/result.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "solver/linear_algebra/blas_threads.hpp"
+#include "src/batch/batch_run.hpp"
+#include "src/batch/batch_summary.hpp"
+#include "src/batch/batch_template.hpp"
+#include "src/results/result.hpp"
 
 namespace abut {
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "src/batch_run.hpp"
-#include "src/batch_summary.hpp"
+#include "src/batch/batch_run.hpp"
+#include "src/batch/batch_summary.hpp"
 
 namespace abut {
 

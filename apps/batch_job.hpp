@@ -5,10 +5,10 @@
 #include <string>
 
 #include "apps/arguments.hpp"
-#include "src/batch_source.hpp"
-#include "src/expected_pairs.hpp"
-#include "src/job_record.hpp"
-#include "src/read_drawing.hpp"
+#include "src/batch/batch_source.hpp"
+#include "src/batch/job_record.hpp"
+#include "src/contact/expected_pairs.hpp"
+#include "src/scene/read_drawing.hpp"
 
 namespace abut {
 

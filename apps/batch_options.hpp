@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "apps/arguments.hpp"
-#include "src/batch_shard.hpp"
+#include "src/batch/batch_shard.hpp"
 
 namespace abut {
 

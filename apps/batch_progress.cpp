@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "apps/print_text.hpp"
-#include "src/svg.hpp"
+#include "src/report/svg.hpp"
 
 namespace abut {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "apps/progress_line.hpp"
 #include "apps/stopwatch.hpp"
-#include "src/batch_run.hpp"
+#include "src/batch/batch_run.hpp"
 
 namespace abut {
 

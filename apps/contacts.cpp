@@ -9,9 +9,9 @@
 #include "apps/drawing_problems.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
-#include "src/detect.hpp"
-#include "src/result.hpp"
-#include "src/scene.hpp"
+#include "src/contact/detect.hpp"
+#include "src/results/result.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

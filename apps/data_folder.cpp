@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut {
 

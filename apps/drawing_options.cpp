@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "geometry/input_error.hpp"
-#include "src/nearest_name.hpp"
-#include "src/scene_words.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/scene/scene_words.hpp"
 
 namespace abut {
 

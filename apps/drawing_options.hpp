@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/arguments.hpp"
-#include "src/read_drawing.hpp"
+#include "src/scene/read_drawing.hpp"
 
 namespace abut {
 

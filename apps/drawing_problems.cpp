@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "apps/drawing_options.hpp"
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut {
 

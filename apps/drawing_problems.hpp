@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "apps/arguments.hpp"
-#include "geometry/sketch.hpp"
-#include "src/scene.hpp"
+#include "geometry/sketch/sketch.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

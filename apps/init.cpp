@@ -4,9 +4,9 @@
 #include "apps/drawing_options.hpp"
 #include "apps/drawing_problems.hpp"
 #include "apps/print_text.hpp"
-#include "geometry/input_error.hpp"
-#include "src/detect.hpp"
-#include "src/starter_scene.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/contact/detect.hpp"
+#include "src/inspection/starter_scene.hpp"
 
 namespace abut {
 

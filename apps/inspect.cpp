@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut inspect: what is in a file.
-#include "src/inspect.hpp"
+#include "src/inspection/inspect.hpp"
 
 #include "apps/commands.hpp"
 #include "apps/drawing_options.hpp"
 #include "apps/drawing_problems.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
-#include "src/result.hpp"
+#include "src/results/result.hpp"
 
 namespace abut {
 

@@ -12,8 +12,8 @@
 #include "apps/keep_heap.hpp"
 #include "apps/print_text.hpp"
 #include "apps/version.hpp"
-#include "geometry/input_error.hpp"
-#include "src/nearest_name.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
 
 namespace {
 

@@ -5,11 +5,11 @@
 #include "apps/batch_end.hpp"
 #include "apps/commands.hpp"
 #include "apps/output_folder.hpp"
-#include "geometry/input_error.hpp"
-#include "src/batch_merge.hpp"
-#include "src/batch_summary.hpp"
-#include "src/job_store.hpp"
-#include "src/result.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/batch/batch_merge.hpp"
+#include "src/batch/batch_summary.hpp"
+#include "src/batch/job_store.hpp"
+#include "src/results/result.hpp"
 
 namespace abut {
 

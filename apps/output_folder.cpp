@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut {
 

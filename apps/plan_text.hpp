@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/result.hpp"
+#include "src/results/result.hpp"
 
 namespace abut {
 

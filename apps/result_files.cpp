@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "apps/output_folder.hpp"
-#include "geometry/input_error.hpp"
-#include "src/accuracy_results.hpp"
-#include "src/nearest_name.hpp"
-#include "src/result_units.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "src/analysis/accuracy_results.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/results/result_units.hpp"
 
 namespace abut {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "apps/stopwatch.hpp"
-#include "src/result.hpp"
-#include "src/scene.hpp"
+#include "src/results/result.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

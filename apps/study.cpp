@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut study: one scene at many settings; what accuracy costs in time.
-#include "src/study.hpp"
+#include "src/study/study.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -11,7 +11,7 @@
 #include "apps/print_text.hpp"
 #include "apps/progress_line.hpp"
 #include "apps/thread_option.hpp"
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut {
 

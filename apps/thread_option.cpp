@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut {
 

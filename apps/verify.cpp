@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut verify: problems with known answers, solved and compared.
-#include "src/verify.hpp"
+#include "src/verification/verify.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -9,7 +9,7 @@
 #include "apps/data_folder.hpp"
 #include "apps/print_text.hpp"
 #include "apps/progress_line.hpp"
-#include "src/verify_dissertation.hpp"
+#include "src/verification/verify_dissertation.hpp"
 
 namespace abut {
 

@@ -21,7 +21,7 @@ if(ABUT_STATIC_NUMERICS)
 endif()
 
 if(ABUT_ARCHIVES AND NOT "${ABUT_ARCHIVES}" MATCHES NOTFOUND)
-  # The two symbols are called where they exist (solver/blas_threads.cpp), which alone would not bring them in.
+  # The two symbols are called where they exist (solver/linear_algebra/blas_threads.cpp), which alone would not bring them in.
   target_link_libraries(abut_numerics INTERFACE ${ABUT_ARCHIVES} m ${CMAKE_DL_LIBS})
   target_link_options(abut_numerics INTERFACE "LINKER:-u,openblas_get_parallel,-u,openblas_set_num_threads")
   message(STATUS "CHOLMOD and OpenBLAS: from archives")

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver/contact_qp.hpp"
+#include "solver/contact/contact_qp.hpp"
 
 namespace abut::benchmarks {
 namespace {

@@ -2,7 +2,7 @@
 // Whole analyses, from the scene in memory to the result in memory; and the reading of the scene, import included.
 #include <benchmark/benchmark.h>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

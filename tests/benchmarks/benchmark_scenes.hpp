@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include "src/discretize.hpp"
-#include "src/scene.hpp"
+#include "src/discretization/discretize.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut::benchmarks {
 

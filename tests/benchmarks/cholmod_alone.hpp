@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CHOLMOD as its manual calls it, without anything of ours: what the solver's own times are held against.
 #pragma once
-#include "solver/block_matrix.hpp"
+#include "solver/linear_algebra/block_matrix.hpp"
 
 namespace abut::benchmarks {
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include "solver/part_system.hpp"
+#include "solver/parts/part_system.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

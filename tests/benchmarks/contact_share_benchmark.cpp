@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "src/adaptive.hpp"
+#include "src/analysis/adaptive.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/csg.hpp"
+#include "geometry/csg/csg.hpp"
 
 namespace abut::benchmarks {
 namespace {

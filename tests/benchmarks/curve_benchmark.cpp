@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "geometry/curve.hpp"
+#include "geometry/curves/curve.hpp"
 #include "tests/benchmarks/wheel.hpp"
 
 namespace abut::benchmarks {

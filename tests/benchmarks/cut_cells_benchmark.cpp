@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "geometry/cut_cells.hpp"
-#include "geometry/elements.hpp"
-#include "geometry/monotone.hpp"
+#include "geometry/brep/monotone.hpp"
+#include "geometry/cells/cut_cells.hpp"
+#include "geometry/cells/elements.hpp"
 #include "tests/benchmarks/wheel.hpp"
 
 namespace abut::benchmarks {

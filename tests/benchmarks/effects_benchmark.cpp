@@ -3,7 +3,7 @@
 // hold what could call for an effect but does not, and should take the time of "plate".
 #include <benchmark/benchmark.h>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

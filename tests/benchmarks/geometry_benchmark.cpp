@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "geometry/quadrature.hpp"
+#include "geometry/quadrature/quadrature.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "src/analysis.hpp"
-#include "src/candidates.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/contact/candidates.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

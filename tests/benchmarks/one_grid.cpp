@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/load_vector.hpp"
-#include "src/support_sets.hpp"
+#include "src/discretization/load_vector.hpp"
+#include "src/discretization/support_sets.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 #include "tests/benchmarks/one_thread.hpp"
 

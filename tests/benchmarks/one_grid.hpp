@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/assembly_model.hpp"
+#include "src/solution/assembly_model.hpp"
 
 namespace abut::benchmarks {
 

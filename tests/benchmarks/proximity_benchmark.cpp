@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/elliptic_arc.hpp"
-#include "geometry/proximity.hpp"
-#include "geometry/spline_shape.hpp"
+#include "geometry/curves/elliptic_arc.hpp"
+#include "geometry/curves/spline_shape.hpp"
+#include "geometry/proximity/proximity.hpp"
 
 namespace abut::benchmarks {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "geometry/quadrature.hpp"
+#include "geometry/quadrature/quadrature.hpp"
 #include "tests/benchmarks/wheel.hpp"
 
 namespace abut::benchmarks {

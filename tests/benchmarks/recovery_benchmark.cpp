@@ -2,7 +2,7 @@
 // From coefficients to answers: the stress fit, and the samples that pictures and largest values are made of.
 #include <benchmark/benchmark.h>
 
-#include "src/field_results.hpp"
+#include "src/answers/field_results.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

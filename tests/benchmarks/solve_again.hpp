@@ -2,7 +2,7 @@
 #pragma once
 #include <benchmark/benchmark.h>
 
-#include "src/assembly_model.hpp"
+#include "src/solution/assembly_model.hpp"
 
 namespace abut::benchmarks {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "solver/part_system.hpp"
+#include "solver/parts/part_system.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 
 namespace abut::benchmarks {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/elliptic_arc.hpp"
-#include "geometry/spline_shape.hpp"
+#include "geometry/curves/elliptic_arc.hpp"
+#include "geometry/curves/spline_shape.hpp"
 
 namespace abut::benchmarks {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "geometry/cut_cells.hpp"
+#include "geometry/cells/cut_cells.hpp"
 
 namespace abut::benchmarks {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "geometry/sketch.hpp"
+#include "geometry/sketch/sketch.hpp"
 #include "tests/fuzz/part_faults.hpp"
 
 namespace abut::fuzz {

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "geometry/dxf.hpp"
+#include "geometry/dxf/dxf.hpp"
 #include "tests/fuzz/drawing_faults.hpp"
 
 namespace abut::fuzz {

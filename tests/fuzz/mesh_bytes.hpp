@@ -16,7 +16,7 @@
 #include <string_view>
 #include <utility>
 
-#include "geometry/section.hpp"
+#include "geometry/mesh/section.hpp"
 
 namespace abut::fuzz {
 

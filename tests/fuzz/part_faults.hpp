@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "geometry/input_error.hpp"
-#include "geometry/part.hpp"
+#include "geometry/brep/input_error.hpp"
+#include "geometry/brep/part.hpp"
 
 namespace abut::fuzz {
 

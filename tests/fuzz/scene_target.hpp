@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "src/json_document.hpp"
-#include "src/scene.hpp"
+#include "src/io/json_document.hpp"
+#include "src/scene/scene.hpp"
 #include "tests/fuzz/part_faults.hpp"
 
 namespace abut::fuzz {

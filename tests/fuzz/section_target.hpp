@@ -3,8 +3,8 @@
 #pragma once
 #include <string>
 
-#include "geometry/mesh_bodies.hpp"
-#include "geometry/section.hpp"
+#include "geometry/mesh/mesh_bodies.hpp"
+#include "geometry/mesh/section.hpp"
 #include "tests/fuzz/drawing_faults.hpp"
 #include "tests/fuzz/mesh_bytes.hpp"
 

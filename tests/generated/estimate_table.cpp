@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 #include "tests/verification/true_errors.hpp"
 
 namespace abut::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/scene.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut::test {
 

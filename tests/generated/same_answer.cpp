@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/input_error.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut::test {
 

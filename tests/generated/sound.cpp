@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/extent.hpp"
-#include "geometry/input_error.hpp"
+#include "geometry/brep/extent.hpp"
+#include "geometry/brep/input_error.hpp"
 
 namespace abut::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 
 namespace abut::test {
 

@@ -3,7 +3,7 @@
 // than there are displacements to press on.
 #include <gtest/gtest.h>
 
-#include "src/result.hpp"
+#include "src/results/result.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut::test {

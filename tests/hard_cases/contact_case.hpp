@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/assembly_model.hpp"
+#include "src/solution/assembly_model.hpp"
 #include "tests/hard_cases/shapes.hpp"
 
 namespace abut::test {

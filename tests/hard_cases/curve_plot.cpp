@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "src/report_svg.hpp"
+#include "src/report/report_svg.hpp"
 
 namespace abut::test {
 

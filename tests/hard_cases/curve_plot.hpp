@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/vec2.hpp"
+#include "geometry/curves/vec2.hpp"
 
 namespace abut::test {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/vec2.hpp"
-#include "solver/elasticity.hpp"
+#include "geometry/curves/vec2.hpp"
+#include "solver/assembly/elasticity.hpp"
 
 namespace abut::test {
 

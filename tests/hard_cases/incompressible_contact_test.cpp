@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 #include "tests/verification/hertz_error.hpp"
 
 namespace abut::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nearly incompressible plane strain (VALIDATION E10, E8): with the volume strain projected (solver/dilatation.hpp) nothing
-// grows as nu nears 1/2; without, beside it, everything does.
+// Nearly incompressible plane strain (VALIDATION E10, E8): with the volume strain projected (solver/terms/dilatation.hpp)
+// nothing grows as nu nears 1/2; without, beside it, everything does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "src/analysis.hpp"
-#include "src/plan.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/plan/plan.hpp"
 #include "tests/hard_cases/curve_plot.hpp"
 #include "tests/hard_cases/part_problem.hpp"
 #include "tests/hard_cases/shapes.hpp"

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "geometry/gauss.hpp"
-#include "geometry/transformed_gauss.hpp"
-#include "solver/cell_integrals.hpp"
-#include "solver/solution_structure.hpp"
-#include "solver/stress.hpp"
-#include "src/field_results.hpp"
+#include "geometry/curves/gauss.hpp"
+#include "geometry/quadrature/transformed_gauss.hpp"
+#include "solver/assembly/cell_integrals.hpp"
+#include "solver/terms/solution_structure.hpp"
+#include "solver/terms/stress.hpp"
+#include "src/answers/field_results.hpp"
 
 namespace abut::test {
 

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/solution_structure.hpp"
-#include "src/boundary_conditions.hpp"
-#include "src/solution_structure.hpp"
-#include "src/support_sets.hpp"
+#include "solver/terms/solution_structure.hpp"
+#include "src/discretization/solution_structure.hpp"
+#include "src/discretization/support_sets.hpp"
+#include "src/plan/boundary_conditions.hpp"
 #include "tests/hard_cases/part_errors.hpp"
 
 namespace abut::test {

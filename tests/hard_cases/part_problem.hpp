@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "solver/part_system.hpp"
-#include "src/discretize.hpp"
+#include "solver/parts/part_system.hpp"
+#include "src/discretization/discretize.hpp"
 #include "tests/hard_cases/exact_fields.hpp"
 
 namespace abut::test {

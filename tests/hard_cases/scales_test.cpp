@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 #include "tests/hard_cases/part_problem.hpp"
 #include "tests/hard_cases/shapes.hpp"
 #include "tests/verification/scene_answers.hpp"

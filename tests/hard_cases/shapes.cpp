@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "geometry/spline_shape.hpp"
+#include "geometry/curves/spline_shape.hpp"
 
 namespace abut::test {
 

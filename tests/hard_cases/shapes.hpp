@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/part.hpp"
+#include "geometry/brep/part.hpp"
 
 namespace abut::test {
 

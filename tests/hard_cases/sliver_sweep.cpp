@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "src/svg.hpp"
+#include "src/report/svg.hpp"
 #include "tests/hard_cases/curve_plot.hpp"
 
 namespace abut::test {

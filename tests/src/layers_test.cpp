@@ -23,7 +23,7 @@ const std::map<std::string, std::vector<std::string>> forbidden_layers{
     {"geometry", {"solver", "src", "apps"}}, {"solver", {"geometry", "src", "apps"}}, {"src", {"apps"}}, {"apps", {}}};
 
 /// These compile slowly and need flags of their own.
-const std::vector<std::string> cgal_files{"geometry/exact_regions.cpp"};
+const std::vector<std::string> cgal_files{"geometry/csg/exact_regions.cpp"};
 
 /// Headers of libraries that stay hidden in .cpp files, wherever they are installed.
 const std::regex hidden_library(R"((.*/)?(assimp/.*|dl_[^/]*|json(_fwd)?\.hpp|cholmod[^/]*\.h)|CGAL/.*|nlohmann/.*)");
@@ -53,7 +53,7 @@ bool is_header(const fs::path& path) {
     return path.extension() == ".hpp" || path.extension() == ".h";
 }
 
-/// The first folder of a path: "geometry" of "geometry/part.hpp".
+/// The first folder of a path: "geometry" of "geometry/brep/part.hpp".
 std::string layer_of(const std::string& path) {
     return path.substr(0, path.find('/'));
 }
@@ -108,7 +108,7 @@ TEST(Layers, NoFileIncludesWhatItMustNot) {
 
 TEST(Layers, TheCheckSeesTheFilesAndTheirIncludes) {
     const std::vector<std::string> files = source_files();
-    for (const char* known : {"geometry/part.hpp", "geometry/part.cpp", "src/scene.hpp", "apps/main.cpp"}) {
+    for (const char* known : {"geometry/brep/part.hpp", "geometry/brep/part.cpp", "src/scene/scene.hpp", "apps/main.cpp"}) {
         EXPECT_TRUE(contains(files, known)) << known;
         EXPECT_FALSE(includes_of(read(known)).empty()) << known;
     }
@@ -122,18 +122,18 @@ struct Case {
 
 TEST(Layers, MadeUpBadFilesAreCaught) {
     const std::vector<Case> bad{{"geometry/a.cpp", "#include \"solver/space.hpp\""},
-                                {"geometry/a.cpp", "#include \"src/scene.hpp\""},
+                                {"geometry/a.cpp", "#include \"src/scene/scene.hpp\""},
                                 {"geometry/a.hpp", "  #  include   \"apps/commands.hpp\""},
-                                {"solver/a.cpp", "#include \"geometry/vec2.hpp\""},
-                                {"solver/a.cpp", "#include <src/scene.hpp>"},
+                                {"solver/a.cpp", "#include \"geometry/curves/vec2.hpp\""},
+                                {"solver/a.cpp", "#include <src/scene/scene.hpp>"},
                                 {"solver/a.hpp", "#include \"apps/commands.hpp\""},
                                 {"src/a.cpp", "#include \"apps/arguments.hpp\"  // why not"},
                                 {"src/a.cpp", "#include \"../apps/arguments.hpp\""},
-                                {"geometry/part.cpp", "#include <CGAL/Polygon_2.h>"},
-                                {"geometry/boolean.hpp", "#include <CGAL/Polygon_2.h>"},
-                                {"geometry/exact_regions.hpp", "#include <CGAL/Polygon_2.h>"},
-                                {"geometry/csg.cpp", "#include <CGAL/Polygon_2.h>"},
-                                {"geometry/boolean.cpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/brep/part.cpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/csg/boolean.hpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/csg/exact_regions.hpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/csg/csg.cpp", "#include <CGAL/Polygon_2.h>"},
+                                {"geometry/csg/boolean.cpp", "#include <CGAL/Polygon_2.h>"},
                                 {"src/a.hpp", "#include <nlohmann/json.hpp>"},
                                 {"src/a.hpp", "#include <nlohmann/json_fwd.hpp>"},
                                 {"src/a.hpp", "#include \"json.hpp\""},
@@ -150,17 +150,17 @@ TEST(Layers, MadeUpBadFilesAreCaught) {
 }
 
 TEST(Layers, WhatIsAllowedPasses) {
-    const std::vector<Case> good{{"geometry/exact_regions.cpp", "#include <CGAL/Polygon_2.h>"},
-                                 {"geometry/boolean.cpp", "#include \"geometry/exact_regions.hpp\""},
-                                 {"geometry/csg.cpp", "#include \"geometry/boolean.hpp\""},
-                                 {"geometry/dxf.cpp", "#include <dl_dxf.h>"},
+    const std::vector<Case> good{{"geometry/csg/exact_regions.cpp", "#include <CGAL/Polygon_2.h>"},
+                                 {"geometry/csg/boolean.cpp", "#include \"geometry/csg/exact_regions.hpp\""},
+                                 {"geometry/csg/csg.cpp", "#include \"geometry/csg/boolean.hpp\""},
+                                 {"geometry/dxf/dxf.cpp", "#include <dl_dxf.h>"},
                                  {"solver/a.cpp", "#include <cholmod.h>"},
                                  {"solver/a.hpp", "#include \"solver/space.hpp\""},
                                  {"src/a.cpp", "#include <nlohmann/json.hpp>"},
-                                 {"src/a.hpp", "#include \"geometry/part.hpp\""},
-                                 {"src/a.hpp", "#include \"src/json_document.hpp\""},
+                                 {"src/a.hpp", "#include \"geometry/brep/part.hpp\""},
+                                 {"src/a.hpp", "#include \"src/io/json_document.hpp\""},
                                  {"apps/a.cpp", "#include \"solver/space.hpp\""},
-                                 {"geometry/a.cpp", "// #include \"src/scene.hpp\""}};
+                                 {"geometry/a.cpp", "// #include \"src/scene/scene.hpp\""}};
     for (const Case& c : good) EXPECT_TRUE(faults_of(c.file, c.line).empty()) << c.file << " " << c.line;
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/verify_errors.hpp"
+#include "src/verification/verify_errors.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "src/verify_dissertation.hpp"
+#include "src/verification/verify_dissertation.hpp"
 
 namespace abut {
 namespace {

@@ -17,8 +17,8 @@
 
 #include <cmath>
 
-#include "src/analysis.hpp"
-#include "src/verify_contact_answers.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/verification/verify_contact_answers.hpp"
 #include "tests/verification/true_errors.hpp"
 
 namespace abut {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/result.hpp"
+#include "src/results/result.hpp"
 
 namespace abut::test {
 

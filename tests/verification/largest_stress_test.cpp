@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The largest stress at small radii, with its own estimate, against Inglis' 1 + 2 a / b of an elliptic hole under tension.
-#include "src/largest_stress.hpp"
+#include "src/analysis/largest_stress.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 
 namespace abut {
 namespace {

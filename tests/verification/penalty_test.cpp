@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/verify.hpp"
-#include "src/verify_contact_answers.hpp"
+#include "src/verification/verify.hpp"
+#include "src/verification/verify_contact_answers.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {

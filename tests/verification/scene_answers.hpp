@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "src/analysis.hpp"
+#include "src/analysis/analysis.hpp"
 
 namespace abut::test {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/gauss.hpp"
-#include "solver/stress.hpp"
+#include "geometry/curves/gauss.hpp"
+#include "solver/terms/stress.hpp"
 
 namespace abut::test {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "src/adaptive.hpp"
+#include "src/analysis/adaptive.hpp"
 
 namespace abut::test {
 

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "src/verdict.hpp"
+#include "src/results/verdict.hpp"
 #include "tests/generated/sound.hpp"
 
 namespace abut {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The registry of `abut verify`, its comparison and its texts; and each of its problems: what it says must be within tolerance.
-#include "src/verify.hpp"
+#include "src/verification/verify.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "src/verify_dissertation.hpp"
+#include "src/verification/verify_dissertation.hpp"
 
 namespace abut {
 namespace {

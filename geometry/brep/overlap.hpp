@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What two parts have in common.
+#pragma once
+#include "geometry/brep/part.hpp"
+
+namespace abut::geometry {
+
+struct Overlap {
+    double area = 0;
+    double depth = 0;            ///< how far the boundary of one part reaches into the other's material, at most
+    int edge1 = -1, edge2 = -1;  ///< there: the edge that reaches in, and the one of the other part that is nearest
+    Vec2 at{0, 0};               ///< on the edge that reaches in
+};
+
+/// The region common to both parts by Green's theorem over its boundary: the boundary of each part inside the other. Boundaries
+/// closer than `tolerance` count as coincident, so that parts that only touch have nothing in common (depth 0); the error of
+/// the area is below the tolerance times the perimeter. The depth is that of the deepest of some points along each stretch
+/// inside, its middle among them: short by some thousandths where the deepest point lies elsewhere. Of parts that coincide no
+/// boundary lies inside: the depth is then the mean thickness, twice the area over the perimeter. Cost O(edges near the other
+/// part x its edges).
+Overlap overlap(const Part& part1, const Part& part2, double tolerance);
+
+}  // namespace abut::geometry

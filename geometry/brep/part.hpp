@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part: a region of the plane bounded by named edges. Immutable once built; edges are referred to by index.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "geometry/curves/curve.hpp"
+
+namespace abut::geometry {
+
+/// One piece of a part's boundary, oriented with the material on its left (the outward normal on its right).
+struct Edge {
+    Curve curve;
+    std::string name;          ///< within the part: "left", "base/left", "left#1", "h2F"
+    std::string source;        ///< name of the primitive's or imported edge this is (a piece of): "left"
+    bool along_source = true;  ///< does the curve run in the source's own direction?
+    double source_begin = 0;   ///< arc length on the source edge at the piece's end that comes first on the source
+};
+
+/// A closed chain of edges, head to tail: outer boundaries run counter-clockwise, holes clockwise.
+struct Loop {
+    std::vector<int> edges;  ///< indices into Part::edges
+};
+
+struct Part {
+    std::string name;
+    std::vector<Edge> edges;
+    std::vector<Loop> loops;
+};
+
+Box2 bounding_box(const Part& part);
+/// By Green's theorem (curve_moments.hpp), to rounding; length^2. Holes count negative.
+double area(const Part& part);
+Vec2 centroid(const Part& part);
+/// Length of all edges, those of holes included.
+double perimeter(const Part& part);
+/// Loops that run clockwise.
+int count_holes(const Part& part);
+
+/// Is p strictly inside? Winding number by crossings; points within rounding of the boundary may go either way.
+bool contains(const Part& part, const Vec2& p);
+
+/// The length below which two points of this part count as one: merge_fraction times the diagonal.
+inline constexpr double merge_fraction = 1e-9;
+double merge_length(const Part& part);
+
+/// Rotated by (c, s), then moved by d.
+Part transformed(const Part& part, double c, double s, const Vec2& d);
+
+/// Arc length along the named edge (the piece), counted in the source's own direction, of the point at parameter t of the
+/// edge's curve.
+double edge_arc_length(const Edge& edge, double t);
+
+/// A point of a part's boundary as the model knows it: through Booleans, placements and trimming back to what was drawn.
+struct SourcePoint {
+    std::string name;   ///< of the primitive's or imported edge
+    double arc_length;  ///< along it from its beginning, in its own direction; in the part's unit, after scaling
+};
+/// Of the point at parameter t of the edge's curve.
+SourcePoint source_point(const Edge& edge, double t);
+
+}  // namespace abut::geometry

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+
+#include "geometry/curves/vec2.hpp"
+
+namespace abut::geometry {
+
+/// Something that was mended in a model, and where.
+struct Repair {
+    std::string what;
+    Vec2 at{0, 0};
+    double size = 0;  ///< how far something moved, or how long (wide) what was removed is
+};
+
+}  // namespace abut::geometry

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part on its grid: cells inside, outside and cut, and the boundary clipped to cells.
+//
+// One rule for whatever lies on a grid line: cells are half open, [x_i, x_i+1) x [y_j, y_j+1), so that a boundary that runs
+// along a line belongs, as a contour, to the cell on its right or above, where it bounds no area; the cell on its left sees the
+// material up to the line through the line's own intervals "just left of it". Vertices and tangencies need no further rule: a
+// piece crosses a line if and only if its two ends are on different sides in this sense. Rounding can then only move a contour
+// by rounding, never lose a cell. With the material drawn as #:
+//
+//      edge on a line       vertex on a crossing     touching from the left    touching from the right
+//             |                    |  /#                       |                         |
+//         ####|                    | /##                    --.|                         |.--
+//         #A##|  B            -----v####-----              ####)                         (####
+//         ####|                    |\###                    --'|                         |'--
+//             |                    | \##                       |                         |
+//
+//   - The edge up the line is a contour of B, where x - x_left = 0; A has its right side, from where the boundary passes to the
+//     right of the line to where it comes back. Edges along horizontal lines have dy = 0 in whatever cell.
+//   - v is right of the one line and above the other: the lower edge crosses the horizontal line, in v, and nothing crosses the
+//     vertical one. Were the edges on the left, both would cross it, in v: an interval of no length.
+//   - An extreme point is an end of two pieces, on the right of the line that it touches. From the left, the boundary crosses
+//     to the right and back in one point, an interval of no length; from the right, nothing crosses.
+//
+// Which of two pieces crosses a line first is known up to rounding of the crossing's other coordinate; where two swap, an
+// interval of a rounding is lost or won.
+//
+// For integrals along the boundary (loads, supports, contact) the cell of a piece is another matter: it is the one that holds
+// the point just inside the part; where the part's area in that one is rounding, the nearest of its neighbours that is not
+// outer; where all are (a needle), the one of the nearest piece along the boundary.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/brep/part.hpp"
+
+namespace abut::geometry {
+
+/// Grid lines in the part's own frame, ascending, at least two each way.
+struct Grid {
+    std::vector<double> x, y;
+    int columns() const { return static_cast<int>(x.size()) - 1; }
+    int rows() const { return static_cast<int>(y.size()) - 1; }
+    int cell(int column, int row) const { return row * columns() + column; }
+    int column_of(int cell) const { return cell % columns(); }
+    int row_of(int cell) const { return cell / columns(); }
+};
+
+/// Interval [lines[i], lines[i+1]) that holds v: -1 below the first line, size - 1 from the last on.
+int interval_of(const std::vector<double>& lines, double v);
+
+enum class CellClass : std::uint8_t { outer, boundary, inner };
+
+/// A cell whose filled fraction is below this (above 1 minus this) counts as outer (inner): the rounding of the fraction.
+inline constexpr double sliver_fraction = 1e-13;
+
+/// Portion of an edge inside one cell.
+struct BoundaryPiece {
+    int edge;
+    double t0, t1;
+    int cell;  ///< the cell that holds the point just inside the part; never an outer one (-1 where there is no other)
+};
+
+enum class CellSide : std::uint8_t { bottom, right, top, left, none };
+
+/// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
+struct ContourPiece {
+    int cell;
+    int edge;
+    double t0, t1;
+    /// Sides through which the boundary comes into the cell and leaves it; none: it goes on, to the loop's neighbouring piece.
+    CellSide enters = CellSide::none, leaves = CellSide::none;
+};
+
+struct CutCells {
+    Grid grid;
+    std::vector<CellClass> cell_class;   ///< by cell
+    std::vector<double> fraction;        ///< filled fraction by cell
+    std::vector<BoundaryPiece> pieces;   ///< by edge, then t
+    std::vector<int> first_piece;        ///< n_edges + 1 offsets into pieces
+    std::vector<ContourPiece> contours;  ///< of all cells that an edge enters, and of no inner ones besides, by cell
+    std::vector<int> first_contour;      ///< n_cells + 1 offsets into contours
+    double merge = 0;                    ///< the part's merge length: finding it takes as long as the rest
+    double area = 0;                     ///< sum over the cells: equals the part's area where the grid covers it
+};
+
+/// Cost O(cells + contours log(contours of a grid line)), memory O(cells + contours + edges): a million cells with a hundred
+/// thousand segments take 30 ms, with as many cubic splines 0.4 s. The grid must cover the part; where it does not, `area`
+/// falls short of the part's.
+CutCells cut_cells(const Part& part, const Grid& grid);
+
+/// The piece of `edge` that holds parameter t.
+const BoundaryPiece& piece_at(const CutCells& cells, int edge, double t);
+
+}  // namespace abut::geometry

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the exact lines and arcs of a Boolean (exact_regions.hpp) are of the curves that they come from.
+#pragma once
+#include <vector>
+
+#include "geometry/csg/boolean.hpp"
+#include "geometry/csg/carriers.hpp"
+
+namespace abut::geometry {
+
+/// What one exact line or arc is of its source: all of it, or of an ellipse or spline the portion that one arc follows.
+struct SourcePortion {
+    int source = -1;
+    double t0 = 0, t1 = 1;
+    int turn = 0;    ///< in the source's own direction: 0 line, +1 or -1 arc
+    Vec2 way{0, 0};  ///< lines: the source's own direction
+};
+
+/// Portions are numbered source by source, along each: first[s] is the first one of source s. The turns of a carrier's arcs are
+/// not known here: 0.
+struct SourcePortions {
+    std::vector<SourcePortion> portions;
+    std::vector<int> first;
+};
+SourcePortions number_portions(const std::vector<PlacedSource>& sources, const Carriers& carriers);
+
+}  // namespace abut::geometry

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Joints are sought on the whole ellipse, or the whole shape of a spline, in its own direction, and only then cut to the
+// portion that the curve is: curves that share a stretch share the arcs that follow it, whichever way they run.
+#include "geometry/curves/arc_spline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/curves/arc_portion.hpp"
+#include "geometry/curves/general_curve.hpp"
+#include "geometry/curves/homogeneous_span.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// Below this fraction of the curve's size rounding decides what is within tolerance.
+constexpr double least_tolerance = 64 * epsilon;
+
+/// The ellipse by its eccentric angle or the spline's whole shape, and the portion of it that the curve is.
+struct Carrier {
+    Curve curve;                 ///< parameter u = t: of an ellipse, start 0 and sweep 1
+    double lo, hi;               ///< the portion, lo < hi
+    bool backwards;              ///< does the original run from hi to lo?
+    std::vector<double> breaks;  ///< joints there must be: ascending, from the last not above lo to the first not below hi
+    double smallest = 0;         ///< shorter portions need no arc
+};
+
+/// Both roundings together give the same two angles for an arc and its reverse: ((x + w) - w) + w - w = (x + w) - w in doubles
+/// [Knuth, The Art of Computer Programming 2, 4.2.2, theorem D].
+std::pair<double, double> angles(const EllipticArc& arc) {
+    const double w = std::abs(arc.sweep);
+    double x = arc.start;
+    if (arc.sweep < 0) x = x - w;
+    x = x + w;
+    const double lo = x - w;
+    return {lo, lo + w};
+}
+
+Carrier ellipse_carrier(const EllipticArc& arc) {
+    const auto [lo, hi] = angles(arc);
+    Carrier carrier{EllipticArc{arc.center, arc.a, arc.b, 0, 1}, lo, hi, arc.sweep < 0, {}, 0};
+    const double half_turn = std::numbers::pi;
+    const double first = std::atan2(arc.b.x(), arc.a.x()), second = std::atan2(arc.b.y(), arc.a.y());
+    for (double k = std::floor(lo / half_turn) - 2; k * half_turn < hi + 2 * half_turn; ++k)
+        for (const double root : {first, second}) carrier.breaks.push_back(root + k * half_turn);
+    std::sort(carrier.breaks.begin(), carrier.breaks.end());
+    return carrier;
+}
+
+Carrier spline_carrier(const Spline& spline) {
+    const SplineShape& shape = *spline.shape;
+    Carrier carrier{Spline{spline.shape, 0, 1},
+                    std::min(spline.begin, spline.end),
+                    std::max(spline.begin, spline.end),
+                    spline.end < spline.begin,
+                    shape.breaks,
+                    0};
+    for (const int axis : {0, 1})
+        for (const double u : stationary_parameters(shape, axis)) carrier.breaks.push_back(u);
+    std::sort(carrier.breaks.begin(), carrier.breaks.end());
+    return carrier;
+}
+
+/// Roundings of a parameter within which two joints are one.
+double parameter_rounding(const Carrier& carrier) {
+    return 8 * epsilon * std::max({1.0, std::abs(carrier.lo), std::abs(carrier.hi)});
+}
+
+/// Only what bounds the portion, and no two within rounding.
+void cut_breaks(Carrier& carrier) {
+    std::vector<double>& b = carrier.breaks;
+    const double rounding = parameter_rounding(carrier);
+    b.erase(std::unique(b.begin(), b.end(), [&](double x, double y) { return y - x <= rounding; }), b.end());
+    const auto first = std::upper_bound(b.begin(), b.end(), carrier.lo + rounding);
+    b.erase(b.begin(), std::prev(first));
+    b.erase(std::next(std::lower_bound(b.begin(), b.end(), carrier.hi - rounding)), b.end());
+}
+
+/// The portion [u0, u1], inside one span, relative to its point at u0.
+HomogeneousSpan span_between(const Carrier& carrier, double u0, double u1, const Vec2& origin) {
+    if (const auto* arc = std::get_if<EllipticArc>(&carrier.curve)) return homogeneous_span(*arc, u0, u1, origin);
+    const SplineShape& shape = *std::get<Spline>(carrier.curve).shape;
+    const auto behind = std::upper_bound(shape.breaks.begin() + 1, shape.breaks.end() - 1, 0.5 * (u0 + u1));
+    const auto k = static_cast<std::size_t>(behind - shape.breaks.begin()) - 1;
+    const double begin = shape.breaks[k], width = shape.breaks[k + 1] - begin;
+    return portion(homogeneous_span(shape, k, origin), std::max(0.0, (u0 - begin) / width),
+                   std::min(1.0, (u1 - begin) / width));
+}
+
+/// A monotone portion lies in the box of its ends: one this small, as a fraction of the curve's size and of the tolerance,
+/// needs no arc. Without this the halving would not end beside a point where the curve stands still, whose tangents turn within
+/// rounding.
+constexpr double smallest_portion = 1e-9, smallest_of_tolerance = 0.5;
+
+ArcFit fit(const Carrier& carrier, double u0, double u1, double tolerance) {
+    const auto first = general_values(carrier.curve, u0), last = general_values(carrier.curve, u1);
+    if ((last[0] - first[0]).norm() <= carrier.smallest) return {Segment{first[0], last[0]}, 1};
+    const Portion portion{first[0],
+                          general_values(carrier.curve, 0.5 * (u0 + u1))[0],
+                          last[0],
+                          first[1].normalized(),
+                          last[1].normalized(),
+                          span_between(carrier, u0, u1, first[0])};
+    return fit_arc(portion, tolerance);
+}
+
+struct Piece {
+    double u0, u1;
+    Curve curve;
+};
+
+/// One arc, or halves until they fit.
+void append(std::vector<Piece>& pieces, const Carrier& carrier, double u0, double u1, double tolerance) {
+    const ArcFit found = fit(carrier, u0, u1, tolerance);
+    const double middle = 0.5 * (u0 + u1);
+    if (found.excess <= 1 || !(u0 < middle && middle < u1)) {
+        pieces.push_back({u0, u1, found.curve});
+        return;
+    }
+    append(pieces, carrier, u0, middle, tolerance);
+    append(pieces, carrier, middle, u1, tolerance);
+}
+
+/// The excess grows with the third power of a piece's length; steps aim at this much of it.
+constexpr double aim = 0.8;
+/// The most that a step may grow, and shrink, at once.
+constexpr double most_growth = 4, most_shrinkage = 0.25;
+
+double growth(double excess) {
+    return std::clamp(std::cbrt(aim / excess), most_shrinkage, most_growth);
+}
+
+/// The longest step from u that keeps the tolerance, or nearly so; `guess` is the one before it.
+double longest_step(const Carrier& carrier, double u, double u1, double guess, double tolerance) {
+    constexpr int most_trials = 4;
+    constexpr double worthwhile = 1.2, slower = 0.9;
+    const auto excess_of = [&](double step) { return fit(carrier, u, u + step, tolerance).excess; };
+    double step = std::min(guess, u1 - u), excess = excess_of(step);
+    for (int trial = 0; trial < most_trials && excess <= 1 && step < u1 - u; ++trial) {
+        const double factor = growth(excess);
+        if (factor < worthwhile) return step;
+        step = std::min(factor * step, u1 - u);
+        excess = excess_of(step);
+    }
+    while (excess > 1 && step > parameter_rounding(carrier)) {
+        step *= std::min(slower, growth(excess));
+        excess = excess_of(step);
+    }
+    return step;
+}
+
+/// Joints from one break to the next, both included.
+std::vector<double> joints_between(const Carrier& carrier, double u0, double u1, double tolerance) {
+    std::vector<double> joints{u0};
+    double step = u1 - u0;
+    while (joints.back() < u1) {
+        const double u = joints.back();
+        step = longest_step(carrier, u, u1, step, tolerance);
+        const double left = u1 - u - step;
+        if (left > 0 && left < step) step = 0.5 * (u1 - u);  // the last two are equal: no sliver at the end
+        joints.push_back(left > 0 ? u + step : u1);
+    }
+    return joints;
+}
+
+/// A joint within this fraction of its pieces from an end of the portion would leave a sliver there.
+constexpr double sliver_of_piece = 0.25;
+
+/// The portion's ends and the joints between them.
+std::vector<double> portion_joints(const Carrier& carrier, double tolerance) {
+    std::vector<double> joints{carrier.lo};
+    for (std::size_t i = 0; i + 1 < carrier.breaks.size(); ++i) {
+        const std::vector<double> here = joints_between(carrier, carrier.breaks[i], carrier.breaks[i + 1], tolerance);
+        for (std::size_t k = 1; k + 1 < here.size(); ++k)
+            if (here[k] - carrier.lo > sliver_of_piece * (here[k] - here[k - 1]) &&
+                carrier.hi - here[k] > sliver_of_piece * (here[k + 1] - here[k]))
+                joints.push_back(here[k]);
+        joints.push_back(i + 2 < carrier.breaks.size() ? here.back() : carrier.hi);
+    }
+    return joints;
+}
+
+ArcPiece as_part_of(const Curve& curve, const Carrier& carrier, const Piece& piece) {
+    const auto parameter = [&](double u) {
+        if (u == carrier.lo) return carrier.backwards ? 1.0 : 0.0;
+        if (u == carrier.hi) return carrier.backwards ? 0.0 : 1.0;
+        if (const auto* arc = std::get_if<EllipticArc>(&curve)) return (u - arc->start) / arc->sweep;
+        const Spline& spline = std::get<Spline>(curve);
+        return (u - spline.begin) / (spline.end - spline.begin);
+    };
+    const double a = parameter(piece.u0), b = parameter(piece.u1);
+    if (carrier.backwards) return {reversed(piece.curve), b, a};
+    return {piece.curve, a, b};
+}
+
+}  // namespace
+
+std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
+    std::vector<ArcPiece> result;
+    if (std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve)) {
+        result.push_back({curve, 0, 1});
+        return result;
+    }
+    const auto* arc = std::get_if<EllipticArc>(&curve);
+    Carrier carrier = arc ? ellipse_carrier(*arc) : spline_carrier(std::get<Spline>(curve));
+    cut_breaks(carrier);
+    const double size = bounding_box(curve).diagonal();
+    tolerance = std::max(tolerance, least_tolerance * size);
+    carrier.smallest = std::min(smallest_portion * size, smallest_of_tolerance * tolerance);
+    const std::vector<double> joints = portion_joints(carrier, tolerance);
+    std::vector<Piece> pieces;
+    for (std::size_t i = 0; i + 1 < joints.size(); ++i) append(pieces, carrier, joints[i], joints[i + 1], tolerance);
+    for (const Piece& piece : pieces) result.push_back(as_part_of(curve, carrier, piece));
+    if (carrier.backwards) std::reverse(result.begin(), result.end());
+    return result;
+}
+
+bool has_general_curves(const Part& part) {
+    return std::any_of(part.edges.begin(), part.edges.end(), [](const Edge& edge) {
+        return std::holds_alternative<EllipticArc>(edge.curve) || std::holds_alternative<Spline>(edge.curve);
+    });
+}
+
+ArcPart arc_part(const Part& part, double tolerance) {
+    ArcPart result;
+    result.part.name = part.name;
+    std::vector<std::vector<int>> pieces_of(part.edges.size());
+    for (std::size_t e = 0; e < part.edges.size(); ++e)
+        for (const ArcPiece& piece : arc_spline(part.edges[e].curve, tolerance)) {
+            pieces_of[e].push_back(static_cast<int>(result.edge.size()));
+            Edge edge = part.edges[e];
+            edge.curve = piece.curve;
+            result.part.edges.push_back(edge);
+            result.edge.push_back(static_cast<int>(e));
+            result.t0.push_back(piece.t0);
+            result.t1.push_back(piece.t1);
+        }
+    for (const Loop& loop : part.loops) {
+        Loop& arcs = result.part.loops.emplace_back();
+        for (const int e : loop.edges)
+            for (const int k : pieces_of[static_cast<std::size_t>(e)]) arcs.edges.push_back(k);
+    }
+    return result;
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A curve followed by circular arcs. Everything global about general curves (Booleans, crossings of two curves, facing zones)
+// is found on their arc splines, by the closed forms and exact arithmetic of lines and circles; everything exact is then
+// polished on the curve itself by Newton iterations.
+#pragma once
+#include <vector>
+
+#include "geometry/brep/part.hpp"
+
+namespace abut::geometry {
+
+/// One arc (or segment, where the curve is straight) and the portion [t0, t1] of the curve that it follows.
+struct ArcPiece {
+    Curve curve;  ///< Segment or Arc, from the curve's point at t0 to the one at t1
+    double t0, t1;
+};
+
+/// Tolerance of arc splines as a fraction of a model's size.
+inline constexpr double arc_spline_fraction = 1e-6;
+
+/// Neighbouring arcs' tangents differ by no more (radians): where arc splines stand for curves, their joints are no corners
+/// (chain_angle in facing.hpp).
+inline constexpr double most_arc_kink = 1e-3;
+
+/// Arcs through three points of the curve each (ends and middle), nowhere farther than `tolerance` from it nor it from them (by
+/// a bound, not by samples), and within most_arc_kink / 2 of its tangents at their ends. Joints lie on the curve, among them
+/// all axis_extrema and smoothness_breaks. Lines and circles are returned as they are. The same curve gives the same pieces bit
+/// for bit, the reversed curve the same backwards; portions of one curve share the joints inside both, but for a piece or two
+/// at their ends. tolerance > 0; less than rounding of the size counts as that. The number of pieces grows with
+/// tolerance^(-1/3): a full ellipse takes about 100 at arc_spline_fraction, and hardly fewer at larger tolerances, where the
+/// kinks decide. Some 2 microseconds each.
+std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance);
+
+/// A part followed by arcs: each edge of `part` is one arc of the original's edge `edge[i]`, from t0[i] to t1[i].
+struct ArcPart {
+    Part part;
+    std::vector<int> edge;
+    std::vector<double> t0, t1;
+};
+/// Parts of lines and circles come back as they are.
+ArcPart arc_part(const Part& part, double tolerance);
+bool has_general_curves(const Part& part);
+
+}  // namespace abut::geometry

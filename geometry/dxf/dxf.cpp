@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drawing out of a DXF file, in steps: groups (dxf_groups, dxf_binary), sections and records (dxf_prepass), what is drawn and
+// where (dxf_ignored, dxf_blocks, dxf_inserts, dxf_placement), curves (dxf_entities, dxf_splines).
+#include "geometry/dxf/dxf.hpp"
+
+#include "geometry/dxf/dxf_blocks.hpp"
+#include "geometry/dxf/dxf_prepass.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+std::string header_value(const dxf::Structure& structure, const std::string& variable) {
+    const auto found = structure.header.find(variable);
+    return found == structure.header.end() ? std::string() : found->second;
+}
+
+/// $INSUNITS as it counts them; units of astronomy and Angstrom have no name here and count as unknown.
+std::string unit_of(const dxf::Structure& structure) {
+    static const std::map<std::string, std::string> by_insunits{
+        {"1", "in"},  {"2", "ft"},     {"3", "mi"},     {"4", "mm"},     {"5", "cm"},    {"6", "m"},   {"7", "km"},
+        {"8", "uin"}, {"9", "mil"},    {"10", "yd"},    {"12", "nm"},    {"13", "um"},   {"14", "dm"}, {"15", "dam"},
+        {"16", "hm"}, {"21", "ft_us"}, {"22", "in_us"}, {"23", "yd_us"}, {"24", "mi_us"}};
+    const std::string insunits = header_value(structure, "$INSUNITS"), measurement = header_value(structure, "$MEASUREMENT");
+    if (const auto unit = by_insunits.find(insunits); unit != by_insunits.end()) return unit->second;
+    if (!insunits.empty() && insunits != "0") return {};
+    if (measurement == "0") return "in";
+    if (measurement == "1") return "mm";
+    return {};
+}
+
+Drawing drawing_of(const dxf::Structure& structure) {
+    Drawing drawing;
+    drawing.file = structure.groups.file;
+    const std::string version = header_value(structure, "$ACADVER");
+    drawing.format = (structure.groups.is_binary ? "binary DXF" : "DXF") + (version.empty() ? "" : " " + version);
+    drawing.unit = unit_of(structure);
+    dxf::add_model_space(structure, drawing);
+    return drawing;
+}
+
+}  // namespace
+
+Drawing read_dxf_bytes(const std::string& file, std::string bytes) {
+    return drawing_of(dxf::structure_of(file, std::move(bytes)));
+}
+
+Drawing read_dxf(const std::string& path) {
+    return drawing_of(dxf::read_structure(path));
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/dxf/dxf_blocks.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "geometry/dxf/dxf_entities.hpp"
+#include "geometry/dxf/dxf_ignored.hpp"
+#include "geometry/dxf/dxf_inserts.hpp"
+#include "geometry/dxf/dxf_numbers.hpp"
+
+namespace abut::geometry::dxf {
+
+namespace {
+
+constexpr const char* mend_in_cad = "mend or delete it in CAD";
+
+std::string most_entities_text() {
+    return std::to_string(most_entities);
+}
+
+/// An instance of a block; the model space is one of no block.
+struct Instance {
+    const Block* block = nullptr;
+    std::size_t number = 0;  ///< among those of its block
+    std::string path;        ///< names of the blocks around it and its own: "CLAMP/PIN"
+    Look look;               ///< of the insert
+    Placement placement;     ///< into the model space
+    double n_copies = 1;     ///< that the arrays around it make of it; whole, but larger than any int
+};
+
+/// Gives each record a name that no other has: the handle, or the place where there is none or the file gives it twice.
+class Names {
+public:
+    explicit Names(bool is_binary) : place_letter_(is_binary ? "b" : "l") {}
+
+    std::string of(const Record& record) {
+        const std::string handle = upper_case(record.text(5));
+        std::uint64_t number = 0;
+        const char* end = handle.data() + handle.size();
+        const auto [ptr, error] = std::from_chars(handle.data(), end, number, 16);
+        const bool is_usable = !handle.empty() && error == std::errc() && ptr == end;
+        return is_usable && handles_.insert(number).second ? "h" + handle : place_letter_ + std::to_string(record.line);
+    }
+
+private:
+    std::string place_letter_;
+    std::unordered_set<std::uint64_t> handles_;
+};
+
+/// What is listed as ignored, summed up by kind and reason in the order of first appearance.
+class IgnoredList {
+public:
+    explicit IgnoredList(std::vector<Ignored>& list) : list_(list) {}
+
+    void add(const Record& record, const Look& look, const std::string& path, const std::string& why) {
+        std::string what = record.type;
+        if (why.starts_with("layer is")) what += " on layer " + look.layer;
+        if (!path.empty()) what += " in block " + path;
+        const auto [found, is_new] = places_.emplace(what + "\n" + why, list_.size());
+        if (is_new) list_.push_back({what, 0, why});
+        ++list_[found->second].count;
+    }
+
+private:
+    std::vector<Ignored>& list_;
+    std::unordered_map<std::string, std::size_t> places_;
+};
+
+/// An outline of a block, read once for all instances.
+struct NamedOutline {
+    Outline outline;
+    std::string name;
+};
+
+class ModelSpace {
+public:
+    ModelSpace(const Structure& structure, Drawing& drawing)
+        : structure_(structure), drawing_(drawing), ignored_(drawing.ignored), names_(structure.groups.is_binary) {}
+
+    void add() {
+        for (const std::span<const Record> records : structure_.entities) add_records(records, {});
+        name_instances();
+    }
+
+private:
+    void add_records(std::span<const Record> records, const Instance& in) {
+        for (std::size_t i = 0; i < records.size() && !is_too_large_; ++i) {
+            if (records[i].type == "VERTEX" || records[i].type == "SEQEND") continue;
+            check_size(records[i]);
+            add_record(records, i, in);
+        }
+    }
+
+    void add_record(std::span<const Record> records, std::size_t i, const Instance& in) {
+        const Record& record = records[i];
+        const Look look = look_of(record, in.look, structure_);
+        const bool is_counted = in.block == nullptr && !is_subentity(record) && !is_in_paper_space(record);
+        EntityCount* count = is_counted ? &drawing_.counts[record.type] : nullptr;
+        if (count) ++count->read;
+        const std::string why = why_ignored(record, look);
+        if (!why.empty()) ignored_.add(record, look, in.path, why);
+        const bool is_used =
+            why.empty() && (record.type == "INSERT" ? add_insert(record, look, in) : add_outline(records, i, look, in));
+        if (count) ++(is_used ? count->used : count->ignored);
+    }
+
+    // ---- outlines ----
+
+    bool add_outline(std::span<const Record> records, std::size_t i, const Look& look, const Instance& in) {
+        if (in.block) {
+            const auto [found, is_new] = block_outlines_.try_emplace(&records[i]);
+            if (is_new) found->second = read(records, i);
+            return add_curves(records[i], found->second, look, in);
+        }
+        return add_curves(records[i], read(records, i), look, in);
+    }
+
+    NamedOutline read(std::span<const Record> records, std::size_t i) {
+        NamedOutline named{read_outline(records, i), names_.of(records[i])};
+        if (is_seen_from_below(records[i]))
+            for (Curve& curve : named.outline.curves) curve = placed(curve, seen_from_below());
+        return named;
+    }
+
+    bool add_curves(const Record& record, const NamedOutline& named, const Look& look, const Instance& in) {
+        if (!named.outline.wrong.empty()) {
+            report(record, named.name, record.type + " cannot be read: " + named.outline.wrong, in);
+            return false;
+        }
+        const std::vector<Curve>& curves = named.outline.curves;
+        for (std::size_t k = 0; k < curves.size() && !is_too_large_; ++k) {
+            check_size(record);
+            const std::string suffix = named.outline.is_in_pieces ? "." + std::to_string(k) : "";
+            drawing_.entities.push_back({in.block ? placed(curves[k], in.placement) : curves[k],
+                                         record.type,
+                                         look.layer,
+                                         named.name + suffix,
+                                         record.line,
+                                         in.path,
+                                         {},
+                                         look.color});
+            if (in.block) instance_of_.push_back({drawing_.entities.size() - 1, in.block, in.number});
+        }
+        return true;
+    }
+
+    // ---- blocks ----
+
+    bool add_insert(const Record& record, const Look& look, const Instance& in) {
+        const std::string name = record.text(2);
+        const auto found = structure_.blocks.find(upper_case(name));
+        if (found == structure_.blocks.end())
+            return refuse_insert(record, "INSERT names block '" + name.substr(0, 40) + "', which the file does not hold", in);
+        const Block& block = found->second;
+        if (block.is_external) {
+            ignored_.add(record, look, in.path, "block " + block.name + " is in another file: bind it in CAD");
+            return false;
+        }
+        if (std::find(open_blocks_.begin(), open_blocks_.end(), &block) != open_blocks_.end())
+            return refuse_insert(record, "block " + block.name + " contains itself", in);
+        if (open_blocks_.size() >= deepest_nesting)
+            return refuse_insert(record, "blocks are nested deeper than " + std::to_string(deepest_nesting) + " levels", in);
+        return add_instances(record, block, look, in);
+    }
+
+    bool add_instances(const Record& record, const Block& block, const Look& look, const Instance& in) {
+        Numbers numbers(block.head);
+        const Vec2 base(numbers(10, 0), numbers(20, 0));
+        Insert insert = read_insert(record, base);
+        if (insert.wrong.empty()) insert.wrong = numbers.wrong();
+        if (!insert.wrong.empty()) return refuse_insert(record, "INSERT cannot be read: " + insert.wrong, in);
+        draw_once_in_one_place(record, insert, in);
+        const double n_copies = in.n_copies * insert.n_rows * insert.n_columns;
+        if (n_copies > static_cast<double>(most_entities))
+            return refuse_insert(record, "INSERT repeats block " + block.name + " more than " + most_entities_text() + " times",
+                                 in);
+        open_blocks_.push_back(&block);
+        bool is_good = true;
+        for (int row = 0; row < insert.n_rows && is_good; ++row)
+            for (int column = 0; column < insert.n_columns && is_good; ++column)
+                is_good = add_instance(record, block, placement_of(insert, row, column), look, in, n_copies);
+        open_blocks_.pop_back();
+        return is_good;
+    }
+
+    /// Rows (columns) without a distance between them lie on each other: one says it all. Files that leave the distance out,
+    /// and damaged ones, ask for thousands.
+    void draw_once_in_one_place(const Record& record, Insert& insert, const Instance& in) {
+        const double n_drawn = 1.0 * insert.n_rows * insert.n_columns;
+        if (insert.row == Vec2(0, 0)) insert.n_rows = 1;
+        if (insert.column == Vec2(0, 0)) insert.n_columns = 1;
+        if (1.0 * insert.n_rows * insert.n_columns == n_drawn || !drawn_once_.insert(&record).second) return;
+        drawing_.repairs.push_back({"rows or columns of an INSERT of block " + insert.block.substr(0, 40) +
+                                        " that lie on each other drawn once (line " + std::to_string(record.line) + ")",
+                                    in.placement(first_point(record)), 0});
+    }
+
+    bool add_instance(const Record& record, const Block& block, const Placement& placement, const Look& look,
+                      const Instance& in, double n_copies) {
+        check_size(record);
+        if (is_too_large_) return false;
+        Instance instance{&block,
+                          n_instances_[&block]++,
+                          in.path.empty() ? block.name : in.path + "/" + block.name,
+                          look,
+                          composed(in.placement, placement),
+                          n_copies};
+        if (const std::string fault = placement_fault(instance.placement, largest_coordinate); !fault.empty())
+            return refuse_insert(record, "INSERT cannot be read: " + fault, in);
+        add_records(block.entities, instance);
+        return true;
+    }
+
+    bool refuse_insert(const Record& record, const std::string& what, const Instance& in) {
+        if (!reported_.contains(&record)) report(record, names_.of(record), what, in);
+        return false;
+    }
+
+    void name_instances() {
+        for (const InstanceOf& of : instance_of_)
+            if (n_instances_.at(of.block) > 1)
+                drawing_.entities[of.entity].instance = of.block->name + "#" + std::to_string(of.number);
+    }
+
+    // ---- problems ----
+
+    /// Each record is reported once, however often its block is inserted.
+    void report(const Record& record, const std::string& name, const std::string& what, const Instance& in) {
+        if (!reported_.insert(&record).second) return;
+        drawing_.problems.push_back({what, in.placement(first_point(record)), name, record.line, mend_in_cad});
+    }
+
+    /// Counts both what is looked at and what is drawn: blocks of nothing but blocks can blow up, too.
+    void check_size(const Record& record) {
+        if (is_too_large_ || (++n_steps_ <= 2 * most_entities && drawing_.entities.size() < most_entities)) return;
+        is_too_large_ = true;
+        drawing_.problems.push_back(
+            {"the drawing holds more than " + most_entities_text() + " lines and arcs with its blocks inserted",
+             first_point(record), "", record.line, "divide it, or delete what is no outline"});
+    }
+
+    struct InstanceOf {
+        std::size_t entity;
+        const Block* block;
+        std::size_t number;
+    };
+
+    const Structure& structure_;
+    Drawing& drawing_;
+    IgnoredList ignored_;
+    Names names_;
+    std::vector<const Block*> open_blocks_;
+    std::unordered_map<const Block*, std::size_t> n_instances_;
+    std::unordered_map<const Record*, NamedOutline> block_outlines_;
+    std::unordered_set<const Record*> reported_, drawn_once_;
+    std::vector<InstanceOf> instance_of_;
+    std::size_t n_steps_ = 0;
+    bool is_too_large_ = false;
+};
+
+}  // namespace
+
+void add_model_space(const Structure& structure, Drawing& drawing) {
+    ModelSpace(structure, drawing).add();
+}
+
+}  // namespace abut::geometry::dxf

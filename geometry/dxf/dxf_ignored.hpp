@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which entities of a DXF drawing are no part of any outline, and why.
+#pragma once
+#include <string>
+
+#include "geometry/dxf/dxf_prepass.hpp"
+
+namespace abut::geometry::dxf {
+
+/// How an entity is drawn, after layer and block have had their say.
+struct Look {
+    std::string layer = "0";
+    std::string linetype = "CONTINUOUS";  ///< upper case
+    int color = 7;
+    bool frozen = false, off = false;  ///< the layer's
+};
+
+/// `block`: the look of the insert that the entity stands in (where nothing is inserted: Look{}). Entities on layer 0 of a
+/// block take the insert's layer; colours and line types may be by layer (the default) or by block.
+Look look_of(const Record& entity, const Look& block, const Structure& structure);
+
+bool is_in_paper_space(const Record& entity);
+
+/// Belongs to the entity before it (VERTEX, ATTRIB, SEQEND) and is not counted by itself.
+bool is_subentity(const Record& entity);
+
+/// Why an entity is left out; empty for those to be read. Hidden things come first: what is not shown is not asked for its
+/// type. An INSERT is left out only where it is hidden or tilted: lines in it are judged by their own line types and layers.
+std::string why_ignored(const Record& entity, const Look& look);
+
+}  // namespace abut::geometry::dxf

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fields of boundaries given by their edges.
+#include <stdexcept>
+
+#include "geometry/implicit/boundary_side.hpp"
+#include "geometry/implicit/field_shape.hpp"
+#include "geometry/implicit/trimmed_edge.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+template <class T>
+NearCurve<T> near_edges(const std::vector<TrimmedEdge>& edges, const PointOf<T>& p, int m) {
+    std::vector<NearCurve<T>> near;
+    near.reserve(edges.size());
+    for (const TrimmedEdge& edge : edges) near.push_back(trimmed(edge, p));
+    return joined(near, m);
+}
+
+void require(bool ok, const char* what) {
+    if (!ok) throw std::logic_error(what);
+}
+
+}  // namespace
+
+BoundarySide boundary_side(const Part& part) {
+    return {slabbed(monotone_pieces(part)), on_edge_fraction * bounding_box(part).diagonal()};
+}
+
+ImplicitField distance_field(const Part& part, int m) {
+    require(!part.edges.empty() && m >= 1, "distance_field: a part without edges, or m below 1");
+    std::vector<TrimmedEdge> edges;
+    for (const Edge& edge : part.edges) edges.push_back(trimmed_edge(edge.curve));
+    return make_field([edges = std::move(edges), side = boundary_side(part), m]<class T>(const PointOf<T>& p) -> T {
+        return with_side(near_edges(edges, p, m), side.on_edge, contains(side.pieces, position(p)));
+    });
+}
+
+ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m) {
+    require(!edges.empty() && m >= 1, "edge_field: no edges, or m below 1");
+    std::vector<TrimmedEdge> chosen;
+    for (const int e : edges) {
+        require(e >= 0 && static_cast<std::size_t>(e) < part.edges.size(), "edge_field: no such edge");
+        chosen.push_back(trimmed_edge(part.edges[static_cast<std::size_t>(e)].curve));
+    }
+    const double on_edge = on_edge_fraction * bounding_box(part).diagonal();
+    return make_field([edges = std::move(chosen), on_edge, m]<class T>(const PointOf<T>& p) -> T {
+        return without_side(near_edges(edges, p, m), on_edge);
+    });
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dissertation's mesh-free contact search [Grishin10, section 4.5.1]: one grid over both parts, and which cells of the two
+// come together. For all parts of an assembly at once: common_grid.hpp.
+#pragma once
+#include <array>
+
+#include "geometry/cells/uniform_cells.hpp"
+
+namespace abut::geometry {
+
+/// Cell size as a fraction of the smaller part's diagonal.
+inline constexpr double case_cell_fraction = 1.0 / 20;
+
+/// The first that applies of
+///   'a' the parts share boundary cells,
+///   'b' a boundary cell of one shares a side with a boundary cell of the other,
+///   'c' a boundary cell of one shares a side with, or is, an inner cell of the other,
+///   'd' an inner cell of one shares a side with, or is, an inner cell of the other,
+///   'e' nothing of the kind.
+/// Boundary and inner cells are those of `classify_cells`. The grid starts at the lower left corner of the box around both
+/// parts. Only the cells around the common part of both boxes are looked at: the others cannot take part. Cost O(edges + cells
+/// looked at).
+char cell_case(const Part& part1, const Part& part2, double cell_size);
+
+/// The cells that make the case: the pairs of the case's kind, and none of the later kinds.
+struct MeetingCells {
+    char letter = 'e';
+    std::array<std::vector<int>, 2> cells;  ///< of each part: cell numbers, ascending, each once; case 'a': the same twice
+};
+
+/// Of two parts on a grid with so many columns. Cost O(cells in the boxes of both, and one around).
+MeetingCells meeting_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns);
+
+}  // namespace abut::geometry

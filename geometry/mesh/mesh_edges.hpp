@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The edges of a mesh with the triangles at them.
+#pragma once
+#include "geometry/mesh/mesh.hpp"
+
+namespace abut::geometry {
+
+struct EdgeSide {
+    int triangle;
+    int apex;         ///< its third vertex
+    bool is_forward;  ///< does the triangle run along the edge in its direction?
+};
+
+struct MeshEdge {
+    int from, to;  ///< vertices, from < to
+    std::vector<EdgeSide> sides;
+};
+
+/// Ordered by vertices, the sides of each by triangle. Cost O(n log n).
+std::vector<MeshEdge> edges_of(const Mesh& mesh);
+
+}  // namespace abut::geometry

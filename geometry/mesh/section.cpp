@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/mesh/section.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/brep/message_text.hpp"
+#include "geometry/mesh/section_bulges.hpp"
+#include "geometry/mesh/section_loops.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+struct Box3 {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+    Vec3 size() const { return (high - low).cwiseMax(0); }
+};
+
+Box3 box_of(const std::vector<Mesh>& bodies) {
+    Box3 box;
+    for (const Mesh& body : bodies)
+        for (const Vec3& v : body.vertices) {
+            box.low = box.low.cwiseMin(v);
+            box.high = box.high.cwiseMax(v);
+        }
+    return box;
+}
+
+bool is_sound(const Mesh& body) {
+    for (const Vec3& v : body.vertices)
+        if (!v.allFinite() || v.cwiseAbs().maxCoeff() > largest_mesh_coordinate) return false;
+    const int n = static_cast<int>(body.vertices.size());
+    for (const std::array<int, 3>& t : body.triangles)
+        for (int i : t)
+            if (i < 0 || i >= n) return false;
+    return true;
+}
+
+const char* axis_name(int axis) {
+    return axis == 0 ? "x" : axis == 1 ? "y" : "z";
+}
+
+std::string text_of(const SectionPlane& plane) {
+    return std::string(axis_name(plane.axis)) + " = " + number_text(plane.at);
+}
+
+// ---- planes that run along faces ----
+
+struct Interval {
+    double low, high;
+    bool operator<(const Interval& other) const { return low < other.low; }
+};
+
+/// Heights of the faces that are parallel to the plane, within the band.
+std::vector<Interval> flat_faces(const std::vector<const Mesh*>& bodies, int axis, double band) {
+    std::vector<Interval> flat;
+    for (const Mesh* body : bodies)
+        for (const std::array<int, 3>& t : body->triangles) {
+            const auto h = [&](std::size_t k) { return body->vertices[static_cast<std::size_t>(t[k])][axis]; };
+            const auto [low, high] = std::minmax({h(0), h(1), h(2)});
+            if (high - low <= 2 * band) flat.push_back({low, high});
+        }
+    return flat;
+}
+
+bool runs_along(const std::vector<Interval>& faces, double at, double band) {
+    return std::any_of(faces.begin(), faces.end(),
+                       [&](const Interval& face) { return face.high >= at - band && face.low <= at + band; });
+}
+
+int n_met(const std::vector<const Mesh*>& bodies, const SectionPlane& plane) {
+    int n = 0;
+    for (const Mesh* body : bodies) {
+        bool above = false, below = false;
+        for (const Vec3& v : body->vertices) (v[plane.axis] >= plane.at ? above : below) = true;
+        if (above && below) ++n;
+    }
+    return n;
+}
+
+/// The nearest plane off all faces; of the two sides that which meets more bodies, else the upper one.
+SectionPlane off_faces(const std::vector<const Mesh*>& bodies, const SectionPlane& plane, double size) {
+    const double band = face_band_fraction * size;
+    const std::vector<Interval> faces = flat_faces(bodies, plane.axis, band);
+    if (!runs_along(faces, plane.at, band)) return plane;
+    SectionPlane best = plane;
+    int most = 0;
+    for (int k = 1; k <= most_nudges && most == 0; ++k)
+        for (double sign : {1.0, -1.0}) {
+            const SectionPlane moved{plane.axis, plane.at + sign * k * nudge_fraction * size};
+            if (runs_along(faces, moved.at, band)) continue;
+            const int n = n_met(bodies, moved);
+            if (n > most) best = moved, most = n;
+        }
+    return best;
+}
+
+// ---- one body ----
+
+/// What the plane cuts out of a body.
+struct BodyCut {
+    const Mesh* body;
+    std::vector<SectionGap> open, closed_cracks;
+};
+
+std::string counted_points(int n, const Mesh& body) {
+    return " through " + std::to_string(n) + " points of " + body.name;
+}
+
+/// What was recovered, and how far the points are from it.
+void report(const OutlinePiece& piece, const Mesh& body, std::vector<Repair>& repairs) {
+    using Kind = OutlinePiece::Kind;
+    if (piece.kind == Kind::line) return;
+    const Vec2 at = point(piece.curves[piece.curves.size() / 2], piece.curves.size() > 1 ? 0 : 0.5);
+    if (piece.kind == Kind::curve) {
+        repairs.push_back({"curve of " + std::to_string(piece.curves.size()) + " arcs" +
+                               counted_points(piece.n_facets + 1, body) + ", up to " + number_text(piece.sagitta) +
+                               " from its facets",
+                           at, piece.residual});
+        return;
+    }
+    const bool is_full = piece.kind == Kind::circle;
+    repairs.push_back({std::string(is_full ? "circle" : "arc") + " of radius " +
+                           number_text(std::get<Arc>(piece.curves.front()).radius) +
+                           counted_points(piece.n_facets + (is_full ? 0 : 1), body),
+                       at, piece.residual});
+}
+
+void add_entities(const BodyOutlines& found, const Mesh& body, Section& section) {
+    int n = 0;
+    for (const Outline& outline : found.outlines)
+        for (const OutlinePiece& piece : outline.pieces) {
+            report(piece, body, section.repairs);
+            for (const Curve& curve : piece.curves) {
+                SketchEntity entity;
+                entity.curve = curve;
+                entity.kind = "SECTION";
+                entity.layer = entity.block = body.name;
+                entity.name = "e" + std::to_string(n++);
+                section.drawing.entities.push_back(std::move(entity));
+            }
+        }
+}
+
+void report(const SectionGap& gap, const Mesh& body, Section& section) {
+    section.drawing.problems.push_back({"the section of " + body.name + " does not close: it ends at " + place_text(gap.from) +
+                                            ", a gap of " + number_text((gap.to - gap.from).norm()) + " from " +
+                                            place_text(gap.to),
+                                        gap.from, body.name, 0, "mend the mesh, or cut it at another place"});
+}
+
+// ---- all bodies ----
+
+/// Curves that cross what their facets do not become facets again. Which may then be in the way of others, so once more.
+void leave_facets_where_curves_cross(const std::vector<BodyCut>& cuts, std::vector<BodyOutlines>& bodies, Section& section) {
+    for (auto conflicts = conflicts_of_bulges(bodies); !conflicts.empty(); conflicts = conflicts_of_bulges(bodies))
+        for (auto conflict = conflicts.rbegin(); conflict != conflicts.rend(); ++conflict) {  // places before stay valid
+            const auto own = static_cast<std::size_t>(conflict->body), other = static_cast<std::size_t>(conflict->other);
+            Outline& outline = bodies[own].outlines[static_cast<std::size_t>(conflict->outline)];
+            const auto place = outline.pieces.begin() + conflict->piece;
+            const std::vector<OutlinePiece> facets = facets_of(outline, *place);
+            section.repairs.push_back({std::to_string(facets.size()) + " facets of " + cuts[own].body->name +
+                                           " left as they are: a curve through their points would cross " +
+                                           (own == other ? "it elsewhere" : cuts[other].body->name),
+                                       conflict->at, conflict->depth});
+            outline.pieces.insert(outline.pieces.erase(place), facets.begin(), facets.end());
+        }
+}
+
+/// What is wrong with a body's mesh matters where its section does not close, and is told in any case.
+void pass_on_faults(const MeshFile& mesh, const std::string& body, bool is_open, Section& section) {
+    for (const SketchProblem& problem : mesh.problems) {
+        if (problem.entity != body) continue;
+        if (is_open)
+            section.drawing.problems.push_back(problem);
+        else
+            section.repairs.push_back({body + ": " + problem.what + "; its section closes all the same", problem.at, 0});
+    }
+}
+
+void report_missed(const Box3& box, Section& section) {
+    const int axis = section.plane.axis;
+    section.drawing.problems.push_back({"the plane " + text_of(section.plane) + " meets no body", Vec2::Zero(), "", 0,
+                                        "choose a section; the bodies lie between " + text_of({axis, box.low[axis]}) + " and " +
+                                            text_of({axis, box.high[axis]})});
+}
+
+void report_missed_body(const Mesh& body, Section& section) {
+    section.drawing.ignored.push_back({"body " + body.name, 1, "the plane " + text_of(section.plane) + " does not meet it"});
+    EntityCount& count = section.drawing.counts["body"];
+    if (count.used > 0) --count.used, ++count.ignored;
+}
+
+void add(const BodyCut& cut, const BodyOutlines& outlines, const MeshFile& mesh, Section& section) {
+    add_entities(outlines, *cut.body, section);
+    for (const SectionGap& gap : cut.closed_cracks)
+        section.repairs.push_back(
+            {"crack in the section of " + cut.body->name + " closed", gap.from, (gap.to - gap.from).norm()});
+    for (const SectionGap& gap : cut.open) report(gap, *cut.body, section);
+    pass_on_faults(mesh, cut.body->name, !cut.open.empty(), section);
+}
+
+Drawing empty_drawing(const MeshFile& mesh) {
+    Drawing drawing;
+    drawing.file = mesh.file;
+    drawing.format = mesh.format;
+    drawing.unit = mesh.unit;
+    drawing.counts = mesh.counts;
+    drawing.ignored = mesh.ignored;
+    return drawing;
+}
+
+std::vector<const Mesh*> sound_bodies(const MeshFile& mesh, std::vector<SketchProblem>& problems) {
+    std::vector<const Mesh*> sound;
+    for (const Mesh& body : mesh.bodies) {
+        if (is_sound(body))
+            sound.push_back(&body);
+        else
+            problems.push_back({"the mesh of " + body.name + " is damaged", Vec2::Zero(), body.name, 0, "export it again"});
+    }
+    return sound;
+}
+
+}  // namespace
+
+SectionPlane default_plane(const std::vector<Mesh>& bodies) {
+    const Box3 box = box_of(bodies);
+    const Vec3 size = box.size();
+    if (!size.allFinite() || !box.low.allFinite()) return {};
+    int axis = 2;
+    const double rounding = face_band_fraction * size.norm();
+    for (int other : {1, 0})
+        if (size[other] < size[axis] - rounding) axis = other;
+    return {axis, 0.5 * (box.low[axis] + box.high[axis])};
+}
+
+Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOptions& options) {
+    Section section{empty_drawing(mesh), plane, mesh.repairs};
+    const std::vector<const Mesh*> bodies = sound_bodies(mesh, section.drawing.problems);
+    Box3 box;
+    for (const Mesh* body : bodies) {
+        const Box3 own = box_of({*body});
+        box.low = box.low.cwiseMin(own.low);
+        box.high = box.high.cwiseMax(own.high);
+    }
+    if (bodies.empty() || !box.size().allFinite()) return section;
+    section.plane = off_faces(bodies, plane, box.size().norm());
+    if (section.plane.at != plane.at)
+        section.repairs.push_back({"the plane " + text_of(plane) + " runs along faces: cut at " + text_of(section.plane),
+                                   Vec2::Zero(), std::abs(section.plane.at - plane.at)});
+    std::vector<BodyCut> cuts;
+    std::vector<BodyOutlines> outlines;
+    for (const Mesh* body : bodies) {
+        SectionLoops found = section_loops(*body, section.plane);
+        if (found.box.empty() || (found.loops.empty() && found.open.empty())) {
+            report_missed_body(*body, section);
+            continue;
+        }
+        const double size = found.box.diagonal();
+        outlines.push_back(
+            {{}, std::max(options.tolerance > 0 ? options.tolerance : arc_fraction * size, least_arc_fraction * size)});
+        for (const std::vector<Vec2>& loop : found.loops)
+            outlines.back().outlines.push_back(outline_of(loop, outlines.back().tolerance, options.recognise_arcs));
+        cuts.push_back({body, std::move(found.open), std::move(found.closed_cracks)});
+    }
+    leave_facets_where_curves_cross(cuts, outlines, section);
+    for (std::size_t k = 0; k < cuts.size(); ++k) add(cuts[k], outlines[k], mesh, section);
+    if (cuts.empty()) report_missed(box, section);
+    return section;
+}
+
+Section cut(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {
+    return cut(mesh, plane, SectionOptions{tolerance, true});
+}
+
+Drawing section(const MeshFile& mesh, const SectionPlane& plane, double tolerance) {
+    return cut(mesh, plane, tolerance).drawing;
+}
+
+}  // namespace abut::geometry

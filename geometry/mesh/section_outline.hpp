@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One closed polyline of a section, recovered as lines and arcs.
+#pragma once
+#include <vector>
+
+#include "geometry/sketch/arc_fit_curves.hpp"
+
+namespace abut::geometry {
+
+struct OutlinePiece {
+    enum class Kind {
+        line,    ///< as the section is; through several points within the tolerance
+        arc,     ///< vertices on one circle
+        circle,  ///< all of them
+        curve    ///< arcs through the vertices of a curve
+    };
+    Kind kind = Kind::line;
+    std::vector<Curve> curves;  ///< one after the other
+    int first = 0, n_facets = 0;
+    double residual = 0;  ///< largest distance of its points from it
+    double sagitta = 0;   ///< its largest distance from its facets; 0 of lines
+};
+
+struct Outline {
+    std::vector<Vec2> points;
+    std::vector<OutlinePiece> pieces;  ///< in order along the points
+};
+
+/// `recognise_arcs` false: lines from point to point. Cost near linear.
+Outline outline_of(const std::vector<Vec2>& points, double tolerance, bool recognise_arcs);
+
+/// Point k of the outline, counted on around it.
+const Vec2& point_of(const Outline& outline, int k);
+
+/// The piece as lines from point to point.
+std::vector<OutlinePiece> facets_of(const Outline& outline, const OutlinePiece& piece);
+
+}  // namespace abut::geometry

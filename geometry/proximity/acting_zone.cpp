@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines that contact forces act on, see facing.hpp.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/proximity/facing.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+/// Of the curvature beside a straight stretch: less than any curvature that is drawn.
+constexpr double flat_sharpness = 1e-12;
+/// Ends of a zone this little from an end of its chain are there. And sides that are less inclined than this are parallel.
+constexpr double end_slack = 1e-9, parallel = 1e-9;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// The largest curvature of the edges that a stretch of a chain has a part of.
+double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
+    double largest = 0;
+    for (std::size_t k = 0; k < chain.edges.size(); ++k) {
+        const double end = k + 1 < chain.begin.size() ? chain.begin[k + 1] : chain.length;
+        const double turns = chain.closed ? chain.length * std::ceil((low - end) / chain.length) : 0;
+        if (chain.begin[k] + turns >= high || end + turns <= low) continue;
+        const Curve& curve = part.edges[at(chain.edges[k])].curve;
+        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(curve, t)));
+    }
+    return largest;
+}
+
+bool is_end(const Chain& chain, double s) {
+    const double slack = end_slack * chain.length;
+    return !chain.closed && (s <= slack || s >= chain.length - slack);
+}
+
+/// Does the gap have its least value at a corner of a side, and open from there?
+std::array<bool, 2> corners_of(const Part& part1, const Part& part2, const FacingZone& zone) {
+    const FacingPair begin = pair_from_first(part1, part2, zone, zone.begin1, zone.begin2),
+                     end = pair_from_first(part1, part2, zone, zone.end1, zone.end2);
+    const double rounding = end_slack * (zone.chain1.length + zone.chain2.length);
+    const bool at_begin = begin.gap <= end.gap;
+    const FacingPair& nearest = at_begin ? begin : end;
+    const bool opens = std::abs(cross(nearest.on1.normal, nearest.on2.normal)) > parallel;
+    if (!opens || nearest.gap > zone.gap_min + rounding) return {false, false};
+    return {is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1), is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2)};
+}
+
+/// The pair at the same sum of the lengths run along both chains, so that neither is preferred.
+FacingPair pair_in_middle(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double s2) {
+    constexpr int max_steps = 20;
+    const double sum = s1 - s2, rounding = 1e-14 * (zone.chain1.length + zone.chain2.length);
+    FacingPair pair;
+    for (int step = 0; step < max_steps; ++step) {
+        pair = pair_from_first(part1, part2, zone, s1, s2);
+        const double left = sum - (pair.s1 - pair.s2);
+        if (!pair.found || std::abs(left) <= rounding) break;
+        s2 = pair.s2;
+        s1 += left / (1 - pair.slope);
+    }
+    return pair;
+}
+
+/// One end of the zone: the pair of the chain that ends there, of the first where both do, in the middle where none does.
+void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, double& s1, double& s2) {
+    const bool first_ends = is_end(zone.chain1, s1), second_ends = is_end(zone.chain2, s2);
+    FacingPair pair;
+    if (!first_ends && !second_ends) pair = pair_in_middle(part1, part2, zone, s1, s2);
+    if (!pair.found && !second_ends) pair = pair_from_first(part1, part2, zone, s1, s2);
+    if (!pair.found) pair = pair_from_second(part1, part2, zone, s2, s1);
+    if (!pair.found) pair = pair_from_first(part1, part2, zone, s1, s2);
+    if (!pair.found) return;
+    s1 = pair.s1;
+    s2 = pair.s2;
+}
+
+}  // namespace
+
+FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
+    zone.at_corner = corners_of(part1, part2, zone);
+    zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
+                      flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
+    zone.is_acting = true;
+    pair_end(part1, part2, zone, zone.begin1, zone.begin2);
+    if (zone.closed) {
+        zone.end1 = zone.begin1 + zone.chain1.length;
+        zone.end2 = zone.begin2 - zone.chain2.length;
+    } else {
+        pair_end(part1, part2, zone, zone.end1, zone.end2);
+    }
+    return zone;
+}
+
+}  // namespace abut::geometry

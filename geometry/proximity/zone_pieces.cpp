@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/proximity/zone_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace abut::geometry {
+
+namespace {
+
+/// Shorter pieces are rounding at the joint of two edges, as a fraction of the zone.
+constexpr double shortest_piece = 1e-9;
+constexpr int samples = 8;
+
+/// Joints of a chain's edges strictly inside (low, high), modulo the length on closed chains.
+std::vector<double> joints_between(const Chain& chain, double low, double high) {
+    std::vector<double> found;
+    for (const double begin : chain.begin) {
+        const double first = chain.closed ? begin + chain.length * std::ceil((low - begin) / chain.length) : begin;
+        for (double s = first; s < high; s += chain.length) {
+            if (s > low) found.push_back(s);
+            if (!chain.closed) break;
+        }
+    }
+    return found;
+}
+
+/// On a closed chain the arc length inside the zone that names the same point.
+double into_zone(const FacingZone& zone, double s1) {
+    if (!zone.chain1.closed) return s1;
+    return s1 + zone.chain1.length * std::ceil((zone.begin1 - s1) / zone.chain1.length);
+}
+
+std::vector<double> cuts_of(const Part& part1, const Part& part2, const FacingZone& zone) {
+    std::vector<double> cuts{zone.begin1, zone.end1};
+    for (const double s1 : joints_between(zone.chain1, zone.begin1, zone.end1)) cuts.push_back(s1);
+    for (const double s2 : joints_between(zone.chain2, zone.end2, zone.begin2)) {
+        const double share = (zone.begin2 - s2) / (zone.begin2 - zone.end2);
+        const FacingPair pair = pair_from_second(part1, part2, zone, s2, zone.begin1 + share * (zone.end1 - zone.begin1));
+        if (pair.found) cuts.push_back(std::clamp(into_zone(zone, pair.s1), zone.begin1, zone.end1));
+    }
+    std::sort(cuts.begin(), cuts.end());
+    return cuts;
+}
+
+std::optional<ZonePiece> piece_between(const Part& part1, const Part& part2, const FacingZone& zone, double a, double b,
+                                       double& guess) {
+    std::optional<ZonePiece> piece;
+    for (int i = 0; i <= samples; ++i) {
+        const FacingPair pair = pair_from_first(part1, part2, zone, a + (b - a) * i / samples, guess);
+        if (!pair.found) continue;
+        guess = pair.s2;
+        if (!piece) piece = ZonePiece{-1, -1, a, b, pair.gap, pair.gap};
+        piece->gap_min = std::min(piece->gap_min, pair.gap);
+        piece->gap_max = std::max(piece->gap_max, pair.gap);
+        if (2 * i != samples) continue;
+        piece->edge1 = pair.on1.edge;  // at the ends rounding may put a point on the neighbour
+        piece->edge2 = pair.on2.edge;
+    }
+    return piece && piece->edge1 >= 0 ? piece : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone) {
+    const std::vector<double> cuts = cuts_of(part1, part2, zone);
+    const double shortest = shortest_piece * (zone.end1 - zone.begin1);
+    std::vector<ZonePiece> pieces;
+    double guess = zone.begin2, from = cuts.front();
+    for (const double to : cuts) {
+        if (to - from <= shortest) continue;
+        if (const auto piece = piece_between(part1, part2, zone, from, to, guess)) pieces.push_back(*piece);
+        from = to;
+    }
+    return pieces;
+}
+
+}  // namespace abut::geometry

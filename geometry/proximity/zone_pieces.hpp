@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A facing zone cut where it passes from one edge to the next on either part.
+#pragma once
+#include <vector>
+
+#include "geometry/proximity/facing.hpp"
+
+namespace abut::geometry {
+
+/// A stretch of a zone that faces one edge of each part with one other.
+struct ZonePiece {
+    int edge1 = -1, edge2 = -1;
+    double begin1 = 0, end1 = 0;      ///< arc length on the zone's first chain
+    double gap_min = 0, gap_max = 0;  ///< of a few pairs along it, ends included
+};
+
+/// In the order of the zone. Where a pair is not found (its partner lies beyond an end by rounding) the piece is left out.
+std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone);
+
+}  // namespace abut::geometry

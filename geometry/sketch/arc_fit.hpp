@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines and arcs recovered from what exports make of them: polylines, facets, splines.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "geometry/curves/curve.hpp"
+
+namespace abut::geometry {
+
+/// Points first..last (indices, modulo their number on closed polylines) as one line or arc.
+struct FittedPiece {
+    Curve curve;  ///< begins and ends exactly at its first and last point
+    int first = 0, last = 0;
+    double residual = 0;  ///< largest distance of its points from it
+};
+
+/// Facets turn by less than this, radians, where they stand for an arc: a hexagon or a chamfer stays what it is.
+inline constexpr double largest_facet_turn = 0.27;
+/// An arc needs at least so many facets.
+inline constexpr int least_facets = 4;
+
+/// Greedy longest runs whose vertices lie on one line or one circle within the tolerance. Corners (turns that fit no arc) are
+/// never rounded off. A closed polyline wholly on one circle is one full arc. Deterministic; cost near linear.
+std::vector<FittedPiece> fit_lines_and_arcs(const std::vector<Vec2>& points, bool closed, double tolerance);
+
+/// The line or circular arc that the curve (an ellipse or a spline) is within the tolerance; none if it is neither.
+std::optional<Curve> as_line_or_arc(const Curve& curve, double tolerance);
+
+}  // namespace abut::geometry

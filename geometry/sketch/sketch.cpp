@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Each group of entities (a layer, a block, ...) by itself: lines that two groups share are a contact between two parts, never
+// a joint.
+//   1. Entities are grouped (sketch_grouping). Far from the origin they are moved to it, by a number that loses no digit.
+//   2. Those of each group are closed to outlines (sketch_outlines); insertions of a block that close by themselves have
+//   nothing
+//      to do with the others of their group here.
+//   3. The outlines of a group are nested into parts (sketch_nesting), which are named (sketch_names).
+#include "geometry/sketch/sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <set>
+
+#include "geometry/sketch/sketch_grouping.hpp"
+#include "geometry/sketch/sketch_names.hpp"
+#include "geometry/sketch/sketch_outlines.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& to, std::vector<T> from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+// ---- a local origin ----
+
+/// Farther from the origin than so many diagonals, coordinates are taken from a local one.
+constexpr double far_ratio = 16;
+
+Box2 box_of(const std::vector<SketchEntity>& entities) {
+    Box2 box;
+    for (const SketchEntity& entity : entities) box.extend(bounding_box(entity.curve));
+    return box;
+}
+
+double largest_coordinate(const Box2& box) {
+    return box.empty() ? 0.0 : std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+}
+
+/// A multiple of a power of two about as large as the drawing: subtracting it, and adding it again, rounds nothing.
+Vec2 local_origin(const Box2& box) {
+    const double diagonal = box.diagonal();
+    if (!(diagonal > 0) || largest_coordinate(box) <= far_ratio * diagonal) return {0, 0};
+    const double step = std::exp2(std::ceil(std::log2(diagonal)));
+    return {step * std::round(box.center().x() / step), step * std::round(box.center().y() / step)};
+}
+
+std::vector<SketchEntity> moved(std::vector<SketchEntity> entities, const Vec2& by) {
+    if (by == Vec2(0, 0)) return entities;
+    for (SketchEntity& entity : entities) entity.curve = transformed(entity.curve, 1, 0, by);
+    return entities;
+}
+
+void move(SketchParts& sketch, const Vec2& by) {
+    if (by == Vec2(0, 0)) return;
+    for (Part& part : sketch.parts) part = transformed(part, 1, 0, by);
+    for (Repair& repair : sketch.repairs) repair.at += by;
+    for (SketchProblem& problem : sketch.problems) problem.at += by;
+}
+
+// ---- one group ----
+
+/// Adds what closes among some entities to a group's outlines.
+void add_outlines(Outlines& to, Outlines from) {
+    const int offset = static_cast<int>(to.entities.size());
+    const auto shift = [&](Chain& chain) {
+        for (ChainLink& link : chain) link.entity += offset;
+    };
+    for (Chain& chain : from.closed) shift(chain);
+    for (DividedOutline& divided : from.divided) {
+        shift(divided.contour);
+        for (Face& face : divided.faces) shift(face.boundary);
+    }
+    append(to.entities, std::move(from.entities));
+    append(to.closed, std::move(from.closed));
+    append(to.divided, std::move(from.divided));
+}
+
+/// What closes among the entities of a group, by blocks of very different size perhaps.
+struct GroupOutlines {
+    Outlines outlines;
+    double tolerance = 0;                                          ///< the largest that outlines took
+    double coincidence = std::numeric_limits<double>::infinity();  ///< the smallest: what is large to one block is another
+    double largest_tolerance = 0;                                  ///< also of what did not close
+};
+
+void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch) {
+    group.largest_tolerance = std::max(group.largest_tolerance, closed.tolerance);
+    if (!closed.outlines.closed.empty() || !closed.outlines.divided.empty()) {
+        group.tolerance = std::max(group.tolerance, closed.tolerance);
+        group.coincidence = std::min(group.coincidence, closed.coincidence);
+    }
+    add_outlines(group.outlines, std::move(closed.outlines));
+    append(sketch.repairs, std::move(closed.repairs));
+    append(sketch.problems, std::move(closed.problems));
+}
+
+/// An insertion of a block that does not close by itself is a portion of something larger.
+GroupOutlines close_group(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch) {
+    GroupOutlines found;
+    std::vector<std::vector<SketchEntity>> instances = by_instance(group.entities);
+    std::vector<SketchEntity> rest = std::move(instances.front());
+    for (std::size_t k = 1; k < instances.size(); ++k) {
+        ClosedOutlines closed = close_outlines(instances[k], options, rounding);
+        if (closed.problems.empty())
+            add_closed(found, std::move(closed), sketch);
+        else
+            append(rest, std::move(instances[k]));
+    }
+    add_closed(found, close_outlines(rest, options, rounding), sketch);
+    return found;
+}
+
+struct FoundPart {
+    Part part;
+    std::string label;
+    int line = 0;
+};
+
+void add_parts(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch,
+               std::vector<FoundPart>& found) {
+    const GroupOutlines closed = close_group(group, options, rounding, sketch);
+    sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
+    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence);
+    append(sketch.problems, std::move(nested.problems));
+    append(sketch.repairs, std::move(nested.remarks));
+    for (std::size_t k = 0; k < nested.parts.size(); ++k) {
+        std::vector<const SketchPiece*> entity;
+        for (const int e : nested.entity[k]) entity.push_back(&closed.outlines.entities[static_cast<std::size_t>(e)]);
+        Part& part = nested.parts[k];
+        name_edges(part, entity);
+        entity.resize(part.loops.front().edges.size());
+        part.name = part_name(entity, group.name);
+        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line});
+    }
+}
+
+// ---- all groups ----
+
+SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, PartsBy parts_by) {
+    const Box2 box = box_of(drawing.entities);
+    const Vec2 origin = local_origin(box);
+    const double rounding = rounding_fraction * std::max(box.diagonal(), largest_coordinate(box));
+    SketchParts sketch;
+    sketch.parts_by = parts_by;
+    std::vector<FoundPart> found;
+    for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
+        add_parts(group, options, rounding, sketch, found);
+    std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
+    for (FoundPart& one : found) {
+        sketch.parts.push_back(std::move(one.part));
+        sketch.layers.push_back(std::move(one.label));
+    }
+    number_parts(sketch.parts);
+    move(sketch, origin);
+    return sketch;
+}
+
+SketchParts with_reason(SketchParts sketch, const std::string& why) {
+    sketch.why = why;
+    return sketch;
+}
+
+std::string quoted_layers(const std::set<std::string>& layers) {
+    if (layers.empty()) return "no layer by itself holds a closed outline";
+    return layers.size() == 1 ? "layer " + *layers.begin() + " alone holds closed outlines"
+                              : std::to_string(layers.size()) + " layers hold closed outlines";
+}
+
+/// A drawing's diagonal times this: closer outlines touch. Exporters write six digits or more.
+constexpr double touching_fraction = 1e-6;
+
+/// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
+/// holes of one of them.
+SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
+    const double coincidence = touching_fraction * box_of(drawing.entities).diagonal();
+    const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
+    const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
+    const bool are_holes = is_inside && !is_assembly;
+    if (!are_holes && by_layer.problems.empty())
+        return with_reason(
+            std::move(by_layer),
+            is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
+    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+    const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
+                                         : why + ", but not all close without what is on other layers";
+    const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
+    if ((by_loop.problems.empty() && !is_cut_only) || (are_holes && !by_layer.problems.empty()))
+        return with_reason(std::move(by_loop), reason);
+    return with_reason(std::move(by_layer), why);
+}
+
+/// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline.
+SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
+    SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
+    const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
+    std::string why = quoted_layers(layers);
+    if (layers.size() > 1) return by_layers(drawing, options, std::move(by_layer), why);
+    if (is_all_in_blocks(drawing.entities)) {
+        SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
+        why += ", and everything lies in several blocks";
+        if (!are_others_its_holes(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
+        why += ", but all others lie in the material of one, as holes do";
+    }
+    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+    // What other layers hold cuts this one's parts and bounds nothing else: edges that are hidden, bent or engraved.
+    if (!by_layer.problems.empty() && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
+    return with_reason(std::move(by_loop), why);
+}
+
+}  // namespace
+
+SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
+    if (options.parts_by == PartsBy::automatic) return automatic_parts(drawing, options);
+    return with_reason(sketch_by(drawing, options, options.parts_by), "asked for");
+}
+
+SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
+    return with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for");
+}
+
+}  // namespace abut::geometry

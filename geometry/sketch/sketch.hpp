@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings: unordered entities out of a file, and the parts that they bound.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/brep/part.hpp"
+#include "geometry/brep/repair.hpp"
+
+namespace abut::geometry {
+
+struct SketchEntity {
+    Curve curve;
+    std::string kind;  ///< "LINE", "ARC", "CIRCLE", "LWPOLYLINE"
+    std::string layer;
+    std::string name;      ///< "h2F" (the handle), "h2F.0" for a polyline's segment, "l123" (file line) without a handle
+    int line = 0;          ///< in the file, counted from 1
+    std::string block;     ///< block (or mesh node) that it stands in, outermost first: "CLAMP/PIN"; empty outside of blocks
+    std::string instance;  ///< "PIN#0", "PIN#1", ... where the block is inserted more than once, else empty
+    int color = 7;         ///< AutoCAD colour index, by layer or block where the entity says so
+};
+
+struct EntityCount {
+    int read = 0, used = 0, ignored = 0;
+};
+struct Ignored {
+    std::string what;
+    int count = 0;
+    std::string why;
+};
+struct SketchProblem {
+    std::string what;
+    Vec2 at;
+    std::string entity;
+    int line = 0;
+    std::string hint;
+};
+
+struct Drawing {
+    std::string file, format;  ///< format: "DXF AC1014"
+    std::string unit;          ///< "mm", "in", ...; empty when the file states none
+    std::vector<SketchEntity> entities;
+    std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
+    std::vector<Ignored> ignored;
+    std::vector<SketchProblem> problems;  ///< unreadable entities
+    std::vector<Repair> repairs;          ///< of meshes: what was mended, arcs recovered, the plane moved
+    std::string replaced_unit;            ///< what the file states, where an option says that `unit` is meant
+};
+
+/// Reads a DXF file, ASCII or binary, with its blocks inserted. Throws InputError (file, line) if it is missing, empty,
+/// truncated or no DXF.
+Drawing read_dxf(const std::string& path);
+
+/// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
+/// whatever it is drawn on. `automatic`: by layer where more than one holds closed outlines, else by block where everything
+/// lies in several blocks or insertions of blocks, else by loop. By loop, too, where layers close only together, or where all
+/// layers or blocks but one lie wholly in the material of that one: they hold its holes (bodies of meshes never do, nor do
+/// layers of which parts touch or lie in each other's holes: an assembly in the frame of a sheet). Never by loop where that
+/// only cuts the parts of one layer by lines of another.
+enum class PartsBy { automatic, layer, block, loop, color };
+
+struct SketchOptions {
+    double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal or total length
+    PartsBy parts_by = PartsBy::automatic;
+    bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
+};
+/// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined, or of the total length of
+/// what is drawn where that is less (outlines far apart).
+inline constexpr double joining_fraction = 2e-5;
+
+struct SketchParts {
+    std::vector<Part> parts;            ///< in order of first appearance in the file
+    std::vector<std::string> layers;    ///< layer (block instance, colour) of each part
+    PartsBy parts_by = PartsBy::layer;  ///< what was done, and why where it was left open
+    std::string why;
+    std::vector<Repair> repairs;
+    std::vector<SketchProblem> problems;
+    double tolerance = 0;  ///< the largest that was used
+};
+
+/// Joins the entities of each group into closed outlines and sorts them by nesting into parts: one part per outer outline.
+/// Parts are named after the layer, the block or its instance, or `color3` (by loop: the layer); `LAYER#0`, `LAYER#1`, ...
+/// where several have one name, `INSTANCE:LAYER` where a repeated block's geometry is grouped by layer. Edges are named after
+/// their entities; adjacent ones are never merged but where facets stand for an arc. Where outlines share edges that are drawn
+/// once, each area is a part (sketch_faces.hpp). Open chains, branchings and crossings are problems with place, gap size and
+/// file line; everything that was mended is a repair. The numbers of the results are in the file's coordinates.
+SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
+/// The same with parts_by layer.
+SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
+
+/// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.
+double unit_factor(const std::string& from, const std::string& to);
+
+}  // namespace abut::geometry

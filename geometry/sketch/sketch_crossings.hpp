@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closed outlines that cross themselves or another outline of their layer.
+#pragma once
+#include <vector>
+
+#include "geometry/sketch/sketch_chains.hpp"
+
+namespace abut::geometry {
+
+struct Crossing {
+    int chain, other;  ///< the earlier one first; the same where one crosses itself
+    SketchProblem problem;
+};
+
+/// One for each pair of outlines that cross (or outline that crosses or touches itself), at one of their meetings: which side
+/// of them is material cannot be told. Two outlines may touch each other; none may touch itself.
+std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains,
+                                     double tolerance);
+
+/// A quick test that most pairs of lines and circles fail whose boxes overlap; true of other curves.
+bool may_meet(const Curve& a, const Curve& b, double tolerance);
+
+}  // namespace abut::geometry

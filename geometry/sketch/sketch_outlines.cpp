@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//   1. Entities without length go. Splines that are arcs become arcs (sketch_arcs).
+//   2. Of entities drawn twice the first stays (sketch_overlaps).
+//   3. Ends are joined (sketch_joints), and joined entities walked into closed chains (sketch_chains).
+//   4. Where some do not close: those that lie on others go; if none does, they are cut where others end on them, and the
+//   others
+//      where they end (sketch_splits). So are outlines that share edges (sketch_shared). Then 2 and 3 again.
+//   5. Facets that stand for arcs become arcs (sketch_arcs).
+//   6. Curves are moved to their joints (sketch_joints), and the areas of outlines that share edges are found (sketch_faces).
+#include "geometry/sketch/sketch_outlines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/sketch/sketch_arcs.hpp"
+#include "geometry/sketch/sketch_overlaps.hpp"
+#include "geometry/sketch/sketch_shared.hpp"
+#include "geometry/sketch/sketch_splits.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+using Pieces = std::vector<SketchPiece>;
+
+Box2 box_of(const Pieces& entities) {
+    Box2 box;
+    for (const SketchPiece& entity : entities) box.extend(bounding_box(entity.curve));
+    return box;
+}
+
+Pieces pieces_of(const std::vector<SketchEntity>& entities) {
+    Pieces pieces;
+    for (const SketchEntity& entity : entities) pieces.push_back({entity, entity.name});
+    return pieces;
+}
+
+void remove_without_length(Pieces& entities, double rounding, std::vector<Repair>& repairs) {
+    const double shortest = std::max(merge_fraction * box_of(entities).diagonal(), rounding);
+    std::erase_if(entities, [&](const SketchPiece& entity) {
+        const double own = length(entity.curve);
+        if (own > shortest) return false;
+        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own});
+        return true;
+    });
+}
+
+/// Curves closer than this fraction of the diagonal are one: exporters write six digits or more. Far below the joining
+/// tolerance: the clearance between two outlines may be as small as that.
+constexpr double coincidence_fraction = 1e-6;
+
+struct Tolerances {
+    double joining = 0;      ///< ends
+    double coincidence = 0;  ///< curves
+    double facets = 0;       ///< of facets' joints from an arc: never more than what the size suggests
+    double rounding = 0;
+};
+
+/// What is drawn is not larger than it is long: with a stray line far away the diagonal says nothing about the outlines' size,
+/// and half the shortest entity would be no limit worth the name.
+double size_of(const Pieces& entities, double total_length) {
+    return std::min(box_of(entities).diagonal(), total_length);
+}
+
+Tolerances tolerances_of(const Pieces& entities, const SketchOptions& options, double rounding) {
+    double shortest = std::numeric_limits<double>::infinity(), total = 0;
+    for (const SketchPiece& entity : entities) {
+        const double own = length(entity.curve);
+        shortest = std::min(shortest, own);
+        total += own;
+    }
+    const double size = size_of(entities, total), by_size = joining_fraction * size;
+    const double joining = std::max(std::min(options.tolerance > 0 ? options.tolerance : by_size, shortest / 2), rounding);
+    return {joining, std::max(std::min(joining, coincidence_fraction * size), rounding), std::min(joining, by_size), rounding};
+}
+
+/// Entities, and what they make as they are now.
+struct State {
+    Pieces entities;
+    Joints joints;
+    Chains chains;
+
+    void trace(const Tolerances& tolerances, std::vector<Repair>& repairs) {
+        remove_duplicates(entities, tolerances.coincidence, repairs);
+        joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
+        if (remove_twins(entities, joints, tolerances.joining, repairs))
+            joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
+        chains = trace_chains(entities, joints, tolerances.joining);
+    }
+};
+
+/// Entities that are neither in a closed chain nor in a divided outline.
+std::vector<bool> not_closed(const Chains& chains) {
+    std::vector<bool> found = chains.is_loose;
+    for (const std::vector<int>& block : chains.divided)
+        for (const int e : block) found[static_cast<std::size_t>(e)] = false;
+    return found;
+}
+
+/// What is to be cut where others end on it: all that is not closed by itself, and what outlines share that lie in each other.
+std::vector<bool> to_cut(const State& state, const Tolerances& tolerances) {
+    std::vector<bool> found = shared_from_inside(state.entities, state.chains.closed, tolerances.coincidence);
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = found[i] || state.chains.is_loose[i];
+    return found;
+}
+
+/// Step 4.
+void mend(State& state, const Tolerances& tolerances, std::vector<Repair>& repairs) {
+    constexpr int most_rounds = 8;  // each round only removes or cuts; what takes more is no drawing to be mended
+    for (int round = 0; round < most_rounds; ++round) {
+        const bool is_less =
+            !state.chains.problems.empty() &&
+            remove_covered(state.entities, state.joints, not_closed(state.chains), tolerances.coincidence, repairs);
+        if (!is_less && !split_at_ends(state.entities, state.joints, to_cut(state, tolerances), tolerances.joining,
+                                       tolerances.coincidence, repairs))
+            return;
+        state.trace(tolerances, repairs);
+    }
+}
+
+void report_joints(const State& state, double rounding, std::vector<Repair>& repairs) {
+    for (const Joint& joint : state.joints.joints) {
+        if (joint.ends.size() < 2 || joint.gap <= rounding) continue;
+        std::string names;
+        for (std::size_t i = 0; i < joint.ends.size(); ++i)
+            names += (i == 0                       ? ""
+                      : i + 1 == joint.ends.size() ? " and "
+                                                   : ", ") +
+                     state.entities[static_cast<std::size_t>(joint.ends[i].entity)].name;
+        repairs.push_back({"gap closed between " + names, joint.at, joint.gap});
+    }
+}
+
+}  // namespace
+
+ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
+    ClosedOutlines found;
+    State state{pieces_of(entities), {}, {}};
+    remove_without_length(state.entities, rounding, found.repairs);
+    if (state.entities.empty()) return found;
+    if (options.recognise_arcs) recognise_curves(state.entities, found.repairs);
+    const Tolerances tolerances = tolerances_of(state.entities, options, rounding);
+    found.tolerance = tolerances.joining;
+    found.coincidence = tolerances.coincidence;
+
+    state.trace(tolerances, found.repairs);
+    mend(state, tolerances, found.repairs);
+    report_joints(state, rounding, found.repairs);
+    if (options.recognise_arcs && recognise_facets(state.entities, state.joints, tolerances.facets, found.repairs))
+        state.trace(tolerances, found.repairs);
+    close_joints(state.entities, state.joints, rounding);
+
+    found.problems = state.chains.problems;
+    found.outlines.closed = state.chains.closed;
+    for (const std::vector<int>& block : state.chains.divided)
+        found.outlines.divided.push_back(walk_faces(state.entities, state.joints, block));
+    found.outlines.entities = std::move(state.entities);
+    return found;
+}
+
+}  // namespace abut::geometry

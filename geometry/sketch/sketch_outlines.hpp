@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From loose entities to closed outlines.
+#pragma once
+#include <vector>
+
+#include "geometry/sketch/sketch_nesting.hpp"
+
+namespace abut::geometry {
+
+struct ClosedOutlines {
+    Outlines outlines;
+    std::vector<Repair> repairs;
+    std::vector<SketchProblem> problems;  ///< what does not close, and what keeps it from closing
+    double tolerance = 0;                 ///< ends within this were joined
+    double coincidence = 0;               ///< curves within this count as one
+};
+
+/// For entities that may belong together; ends of others are none of their business. The tolerance asked for (or
+/// joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
+/// `rounding`: what the coordinates' own rounding amounts to in the file.
+ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding);
+
+}  // namespace abut::geometry

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the steps from a drawing to parts work on: entities, and pieces of entities that others cut in two.
+#pragma once
+#include <string>
+
+#include "geometry/sketch/sketch.hpp"
+
+namespace abut::geometry {
+
+struct SketchPiece : SketchEntity {
+    std::string source;       ///< the entity's name; `name` is "h2F#1" where it was cut
+    double source_begin = 0;  ///< arc length on the entity where the piece begins
+    int times_drawn = 1;      ///< how often the drawing holds it
+};
+
+}  // namespace abut::geometry

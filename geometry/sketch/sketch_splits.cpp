@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/sketch/sketch_splits.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "geometry/brep/edge_tree.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+using Cuts = std::map<std::size_t, std::vector<double>>;  ///< parameters by entity
+
+int joint_of(const Joints& joints, const EntityEnd& end) {
+    return (end.is_begin ? joints.at_begin : joints.at_end)[static_cast<std::size_t>(end.entity)];
+}
+
+/// Where the point lies on the entity, away from its ends.
+std::optional<double> place_inside(const SketchPiece& entity, const Vec2& p, double reach, double coincidence) {
+    const bool is_turn = is_full_turn(entity.curve);
+    const auto is_near = [&](const Vec2& q, double distance) { return (q - p).norm() <= distance; };
+    if (!is_turn && (is_near(point(entity.curve, 0), coincidence) || is_near(point(entity.curve, 1), coincidence)))
+        return std::nullopt;
+    const double t = closest_parameter(entity.curve, p);
+    if (!is_near(point(entity.curve, t), reach) || (!is_turn && (t <= 0 || t >= 1))) return std::nullopt;
+    return t;
+}
+
+/// Does the entity run along the other, off it: on the other side of a clearance?
+bool runs_beside(const SketchPiece& entity, bool is_begin, const SketchPiece& other, double t, double coincidence) {
+    const Vec2 p = point(entity.curve, is_begin ? 0 : 1);
+    return (point(other.curve, t) - p).norm() > coincidence &&
+           std::abs(leaving_direction(entity, is_begin).dot(unit_tangent(other.curve, t))) > side_by_side_cosine;
+}
+
+/// Notes the cut unless it repeats one.
+bool note(Cuts& cuts, const SketchPiece& entity, std::size_t index, double t, double coincidence) {
+    std::vector<double>& known = cuts[index];
+    const Vec2 p = point(entity.curve, t);
+    for (const double other : known)
+        if ((point(entity.curve, other) - p).norm() <= coincidence) return false;
+    known.push_back(t);
+    return true;
+}
+
+/// Entities that are asked for, by their boxes.
+struct Search {
+    std::vector<std::size_t> entity;
+    EdgeTree tree;
+};
+
+Search search_among(const std::vector<SketchPiece>& entities, const std::vector<bool>& is_asked) {
+    std::vector<Box2> boxes;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        if (!is_asked[i]) continue;
+        boxes.push_back(bounding_box(entities[i].curve));
+        numbers.push_back(i);
+    }
+    return {std::move(numbers), EdgeTree(std::move(boxes))};
+}
+
+/// Of ends that lie exactly in one place only the first of the troubled, or else the first, is looked at.
+std::vector<EntityEnd> different_ends(const std::vector<SketchPiece>& entities, const std::vector<bool>& troubled) {
+    std::vector<EntityEnd> ends;
+    std::set<std::pair<double, double>> known;
+    for (const bool is_asked : {true, false})
+        for (std::size_t i = 0; i < entities.size(); ++i) {
+            if (troubled[i] != is_asked || is_full_turn(entities[i].curve)) continue;
+            for (const bool is_begin : {true, false}) {
+                const EntityEnd end{static_cast<int>(i), is_begin};
+                const Vec2 p = position(entities, end);
+                if (known.emplace(p.x(), p.y()).second) ends.push_back(end);
+            }
+        }
+    return ends;
+}
+
+Cuts find_cuts(const std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
+               double tolerance, double coincidence, std::vector<Repair>& repairs) {
+    const Search all = search_among(entities, std::vector<bool>(entities.size(), true));
+    const Search in_trouble = search_among(entities, troubled);
+    Cuts cuts;
+    for (const EntityEnd& end : different_ends(entities, troubled)) {
+        const auto i = static_cast<std::size_t>(end.entity);
+        const Search& search = troubled[i] ? all : in_trouble;
+        const Vec2 p = position(entities, end);
+        const int joint = joint_of(joints, end);
+        const bool is_alone = joints.joints[static_cast<std::size_t>(joint)].ends.size() == 1;
+        const double reach = is_alone ? tolerance : coincidence;
+        Box2 here;
+        here.extend(p);
+        for (const int near : search.tree.near(here, reach)) {
+            const std::size_t j = search.entity[static_cast<std::size_t>(near)];
+            if (i == j || joints.at_begin[j] == joint || joints.at_end[j] == joint) continue;
+            const std::optional<double> t = place_inside(entities[j], p, reach, coincidence);
+            if (!t || runs_beside(entities[i], end.is_begin, entities[j], *t, coincidence) ||
+                !note(cuts, entities[j], j, *t, coincidence))
+                continue;
+            const Vec2 at = point(entities[j].curve, *t);
+            repairs.push_back({entities[j].kind + " " + entities[j].name + " cut where " + entities[i].name + " ends on it", at,
+                               (at - p).norm()});
+        }
+    }
+    return cuts;
+}
+
+/// From t0 on around the whole turn to t1 + 1.
+Curve over_the_seam(const Curve& full_turn, double t0, double t1) {
+    const auto continued = [&](auto arc) {
+        arc.start += arc.sweep * t0;
+        arc.sweep *= 1 - t0 + t1;
+        return Curve(arc);
+    };
+    if (const auto* arc = std::get_if<Arc>(&full_turn)) return continued(*arc);
+    return continued(std::get<EllipticArc>(full_turn));
+}
+
+std::vector<Curve> cut_full_turn(const Curve& curve, std::vector<double> cuts) {
+    if (cuts.size() == 1) cuts.push_back(std::fmod(cuts.front() + 0.5, 1.0));  // a chain's pieces have two ends
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<Curve> pieces;
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) pieces.push_back(trimmed(curve, cuts[k], cuts[k + 1]));
+    pieces.push_back(over_the_seam(curve, cuts.back(), cuts.front()));
+    return pieces;
+}
+
+std::vector<Curve> cut_open(const Curve& curve, std::vector<double> cuts) {
+    cuts.push_back(0);
+    cuts.push_back(1);
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<Curve> pieces;
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) pieces.push_back(trimmed(curve, cuts[k], cuts[k + 1]));
+    return pieces;
+}
+
+/// A piece that is cut again is numbered anew: h2F#1 gives h2F#1#0, h2F#1#1.
+void add_pieces(std::vector<SketchPiece>& to, const SketchPiece& entity, const std::vector<double>& cuts) {
+    const bool is_turn = is_full_turn(entity.curve);
+    const std::vector<Curve> curves = is_turn ? cut_full_turn(entity.curve, cuts) : cut_open(entity.curve, cuts);
+    double begin = entity.source_begin;
+    if (is_turn) begin += length(entity.curve, 0, *std::min_element(cuts.begin(), cuts.end()));
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        SketchPiece piece = entity;
+        piece.curve = curves[k];
+        piece.name += "#" + std::to_string(k);
+        piece.source_begin = begin;
+        begin += length(curves[k]);
+        to.push_back(std::move(piece));
+    }
+}
+
+}  // namespace
+
+bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
+                   double tolerance, double coincidence, std::vector<Repair>& repairs) {
+    const Cuts cuts = find_cuts(entities, joints, troubled, tolerance, coincidence, repairs);
+    if (cuts.empty()) return false;
+    std::vector<SketchPiece> pieces;
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        const auto found = cuts.find(i);
+        if (found == cuts.end())
+            pieces.push_back(std::move(entities[i]));
+        else
+            add_pieces(pieces, entities[i], found->second);
+    }
+    entities = std::move(pieces);
+    return true;
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Entities cut where ends of others lie on them.
+#pragma once
+#include <vector>
+
+#include "geometry/sketch/sketch_joints.hpp"
+
+namespace abut::geometry {
+
+/// Cuts each entity at the ends of others that lie inside it, if it or the other is among the `troubled`: what closes by itself
+/// is not cut because something sound touches it. An end without partner may be off by the tolerance, a joint of several by
+/// `coincidence` only: beyond that is a clearance. No cut is made at an entity's own joints. Each cut is a repair
+/// (size: how far the end is off). Pieces stand where the entity stood, named `h2F#0`, `h2F#1`, ... along it. Returns whether
+/// anything was cut.
+bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
+                   double tolerance, double coincidence, std::vector<Repair>& repairs);
+
+}  // namespace abut::geometry

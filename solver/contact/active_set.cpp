@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/active_set.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "solver/linear_algebra/blas.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int max_primal_dual_steps = 24;    // with the few steps of what follows, thirty in all
+constexpr double singular_fraction = 1e-15;  // of the largest pivot: the closed rows leave a motion free
+constexpr double free_fraction = 1e-10;      // of the largest stiffness against a motion: below, it counts as free
+constexpr double closed_fraction = 1e-8;     // of the largest elastic closing: gaps of redundant rows, by rounding
+constexpr double term_rounding = 1e-14;      // of the terms of a gap
+constexpr int least_rows_for_blas = 16;      // of a product with C: below, the call costs more than it saves
+
+std::vector<Index> members(const ActiveSet& set) {
+    std::vector<Index> list;
+    for (std::size_t k = 0; k < set.size(); ++k)
+        if (set[k]) list.push_back(static_cast<Index>(k));
+    return list;
+}
+
+bool is_unilateral(const ContactQp& qp, Index row) {
+    return qp.unilateral[static_cast<std::size_t>(row)] != 0;
+}
+
+/// The closed rows condensed to the amplitudes, measured from an anchor; L is the factor of C there.
+struct Condensed {
+    MatrixXd stiffness;  // G'C^-1 G
+    VectorXd load;       // h - G'C^-1 g
+    MatrixXd columns;    // L^-1 [G g]
+};
+
+/// A'A.
+MatrixXd gram(const MatrixXd& a) {
+    const int n = static_cast<int>(a.cols()), k = static_cast<int>(a.rows());
+    const double one = 1, zero = 0;
+    MatrixXd product(n, n);
+    const int lda = std::max(k, 1);
+    dsyrk_("L", "T", &n, &k, &one, a.data(), &lda, &zero, product.data(), &n);
+    product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+    return product;
+}
+
+/// False where C is indefinite on the set.
+bool condense(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor, Condensed& c) {
+    if (!factor.move_to(active)) return false;
+    const std::vector<Index>& closed = factor.rows();
+    const Index n = shifted.qp.modes.cols();
+    MatrixXd& columns = c.columns;
+    columns.resize(static_cast<Index>(closed.size()), n + 1);
+    for (Index j = 0; j < n; ++j)
+        for (Index i = 0; i < columns.rows(); ++i) columns(i, j) = shifted.qp.modes(closed[static_cast<std::size_t>(i)], j);
+    columns.col(n) = shifted.gap(closed) + columns.leftCols(n) * anchor;
+    factor.solve_lower(columns);
+    const MatrixXd products = gram(columns);
+    c.stiffness = products.topLeftCorner(n, n);
+    c.load = shifted.qp.mode_load - products.col(n).head(n);
+    return true;
+}
+
+ContactState state_of(const ContactQp& qp, const Condensed& c, const ClosedFactor& factor, const VectorXd& anchor,
+                      const VectorXd& motion) {
+    const Index n = motion.size();
+    VectorXd forces = -c.columns.col(n) - c.columns.leftCols(n) * motion;
+    factor.solve_transposed(forces);
+    VectorXd l = VectorXd::Zero(qp.gap.size());
+    l(factor.rows()) = forces;
+    VectorXd closing = closing_of(qp, l);
+    return {std::move(l), anchor + motion, std::move(closing)};
+}
+
+/// Rows that are closed with the others: the gaps there, too, must not ask for more.
+bool closes_what_is_left_out(const ShiftedQp& shifted, const ClosedFactor& factor, const ContactState& state) {
+    if (factor.left_out().empty()) return true;
+    const double length = state.closing.cwiseAbs().maxCoeff();
+    return gap_of(shifted, state)(factor.left_out()).cwiseAbs().maxCoeff() <= closed_fraction * length;
+}
+
+/// What `descend` lowers: 1/2 l'Cl + g'l + anchor'(G'l + h) + 1/2 (G'l + h)' E^-1 (G'l + h).
+class ProximalEnergy {
+public:
+    ProximalEnergy(const ShiftedQp& shifted, const Proximal& proximal)
+        : shifted_(shifted), proximal_(proximal), factor_(proximal.stiffness) {}
+    double operator()(const VectorXd& l) const {
+        const VectorXd load = shifted_.qp.modes.transpose() * l + shifted_.qp.mode_load;
+        const double held = load.size() > 0 ? load.dot(proximal_.anchor + 0.5 * VectorXd(factor_.solve(load))) : 0.0;
+        return l.dot(0.5 * closing_of(shifted_.qp, l) + shifted_.gap) + held;
+    }
+
+private:
+    const ShiftedQp& shifted_;
+    const Proximal& proximal_;
+    Eigen::LLT<MatrixXd> factor_;
+};
+
+/// Where the way from l to target first makes a unilateral multiplier negative.
+struct Block {
+    double reach = 1;
+    Index row = -1;
+};
+Block first_block(const ContactQp& qp, const ActiveSet& active, const VectorXd& l, const VectorXd& target) {
+    Block block;
+    for (Index k : members(active)) {
+        if (!is_unilateral(qp, k) || target[k] >= 0) continue;
+        const double reach = l[k] / (l[k] - target[k]);
+        if (reach < block.reach || block.row < 0) block = {std::min(reach, 1.0), k};
+    }
+    return block;
+}
+
+/// l >= 0 as far as required; rows that are zero leave the set.
+void project(const ContactQp& qp, VectorXd& l, ActiveSet& active) {
+    for (std::size_t k = 0; k < active.size(); ++k) {
+        if (!qp.unilateral[k]) continue;
+        double& value = l[static_cast<Index>(k)];
+        value = std::max(0.0, value);
+        active[k] = value > 0;
+    }
+}
+
+/// Open rows that penetrate join the set: all of them, or the deepest. False: there are none.
+bool close_penetrated(const ShiftedQp& shifted, const ContactState& state, bool all, ActiveSet& active) {
+    const VectorXd gap = gap_of(shifted, state);
+    const VectorXd rounding = gap_rounding(shifted, state);
+    Index deepest = -1;
+    for (Index k = 0; k < gap.size(); ++k) {
+        if (active[static_cast<std::size_t>(k)] || gap[k] >= -rounding[k]) continue;
+        if (deepest < 0 || gap[k] < gap[deepest]) deepest = k;
+        if (all) active[static_cast<std::size_t>(k)] = 1;
+    }
+    if (deepest < 0) return false;
+    active[static_cast<std::size_t>(deepest)] = 1;
+    return true;
+}
+
+}  // namespace
+
+VectorXd closing_of(const ContactQp& qp, const VectorXd& multipliers) {
+    const int m = static_cast<int>(multipliers.size()), step = 1;
+    if (m < least_rows_for_blas) return qp.compliance * multipliers;
+    const double one = 1, zero = 0;
+    VectorXd closing(m);
+    dgemv_("N", &m, &m, &one, qp.compliance.data(), &m, multipliers.data(), &step, &zero, closing.data(), &step);
+    return closing;
+}
+
+ActiveSet bilateral_rows(const ContactQp& qp) {
+    ActiveSet set(qp.unilateral.size());
+    std::transform(qp.unilateral.begin(), qp.unilateral.end(), set.begin(), [](char u) { return static_cast<char>(!u); });
+    return set;
+}
+
+bool solve_on(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
+              ContactState& state) {
+    Condensed c;
+    if (!condense(shifted, proximal.anchor, active, factor, c)) return false;
+    const Index n = shifted.qp.modes.cols();
+    VectorXd motion = VectorXd::Zero(n);
+    if (n > 0) {
+        const Eigen::LDLT<MatrixXd> held(c.stiffness + proximal.stiffness);
+        const VectorXd d = held.vectorD().cwiseAbs();
+        if (held.info() != Eigen::Success || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
+        motion = held.solve(c.load);
+    }
+    state = state_of(shifted.qp, c, factor, proximal.anchor, motion);
+    return closes_what_is_left_out(shifted, factor, state);
+}
+
+bool solve_least_motion(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+                        ContactState& state) {
+    Condensed c;
+    const Index n = shifted.qp.modes.cols();
+    if (n == 0 || !condense(shifted, anchor, active, factor, c)) return false;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(c.stiffness);
+    const VectorXd& stiffness = eigen.eigenvalues();
+    if (!(stiffness[n - 1] > 0)) return false;
+    VectorXd motion = eigen.eigenvectors().transpose() * c.load;
+    for (Index k = 0; k < n; ++k) motion[k] = stiffness[k] > free_fraction * stiffness[n - 1] ? motion[k] / stiffness[k] : 0.0;
+    motion = eigen.eigenvectors() * motion;
+    state = state_of(shifted.qp, c, factor, anchor, motion);
+    return closes_what_is_left_out(shifted, factor, state);
+}
+
+VectorXd gap_of(const ShiftedQp& shifted, const ContactState& s) {
+    return shifted.gap + s.closing + shifted.qp.modes * s.amplitudes;
+}
+
+VectorXd gap_rounding(const ShiftedQp& shifted, const ContactState& s) {
+    const ContactQp& qp = shifted.qp;
+    VectorXd terms = shifted.gap.cwiseAbs();
+    if (terms.size() == 0) return terms;
+    terms.array() += qp.compliance.diagonal().cwiseAbs().maxCoeff() * s.multipliers.cwiseAbs().sum();
+    if (qp.modes.cols() > 0) terms += qp.modes.cwiseAbs() * s.amplitudes.cwiseAbs();
+    return term_rounding * terms;
+}
+
+ActiveSet next_set(const ShiftedQp& shifted, const ActiveSet& active, const ContactState& s) {
+    const VectorXd gap = gap_of(shifted, s);
+    const VectorXd rounding = gap_rounding(shifted, s);
+    ActiveSet next(active.size());
+    for (std::size_t k = 0; k < active.size(); ++k) {
+        const auto i = static_cast<Index>(k);
+        next[k] = !shifted.qp.unilateral[k] || (active[k] ? s.multipliers[i] > 0 : gap[i] < -rounding[i]);
+    }
+    return next;
+}
+
+SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
+                      ContactState& state, int& iterations) {
+    std::set<ActiveSet> seen;
+    for (int step = 0; step < max_primal_dual_steps; ++step) {
+        if (!seen.insert(active).second) return SetSearch::repeated;
+        ++iterations;
+        if (!solve_on(shifted, proximal, active, factor, state)) return SetSearch::singular;
+        ActiveSet next = next_set(shifted, active, state);
+        if (next == active) return SetSearch::found;
+        active = std::move(next);
+    }
+    return SetSearch::repeated;
+}
+
+bool descend(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+             int& iterations) {
+    const ContactQp& qp = shifted.qp;
+    const ProximalEnergy energy(shifted, proximal);
+    VectorXd l = state.multipliers;
+    project(qp, l, active);
+    double lowest = energy(l);
+    bool fell = true;  // since rows were added last
+    const int limit = 50 + 10 * static_cast<int>(l.size());
+    for (int step = 0; step < limit; ++step) {
+        ++iterations;
+        if (!solve_on(shifted, proximal, active, factor, state)) return false;
+        const Block block = first_block(qp, active, l, state.multipliers);
+        VectorXd trial = state.multipliers;
+        ActiveSet trial_set = active;
+        if (block.row >= 0) project(qp, trial, trial_set);
+        const double value = energy(trial);
+        if (block.row < 0 || value < lowest) {
+            fell = fell || value < lowest;
+            l = std::move(trial);
+            active = std::move(trial_set);
+            lowest = std::min(value, lowest);
+            if (block.row >= 0) continue;
+            // several rows at once where the last ones lowered the energy; one by one there is always a descent
+            if (!close_penetrated(shifted, state, fell, active)) return true;
+            fell = false;
+            continue;
+        }
+        l += block.reach * (state.multipliers - l);
+        l[block.row] = 0;
+        active[static_cast<std::size_t>(block.row)] = 0;
+        fell = fell || block.reach > 0;
+        lowest = std::min(lowest, energy(l));
+    }
+    return false;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The steps of solve_assembly: the rows of an assembly, and the solution under them.
+#pragma once
+#include <vector>
+
+#include "solver/contact/neutral_motions.hpp"
+
+namespace abut::solver {
+
+struct AssemblyRows {
+    Rows rows;                   ///< of the interfaces, then one for each constraint
+    std::vector<int> first_row;  ///< by interface
+    Eigen::VectorXd foundation;  ///< by row, of the start
+    Eigen::VectorXd expected;    ///< multipliers; empty: nothing is known of them
+};
+AssemblyRows assembly_rows(const AssemblyProblem& problem);
+
+/// Pressures and constraint forces are not filled in: multipliers has them, by row; empty with a mechanism.
+struct RowsSolution {
+    AssemblySolution solution;
+    Eigen::VectorXd multipliers{};
+};
+/// resistance: candidate_resistance of the problem's motions. Its interfaces are not read.
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads);
+
+/// Fills in the loads of one part, those of contact alone and all.
+void set_loads(const AssemblyProblem& problem, const Rows& rows, const Eigen::VectorXd& multipliers, std::size_t part,
+               AssemblySolution& solution);
+
+/// The multipliers as pressures of the interfaces and forces of the constraints.
+void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::VectorXd& multipliers,
+                       AssemblySolution& solution);
+
+}  // namespace abut::solver

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps: rows of interfaces and constraints -> per part, forward solves of its rows -> C, g, G, h -> neutral motions left out
+// -> the contact QP -> displacements.
+#include "solver/contact/assembly_solve.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "solver/contact/assembly_rows.hpp"
+#include "solver/contact/condensation.hpp"
+#include "solver/contact/neutral_motions.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Conditions that the first displacements meet to this are met to rounding: a step of refinement would cost another solution
+/// of every part for digits that the stiffness matrix does not have.
+constexpr double refined_residual = 1e-12;
+
+class Laps {
+public:
+    /// Seconds since the lap before.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        return std::chrono::duration<double>(now - std::exchange(begin_, now)).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+VectorXd foundation_of(const AssemblyProblem& problem, const AssemblyRows& all) {
+    VectorXd foundation = VectorXd::Zero(all.rows.n);
+    double stiffest = 0;
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
+        for (int k = 0; k < n_rows(problem.interfaces[i]); ++k) {
+            const Index row = all.first_row[i] + k;
+            foundation[row] = problem.foundation[i] * all.rows.weight[row];
+            stiffest = std::max(stiffest, foundation[row]);
+        }
+    for (Index row = 0; row < foundation.size(); ++row)
+        if (!all.rows.unilateral[static_cast<std::size_t>(row)]) foundation[row] = stiffest > 0 ? stiffest : 1.0;
+    return foundation;
+}
+
+/// What is known of the multipliers, where something is.
+VectorXd expected_multipliers(const AssemblyProblem& problem, const AssemblyRows& all) {
+    const auto knows = [](const Interface& face) { return !face.expected.empty(); };
+    if (std::none_of(problem.interfaces.begin(), problem.interfaces.end(), knows)) return VectorXd(0);
+    VectorXd expected = VectorXd::Zero(all.rows.n);
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i)
+        std::copy(problem.interfaces[i].expected.begin(), problem.interfaces[i].expected.end(),
+                  expected.begin() + all.first_row[i]);
+    return expected;
+}
+
+/// Loads, and displacements without the rigid motions.
+void recover_displacements(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, int threads,
+                           AssemblySolution& solution) {
+    const std::size_t n = problem.parts.size();
+    solution.contact_load.resize(n);
+    solution.load.resize(n);
+    solution.displacement.resize(n);
+    parallel_for(static_cast<int>(n), threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        set_loads(problem, rows, multipliers, i, solution);
+        solution.displacement[i] = solve(problem.parts[i], solution.load[i]);
+    });
+}
+
+void add_rigid_motions(const AssemblyProblem& problem, const VectorXd& amplitudes, AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
+        if (part.modes.cols() > 0) solution.displacement[i] += part.modes * amplitudes.segment(offset[i], part.modes.cols());
+    }
+}
+
+/// What the refinement changes. The settled amplitudes stay: all else is small against them where there is clearance.
+struct ContactAnswer {
+    VectorXd forces;  // multipliers of the scaled rows
+    VectorXd settled, motion;
+};
+
+/// What displacements (without rigid motions) and forces leave of the gaps and of the balance.
+struct Remainder {
+    VectorXd gap, load;
+};
+Remainder remainder_of(const AssemblyProblem& problem, const Rows& rows, const ContactQp& qp, const MatrixXd& held,
+                       const ContactAnswer& answer, const AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    VectorXd opening = VectorXd::Zero(rows.n), load = VectorXd::Zero(offset.back());
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        opening += rows_times(rows.by_part[i], solution.displacement[i], rows.n);
+        load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * solution.load[i];
+    }
+    const Index soft = rows.softness.size();
+    opening.head(soft) += rows.softness.cwiseProduct(answer.forces.cwiseQuotient(rows.weight).head(soft));
+    const VectorXd settled_gap = qp.drawn_gap + qp.modes * answer.settled;
+    return {settled_gap + opening.cwiseQuotient(rows.weight) + qp.modes * answer.motion, held.transpose() * load};
+}
+
+/// Displacements under the contact forces. Where their residual is more than rounding, a step of iterative refinement: what
+/// they leave of closed gaps and of equilibrium is the right-hand side of a correction. It takes out the rounding of C and of
+/// the pinned solutions, where the active set holds every motion.
+void recover_refined(const AssemblyProblem& problem, const Rows& rows, const ContactQp& qp, const MatrixXd& held,
+                     const std::vector<char>& active, int threads, ContactAnswer& answer, AssemblySolution& solution) {
+    const auto recover = [&] {
+        recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
+        Remainder left = remainder_of(problem, rows, qp, held, answer, solution);
+        solution.residual = contact_residual(qp, {answer.forces, left.gap, left.load});
+        return left;
+    };
+    Remainder left = recover();
+    if (solution.residual <= refined_residual) return;
+    ContactQp correction = qp;
+    correction.gap = std::move(left.gap);
+    correction.mode_load = std::move(left.load);
+    VectorXd forces, motion;
+    if (!solve_on_set(correction, active, forces, motion)) return;
+    answer.forces += forces;
+    answer.motion += motion;
+    recover();
+}
+
+/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
+/// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
+/// pressures would change by more than a trifle.
+std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, const VectorXd& forces) {
+    constexpr double rounding = 1e-13, most_change = 0.02;
+    MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
+    motions << qp.modes, levers;
+    VectorXd imbalance = VectorXd::Zero(motions.cols());
+    imbalance.tail(levers.cols()) = levers.transpose() * forces;
+    if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
+    const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
+    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(motions.transpose() * weighted);
+    const VectorXd change = (forces.array() != 0).select(-motions * factor.solve(imbalance), 0.0);
+    if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
+    return forces + forces.cwiseAbs().cwiseProduct(change);
+}
+
+/// The contact problem under the motions `held`, and its answer.
+struct HeldAnswer {
+    ContactQp qp;
+    MatrixXd held;
+    ContactQpResult result;
+
+    HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
+        qp.modes = qp.modes * held;
+        qp.mode_load = held.transpose() * qp.mode_load;
+        result = solve_contact_qp(qp);
+    }
+    bool has_answer() const { return result.feasible && result.converged; }
+};
+
+/// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
+/// these, too: their amplitudes mean nothing.
+HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers) {
+    HeldAnswer answer(qp, split.resisted);
+    if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
+    MatrixXd more(split.resisted.rows(), split.resisted.cols() + split.balanced.cols());
+    more << split.resisted, split.balanced;
+    ContactQp again = qp;
+    again.expected = answer.result.multipliers;
+    HeldAnswer all(std::move(again), std::move(more));
+    all.result.iterations += answer.result.iterations;
+    return all.has_answer() ? all : answer;
+}
+
+}  // namespace
+
+AssemblyRows assembly_rows(const AssemblyProblem& problem) {
+    AssemblyRows all;
+    all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row);
+    for (const MeanConstraint& c : problem.constraints)
+        append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
+                               c.coefficient, c.size, c.value);
+    all.foundation = foundation_of(problem, all);
+    all.expected = expected_multipliers(problem, all);
+    return all;
+}
+
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
+    RowsSolution answered;
+    AssemblySolution& solution = answered.solution;
+    Laps laps;
+    const Rows& rows = all.rows;
+    solution.n_multipliers = rows.n;
+    solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
+
+    ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
+    scale_rows(qp, rows.weight);
+    qp.foundation = all.foundation;
+    qp.expected = all.expected;
+    solution.seconds.condensation = laps.lap();
+
+    const MotionSplit split = split_motions(problem, resistance, qp.modes);
+    find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
+    if (!solution.mechanism.empty()) return answered;
+    const MatrixXd levers = qp.modes * split.balanced;
+    const HeldAnswer held = solve_held(qp, split, levers);
+    solution.iterations = held.result.iterations;
+    solution.converged = held.result.converged;
+    solution.used_fallback = held.result.used_fallback;
+    solution.seconds.contact = laps.lap();
+    if (!held.result.feasible) {
+        solution.mechanism = part_motions(problem.parts, held.held * held.result.mechanism);
+        return answered;
+    }
+    ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
+    recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
+    if (levers.cols() > 0)
+        if (const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);
+            forces && *forces != answer.forces) {
+            answer.forces = *forces;
+            recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
+        }
+    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
+    take_least_motion(problem, split.neutral, solution);
+    answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
+    solution.seconds.displacements = laps.lap();
+    return answered;
+}
+
+void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, std::size_t part,
+               AssemblySolution& solution) {
+    const Index n = 2 * problem.parts[part].n();
+    VectorXd contact_only = multipliers;
+    contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
+    solution.contact_load[part] = transposed_times(rows.by_part[part], contact_only, static_cast<int>(n));
+    solution.load[part] = problem.parts[part].load + transposed_times(rows.by_part[part], multipliers, static_cast<int>(n));
+}
+
+void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
+                       AssemblySolution& solution) {
+    for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
+        solution.pressure.push_back(
+            all_coefficients(problem.interfaces[f], multipliers.segment(all.first_row[f], n_rows(problem.interfaces[f]))));
+    const auto n = static_cast<Index>(problem.constraints.size());
+    solution.constraint_force.assign(multipliers.end() - n, multipliers.end());
+}
+
+AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
+    Laps laps;
+    const AssemblyRows all = assembly_rows(problem);
+    const double of_rows = laps.lap();
+    const Resistance resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
+    const double of_resistance = laps.lap();
+    auto [solution, multipliers] = solve_rows(problem, all, resistance, threads);
+    solution.seconds.rows = of_rows;
+    solution.seconds.contact += of_resistance;
+    if (solution.mechanism.empty()) split_multipliers(problem, all, multipliers, solution);
+    return std::move(solution);
+}
+
+}  // namespace abut::solver

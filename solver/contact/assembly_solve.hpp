@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solves an assembly: parts, their interfaces and constraints, condensed to the multipliers and the free rigid motions.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/contact/contact_qp.hpp"
+#include "solver/contact/interface.hpp"
+
+namespace abut::solver {
+
+/// coefficient . (mean u_x, mean u_y, mean rotation * size) = value, on one part, in its own frame.
+struct MeanConstraint {
+    int tag = 0;
+    int part = 0;
+    Eigen::Vector3d coefficient{0, 0, 0};
+    double value = 0;
+    double area = 0, size = 1;
+    FunctionIntegrals integrals;
+};
+
+struct PartMotion {
+    int part;
+    RigidMotion motion;
+};
+
+/// A free motion is neutral where contact resists it by less than this, of what it resists a motion straight against a face
+/// (rotations measured at the part's size): kept, it would turn rounding into large rotations.
+inline constexpr double neutral_motion_fraction = 1e-3;
+/// The loads may do this much work in a neutral motion, relative to load times size: outlines are drawn no more exactly, so
+/// that a load straight against a face is inclined to it by so much.
+inline constexpr double neutral_work_fraction = 1e-6;
+
+struct AssemblyProblem {
+    std::vector<PartSystem> parts;
+    std::vector<Interface> interfaces;
+    std::vector<MeanConstraint> constraints;
+    std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
+    double load_scale = 0;           ///< the largest single load
+    std::vector<double> part_load;   ///< the same by part; empty: not known
+    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
+    /// them slides the body in its own outline.
+    std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
+};
+
+/// Wall time of the steps.
+struct SolveSeconds {
+    double rows = 0;           ///< of interfaces and constraints
+    double condensation = 0;   ///< to the multipliers
+    double contact = 0;        ///< start, active sets, neutral motions
+    double displacements = 0;  ///< with the refinement
+};
+
+struct AssemblySolution {
+    std::vector<Eigen::VectorXd> displacement;  ///< (2n) by part
+    std::vector<Eigen::VectorXd> load;          ///< (2n) by part, contact and constraints included
+    std::vector<Eigen::VectorXd> contact_load;  ///< (2n) by part, contact alone
+    std::vector<Eigen::VectorXd> pressure;      ///< by interface
+    std::vector<double> constraint_force;       ///< by constraint
+    std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
+    std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
+    int n_multipliers = 0, iterations = 0;
+    int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
+    bool converged = false, used_fallback = false;
+    double residual = 0;  ///< of the contact conditions by these displacements and pressures: contact_residual's
+    SolveSeconds seconds;
+};
+
+/// Parts are condensed and solved side by side on `threads` threads (see usable_threads); the solution is the same for any
+/// number.
+AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads = 1);
+
+}  // namespace abut::solver

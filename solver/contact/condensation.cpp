@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/condensation.hpp"
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+#include "solver/linear_algebra/parallel_for.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// The rows of one part, numbered among themselves, and its load where there is any.
+struct PartColumns {
+    std::vector<int> row;                 // in the assembly
+    Eigen::SparseMatrix<double> columns;  // (kept unknowns x rows and load): D' of the part, f
+    bool is_loaded = false;
+};
+
+std::vector<int> rows_of(const std::vector<RowEntry>& entries) {
+    std::vector<int> rows;
+    for (const RowEntry& e : entries)
+        if (rows.empty() || rows.back() != e.row) rows.push_back(e.row);
+    return rows;
+}
+
+/// One row's entries, ascending.
+void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Index column, Eigen::SparseMatrix<double>& to) {
+    const auto unknown = [&](const RowEntry& e) { return part.number[static_cast<std::size_t>(e.coefficient)]; };
+    if (part.share.empty()) {
+        for (const RowEntry& e : entries)
+            if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
+        return;
+    }
+    std::map<int, double> sum;  // folded rows: coefficients share unknowns
+    for (const RowEntry& e : entries)
+        if (unknown(e) >= 0) sum[unknown(e)] += part.share[static_cast<std::size_t>(e.coefficient)] * e.value;
+    for (const auto& [row, value] : sum) to.insertBack(row, column) = value;
+}
+
+/// entries: by row, then coefficient.
+PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries) {
+    PartColumns c{rows_of(entries), {}, false};
+    const VectorXd load = kept_load(part, part.load);
+    c.is_loaded = !load.isZero(0);
+    c.columns.resize(part.n_kept, static_cast<Index>(c.row.size()) + (c.is_loaded ? 1 : 0));
+    c.columns.reserve(static_cast<Index>(entries.size()) + (c.is_loaded ? load.size() : 0));
+    std::size_t next = 0;
+    for (Index column = 0; column < static_cast<Index>(c.row.size()); ++column) {
+        c.columns.startVec(column);
+        const std::size_t begin = next;
+        while (next < entries.size() && entries[next].row == c.row[static_cast<std::size_t>(column)]) ++next;
+        fill_column(part, std::span(entries).subspan(begin, next - begin), column, c.columns);
+    }
+    if (c.is_loaded) {
+        const Index last = c.columns.cols() - 1;
+        c.columns.startVec(last);
+        for (Index i = 0; i < load.size(); ++i) c.columns.insertBack(i, last) = load[i];
+    }
+    c.columns.finalize();
+    return c;
+}
+
+/// What one part adds to C, and the displacement of its rows under its load.
+struct PartShare {
+    std::vector<int> row;
+    MatrixXd compliance;  // (rows x rows), and more where the part is loaded
+    VectorXd opening;     // (rows of the assembly)
+};
+
+PartShare share_of(const PartSystem& part, const std::vector<RowEntry>& entries, int n_rows) {
+    if (entries.empty()) return {};
+    if (part.body) return {{}, {}, rows_times(entries, part.prescribed, n_rows)};
+    PartColumns c = columns_of(part, entries);
+    PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), rows_times(entries, part.prescribed, n_rows)};
+    if (c.is_loaded)
+        for (std::size_t k = 0; k < share.row.size(); ++k)
+            share.opening[share.row[k]] += share.compliance(static_cast<Index>(k), share.compliance.cols() - 1);
+    return share;
+}
+
+void add_share(const PartShare& share, ContactQp& qp) {
+    if (share.opening.size() > 0) qp.gap += share.opening;
+    const auto n = static_cast<Index>(share.row.size());
+    for (Index b = 0; b < n; ++b)
+        for (Index a = 0; a < n; ++a)
+            qp.compliance(share.row[static_cast<std::size_t>(a)], share.row[static_cast<std::size_t>(b)]) +=
+                share.compliance(a, b);
+}
+
+void add_modes(const PartSystem& part, const std::vector<RowEntry>& entries, Index offset, ContactQp& qp) {
+    const Index n_modes = part.modes.cols();
+    if (n_modes == 0) return;
+    qp.mode_load.segment(offset, n_modes) = part.modes.transpose() * part.load;
+    // prescribed displacements load a part, too: what their entries add up from is the scale of their rounding
+    qp.load_scale = std::max(qp.load_scale, (part.modes.cwiseAbs().transpose() * part.load.cwiseAbs()).maxCoeff());
+    for (const RowEntry& e : entries) qp.modes.row(e.row).segment(offset, n_modes) += e.value * part.modes.row(e.coefficient);
+}
+
+}  // namespace
+
+std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
+    std::vector<Index> offset{0};
+    for (const PartSystem& p : parts) offset.push_back(offset.back() + p.modes.cols());
+    return offset;
+}
+
+ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale, int threads) {
+    const std::vector<Index> offset = mode_offsets(parts);
+    const Index m = rows.n, n = offset.back();
+    ContactQp qp{MatrixXd::Zero(m, m),
+                 rows.gap0,
+                 MatrixXd::Zero(m, n),
+                 VectorXd::Zero(n),
+                 rows.unilateral,
+                 VectorXd::Zero(m),
+                 rows.gap0,
+                 load_scale};
+    std::vector<PartShare> shares(parts.size());
+    parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        shares[k] = share_of(parts[k], rows.by_part[k], rows.n);
+    });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        add_modes(parts[i], rows.by_part[i], offset[i], qp);
+        add_share(shares[i], qp);
+    }
+    qp.compliance.diagonal().head(rows.softness.size()) += rows.softness;
+    return qp;
+}
+
+void scale_rows(ContactQp& qp, const VectorXd& weight) {
+    const VectorXd s = weight.cwiseInverse();
+    qp.compliance = s.asDiagonal() * qp.compliance * s.asDiagonal();
+    qp.gap = s.cwiseProduct(qp.gap);
+    qp.drawn_gap = s.cwiseProduct(qp.drawn_gap);
+    qp.modes = s.asDiagonal() * qp.modes;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/contact_qp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "solver/contact/active_set.hpp"
+#include "solver/contact/interior_point.hpp"
+#include "solver/contact/rigid_settle.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int max_passes = 20;
+constexpr int reduced_passes = 7;                 // then the proximal term stays: less is rounding
+constexpr double first_proximal_fraction = 1e-6;  // of the foundation's stiffness; tenfold less each pass
+constexpr double least_stiffness = 1e-6;          // of the mean one, for motions that the foundation hardly resists
+constexpr double equilibrium_tolerance = 1e-10;   // relative to the loads
+constexpr double feasibility_tolerance = 1e-8;    // relative to the loads: below, the residual is rounding, not a mechanism
+
+double equilibrium_error(const ContactQp& qp, const VectorXd& multipliers) {
+    if (qp.modes.cols() == 0) return 0;
+    return (qp.modes.transpose() * multipliers + qp.mode_load).cwiseAbs().maxCoeff();
+}
+
+bool is_balanced(const ContactQp& qp, const VectorXd& multipliers) {
+    return equilibrium_error(qp, multipliers) <= equilibrium_tolerance * force_scale(qp, multipliers);
+}
+
+/// E of the first pass: positive definite however the rows lie.
+MatrixXd first_proximal(const MatrixXd& stiffness) {
+    const Index n = stiffness.cols();
+    if (n == 0) return stiffness;
+    const double mean = stiffness.trace() / static_cast<double>(n);
+    return first_proximal_fraction * (stiffness + least_stiffness * mean * MatrixXd::Identity(n, n));
+}
+
+/// The primal-dual active set on the problem itself. Where it does not find the answer nothing is changed.
+SetSearch solve_exactly(const ShiftedQp& shifted, ClosedFactor& factor, ContactState& state, ContactQpResult& result) {
+    const Index n = shifted.qp.modes.cols();
+    ContactState exact;
+    ActiveSet active = result.active;
+    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+    const SetSearch search = primal_dual(shifted, none, active, factor, exact, result.iterations);
+    if (search != SetSearch::found) return search;
+    if (!is_balanced(shifted.qp, exact.multipliers)) return SetSearch::singular;
+    state = std::move(exact);
+    result.active = std::move(active);
+    return search;
+}
+
+/// The same on one set, which may leave motions free as long as they balance: a single point that carries all.
+bool holds_exactly(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
+                   ContactState& state) {
+    const Index n = shifted.qp.modes.cols();
+    ContactState exact;
+    if (!solve_on(shifted, {MatrixXd::Zero(n, n), anchor}, active, factor, exact) &&
+        !solve_least_motion(shifted, anchor, active, factor, exact))
+        return false;
+    if (next_set(shifted, active, exact) != active || !is_balanced(shifted.qp, exact.multipliers)) return false;
+    state = std::move(exact);
+    return true;
+}
+
+/// Passes with less and less of the proximal term. state: the start's multipliers, and the answer. repeats: the primal-dual
+/// active set is known to come back to the same sets, and is left out. may_descend: the descending set is tried where a pass
+/// loses its own.
+bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeats, bool may_descend, ClosedFactor& factor,
+                ContactState& state, ContactQpResult& result) {
+    Proximal proximal{first_proximal(stiffness), VectorXd::Zero(shifted.qp.modes.cols())};
+    for (int pass = 0; pass < max_passes; ++pass) {
+        const VectorXd before = state.multipliers;
+        const ActiveSet start = result.active;
+        if (repeats || primal_dual(shifted, proximal, result.active, factor, state, result.iterations) != SetSearch::found) {
+            if (!may_descend) return false;
+            repeats = result.used_fallback = true;
+            result.active = start;
+            state.multipliers = before;
+            if (!descend(shifted, proximal, result.active, factor, state, result.iterations)) return false;
+        }
+        if (holds_exactly(shifted, proximal.anchor, result.active, factor, state)) return true;
+        if (is_balanced(shifted.qp, state.multipliers)) return true;
+        proximal.anchor = state.amplitudes;
+        if (pass + 1 < reduced_passes) proximal.stiffness *= 0.1;
+    }
+    return false;
+}
+
+/// The rows that are closed where these are the multipliers.
+ActiveSet closed_by(const ContactQp& qp, const VectorXd& multipliers) {
+    ActiveSet active = bilateral_rows(qp);
+    for (std::size_t k = 0; k < active.size(); ++k)
+        if (multipliers[static_cast<Index>(k)] > 0) active[k] = 1;
+    return active;
+}
+
+/// The motion that no pressures >= 0 can keep in balance; false where some can.
+bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
+    const NonnegativeResult balance = nonnegative_least_squares(qp.modes.transpose(), -qp.mode_load, qp.unilateral);
+    if (balance.residual.norm() <= feasibility_tolerance * force_scale(qp, balance.x)) return false;
+    result.feasible = false;
+    result.mechanism = -balance.residual;
+    return true;
+}
+
+/// closing: C l.
+double residual_of(const ContactQp& qp, const ContactConditions& c, const VectorXd& closing) {
+    if (c.gap.size() == 0) return 0;
+    const double force = force_scale(qp, c.multipliers), largest = c.multipliers.cwiseAbs().maxCoeff();
+    const double length = (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
+    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
+    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0.0;
+    for (Index k = 0; k < c.gap.size(); ++k) {
+        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
+        if (qp.unilateral[static_cast<std::size_t>(k)])
+            worst = std::max({worst, -l, -g, std::min(l, g)});
+        else
+            worst = std::max(worst, std::abs(g));
+    }
+    return worst;
+}
+
+void conclude(const ShiftedQp& shifted, const VectorXd& settled, ContactState& state, ContactQpResult& result) {
+    const ContactQp& qp = shifted.qp;
+    result.gap = gap_of(shifted, state);
+    const VectorXd imbalance = qp.modes.transpose() * state.multipliers + qp.mode_load;
+    result.residual = residual_of(qp, {state.multipliers, result.gap, imbalance}, state.closing);
+    result.multipliers = std::move(state.multipliers);
+    result.settled = settled;
+    result.motion = std::move(state.amplitudes);
+}
+
+/// The search from the expected set, and from there by passes where a motion is left free; the amplitudes from where the bodies
+/// would settle on it. False: nothing is known from it.
+bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
+    result.active = closed_by(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    if (!settled) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, qp.expected);
+    result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
+    if (!result.converged) return false;
+    conclude(near, *settled, state, result);
+    return true;
+}
+
+/// Where sets repeat or leave a motion free: the interior point method, and from the rows that it finds closed the exact
+/// answer, or else its own. False: nothing is changed.
+bool solve_from_inside(const ShiftedQp& shifted, const VectorXd& start, ClosedFactor& factor, ContactState& state,
+                       ContactQpResult& result) {
+    InteriorPoint inside = interior_point(shifted, start);
+    result.iterations += inside.iterations;
+    if (!inside.converged) return false;
+    result.used_fallback = true;
+    const ActiveSet before = std::exchange(result.active, inside.active);
+    if (solve_exactly(shifted, factor, state, result) == SetSearch::found) return true;
+    result.active = inside.active;
+    if (holds_exactly(shifted, inside.state.amplitudes, result.active, factor, state)) return true;
+    if (!is_balanced(shifted.qp, inside.state.multipliers)) {
+        result.active = before;
+        return false;
+    }
+    state = std::move(inside.state);
+    return true;
+}
+
+bool state_on_set(const ContactQp& qp, const ActiveSet& active, ContactState& state) {
+    const ShiftedQp as_given{qp, qp.gap};
+    const Index n = qp.modes.cols();
+    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+    ClosedFactor factor(qp.compliance, VectorXd::Zero(qp.gap.size()));
+    return solve_on(as_given, none, active, factor, state) || solve_least_motion(as_given, none.anchor, active, factor, state);
+}
+
+/// Without unilateral rows there is one linear system. False: it does not answer (a motion is free, or C singular).
+bool solve_linear(const ContactQp& qp, ContactQpResult& result) {
+    const auto is_unilateral = [](char c) { return c != 0; };
+    if (qp.gap.size() == 0 || std::any_of(qp.unilateral.begin(), qp.unilateral.end(), is_unilateral)) return false;
+    ContactState state;
+    if (!state_on_set(qp, result.active, state) || !is_balanced(qp, state.multipliers)) return false;
+    conclude({qp, qp.gap}, VectorXd::Zero(qp.modes.cols()), state, result);
+    result.converged = true;
+    return true;
+}
+
+}  // namespace
+
+ContactQpResult solve_contact_qp(const ContactQp& qp) {
+    ContactQpResult result;
+    result.active = bilateral_rows(qp);
+    result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
+    if (qp.gap.size() == 0 && qp.modes.cols() == 0) {
+        result.converged = true;
+        return result;
+    }
+    if (solve_linear(qp, result)) return result;
+    if (qp.expected.size() > 0 && solve_from_expected(qp, result)) return result;
+    const Settled start = settle_rigidly(qp);
+    if (!start.balanced && find_mechanism(qp, result)) return result;
+
+    // amplitudes from where the bodies settle: a clearance, however wide, then leaves no rounding in the elastic answer
+    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
+    ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, start.multipliers);
+    result.active = closed_by(qp, start.multipliers);
+    const SetSearch search = solve_exactly(near, factor, state, result);
+    const auto pass = [&](bool may_descend) {
+        result.active = closed_by(qp, start.multipliers);
+        state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
+        const bool repeats = may_descend && search == SetSearch::repeated;
+        return run_passes(near, start.stiffness, repeats, may_descend, factor, state, result);
+    };
+    result.converged = search == SetSearch::found || (search == SetSearch::singular && pass(false)) ||
+                       solve_from_inside(near, start.multipliers, factor, state, result) || pass(true);
+    if (!result.converged) state.closing = closing_of(qp, state.multipliers);
+    conclude(near, start.amplitudes, state, result);
+    return result;
+}
+
+double contact_residual(const ContactQp& qp, const ContactConditions& c) {
+    return residual_of(qp, c, closing_of(qp, c.multipliers));
+}
+
+bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {
+    ContactState state;
+    if (!state_on_set(qp, active, state)) return false;
+    multipliers = std::move(state.multipliers);
+    amplitudes = std::move(state.amplitudes);
+    return true;
+}
+
+}  // namespace abut::solver

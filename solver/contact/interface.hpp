@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What couples parts: contact interfaces and bilateral constraints. Both become rows of a system
+//   gap_k = gap0_k + sum over parts D_i u_i + softness_k l_k,
+// whose multipliers l are the contact pressure's coefficients or a constraint's force.
+//
+// Mortar: one row for every function of the pressure spline. Penalty: one row for every point q, its multiplier the pressure
+// there, its softness w_q / beta_q. Closed rows then say l_q = -beta_q gap_q; put into the equilibrium K u = F - D'l they give
+// (K + k^c) u = F + F^c with k^c, F^c summed over the closed points [Grishin10, eqs 4.22-4.24 and 4.36], and the active set
+// iteration is the Newton loop that switches points on and off [Grishin10, Figure 2.32]: the same problem in other unknowns.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "solver/parts/part_system.hpp"
+#include "solver/splines/bspline.hpp"
+
+namespace abut::solver {
+
+/// A pair of points, one on each body, on their common normal.
+struct InterfacePoint {
+    double s;       ///< arc length along the interface's middle curve
+    double weight;  ///< arc length
+    double gap;     ///< drawn, positive open
+    std::array<int, 2> element;
+    std::array<Vec2, 2> x;       ///< in each body's frame
+    std::array<Vec2, 2> normal;  ///< the direction from body 0 towards body 1, in each body's frame
+};
+
+/// The contact pressure along one interface is a B-spline in s with coefficients >= 0: degree 2 as in DESIGN 5, and no integral
+/// is split at the unknown end of contact.
+inline constexpr int multiplier_degree = 2;
+
+struct Interface {
+    std::array<int, 2> part;
+    double thickness = 1;
+    KnotVector pressure{};   ///< over s; penalty: polyline_knots
+    bool bilateral = false;  ///< holds both ways: bonded edges
+    bool periodic = false;   ///< all the way round: mortar's pressure has periodic knots
+    std::vector<InterfacePoint> points{};
+    std::vector<double> penalty{};  ///< by point: pressure per penetration (beta of eq 4.23); empty: mortar
+    /// Its unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
+    std::vector<double> expected{};
+};
+
+/// Knots of the polyline through the pressures at a penalty interface's points: its places are begin, the points in order, end.
+KnotVector polyline_knots(const std::vector<InterfacePoint>& points, double begin, double end);
+
+/// Unknown coefficients of an interface's pressure.
+inline int n_rows(const Interface& face) {
+    if (!face.penalty.empty()) return static_cast<int>(face.penalty.size());
+    return face.pressure.n_functions() - (face.periodic ? face.pressure.degree : 0);
+}
+/// All coefficients of the pressure spline from the unknown ones: the periodic ones come again at its end; a polyline is
+/// continued to its ends, or closed around.
+Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown);
+
+/// Entry of D: of one row, at one coefficient (2f + component) of a part.
+struct RowEntry {
+    int row, coefficient;
+    double value;
+};
+
+struct Rows {
+    int n = 0;
+    std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once
+    Eigen::VectorXd gap0;                        ///< weighted: integrals of gap times pressure function
+    Eigen::VectorXd weight;                      ///< integral of the row's pressure function (1 for constraints)
+    Eigen::VectorXd softness;  ///< of the interfaces' rows, weighted: what a unit multiplier opens; empty: no penalty anywhere
+    std::vector<char> unilateral;
+};
+
+/// One row for every pressure function (penalty: point) of every interface, in order; row offsets by interface in first_row.
+Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
+                    std::vector<int>& first_row);
+
+/// Mean displacement and mean rotation (half the mean curl) of a part, in its own frame: rows that hold
+/// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Appended to rows; returns the row.
+int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,
+                           const Eigen::Vector3d& coefficient, double size, double value);
+
+/// D u of one part's entries (n_rows), and D'l (n_coefficients).
+Eigen::VectorXd rows_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& u, int n_rows);
+Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& multipliers, int n_coefficients);
+
+/// Value of a pressure spline with the given coefficients.
+double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s);
+
+}  // namespace abut::solver

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/interior_point.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "solver/contact/rigid_settle.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int max_steps = 100;
+constexpr double to_boundary = 0.995;  // of the longest step that keeps l and gap positive
+/// Of the mean diagonal of C and of G'C^-1 G: keeps the factors of redundant rows, and of motions that no row resists yet.
+constexpr double regularization = 1e-13;
+
+/// Unilateral rows have a multiplier and a gap, both positive; bilateral ones a gap that is to vanish.
+struct Iterate {
+    VectorXd l, a, gap;
+};
+using Direction = Iterate;
+
+/// The problem in units of its own forces and lengths.
+struct Scales {
+    double force, length;
+};
+
+class Newton {
+public:
+    Newton(const ShiftedQp& shifted) : qp_(shifted.qp), gap0_(shifted.gap) {
+        const Index m = gap0_.size();
+        for (Index k = 0; k < m; ++k)
+            if (qp_.unilateral[static_cast<std::size_t>(k)]) unilateral_.push_back(k);
+    }
+    const std::vector<Index>& unilateral() const { return unilateral_; }
+
+    /// Residuals of gap = g + C l + G a (of bilateral rows: of 0), and of the balance.
+    void look_at(const Iterate& x) {
+        of_gap_ = gap0_ + closing_of(qp_, x.l) + qp_.modes * x.a - x.gap;
+        of_balance_ = qp_.modes.transpose() * x.l + qp_.mode_load;
+    }
+    double gap_residual() const { return of_gap_.size() > 0 ? of_gap_.cwiseAbs().maxCoeff() : 0; }
+    double balance_residual() const { return of_balance_.size() > 0 ? of_balance_.cwiseAbs().maxCoeff() : 0; }
+
+    bool factorize(const Iterate& x) {
+        MatrixXd matrix = qp_.compliance;
+        const double little = regularization * matrix.diagonal().mean();
+        matrix.diagonal().array() += little;
+        for (Index k : unilateral_) matrix(k, k) += x.gap[k] / x.l[k];
+        compliance_.compute(matrix);
+        if (compliance_.info() != Eigen::Success) return false;
+        if (qp_.modes.cols() == 0) return true;
+        columns_ = compliance_.matrixL().solve(qp_.modes);
+        MatrixXd stiffness = columns_.transpose() * columns_;
+        stiffness.diagonal().array() += regularization * stiffness.diagonal().mean();
+        stiffness_.compute(stiffness);
+        return stiffness_.info() == Eigen::Success;
+    }
+
+    /// Towards l gap = product (by row).
+    Direction direction(const Iterate& x, const VectorXd& product) const {
+        VectorXd right = -of_gap_;
+        for (Index k : unilateral_) right[k] += (product[k] - x.l[k] * x.gap[k]) / x.l[k];
+        Direction d{compliance_.solve(right), VectorXd(0), VectorXd::Zero(right.size())};
+        d.a = VectorXd::Zero(qp_.modes.cols());
+        if (d.a.size() > 0) {
+            d.a = stiffness_.solve(of_balance_ + qp_.modes.transpose() * d.l);
+            d.l -= compliance_.solve(qp_.modes * d.a);
+        }
+        for (Index k : unilateral_) d.gap[k] = (product[k] - x.l[k] * x.gap[k] - x.gap[k] * d.l[k]) / x.l[k];
+        return d;
+    }
+
+    /// The longest step in which no unilateral multiplier, or gap, falls below zero; 1 at most.
+    double reach(const VectorXd& value, const VectorXd& change) const {
+        double reach = 1;
+        for (Index k : unilateral_)
+            if (change[k] < 0) reach = std::min(reach, -value[k] / change[k]);
+        return reach;
+    }
+
+    double mean_product(const VectorXd& l, const VectorXd& gap) const {
+        double sum = 0;
+        for (Index k : unilateral_) sum += l[k] * gap[k];
+        return unilateral_.empty() ? 0 : sum / static_cast<double>(unilateral_.size());
+    }
+
+private:
+    const ContactQp& qp_;
+    const VectorXd& gap0_;
+    std::vector<Index> unilateral_;
+    VectorXd of_gap_, of_balance_;
+    Eigen::LLT<MatrixXd> compliance_, stiffness_;
+    MatrixXd columns_;
+};
+
+/// All rows pressed and open by the mean of the start.
+Iterate first_iterate(const ShiftedQp& shifted, const std::vector<Index>& unilateral, const Scales& scales) {
+    const Index m = shifted.gap.size();
+    Iterate x{VectorXd::Zero(m), VectorXd::Zero(shifted.qp.modes.cols()), VectorXd::Zero(m)};
+    for (Index k : unilateral) {
+        x.l[k] = scales.force;
+        x.gap[k] = std::max(scales.length, shifted.gap[k]);
+    }
+    return x;
+}
+
+Scales scales_of(const ShiftedQp& shifted, const VectorXd& start) {
+    const double force =
+        std::max(start.cwiseAbs().maxCoeff(), force_scale(shifted.qp, start) / static_cast<double>(start.size()));
+    const double length =
+        std::max(shifted.qp.compliance.diagonal().maxCoeff() * force, closing_of(shifted.qp, start).cwiseAbs().maxCoeff());
+    return {force, length};
+}
+
+}  // namespace
+
+InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
+    const ContactQp& qp = shifted.qp;
+    InteriorPoint result;
+    result.active = bilateral_rows(qp);
+    if (start.size() == 0) return result;
+    const Scales scales = scales_of(shifted, start);
+    if (!(scales.force > 0 && scales.length > 0)) return result;
+    Newton newton(shifted);
+    Iterate x = first_iterate(shifted, newton.unilateral(), scales);
+    for (result.iterations = 0; result.iterations < max_steps; ++result.iterations) {
+        newton.look_at(x);
+        const double mean = newton.mean_product(x.l, x.gap);
+        result.converged = mean <= complementarity * scales.force * scales.length &&
+                           newton.gap_residual() <= complementarity * scales.length &&
+                           newton.balance_residual() <= complementarity * force_scale(qp, x.l);
+        if (result.converged || !newton.factorize(x)) break;
+        const VectorXd none = VectorXd::Zero(x.l.size());
+        const Direction predictor = newton.direction(x, none);
+        const double pressed = newton.reach(x.l, predictor.l), open = newton.reach(x.gap, predictor.gap);
+        const double predicted = newton.mean_product(x.l + pressed * predictor.l, x.gap + open * predictor.gap);
+        const double centering = mean > 0 ? std::pow(predicted / mean, 3) : 0;
+        const VectorXd product = VectorXd::Constant(x.l.size(), centering * mean) - predictor.l.cwiseProduct(predictor.gap);
+        const Direction d = newton.direction(x, product);
+        // one length for both: C couples them
+        const double reach = std::min(1.0, to_boundary * std::min(newton.reach(x.l, d.l), newton.reach(x.gap, d.gap)));
+        x.l += reach * d.l;
+        x.a += reach * d.a;
+        x.gap += reach * d.gap;
+    }
+    for (Index k : newton.unilateral())
+        result.active[static_cast<std::size_t>(k)] = x.l[k] / scales.force > x.gap[k] / scales.length;
+    result.state = {x.l, x.a, closing_of(qp, x.l)};
+    return result;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/neutral_motions.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "solver/contact/condensation.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Bases of motions that make a larger angle (its sine) than this are different motions.
+constexpr double same_motion = 1e-3;
+/// Of unit motion at the part's size: what normals do less in a motion than this, or than so many times what the motion is
+/// neutral by, is rounding.
+constexpr double least_lever = 1e-6, clear_lever = 30;
+
+/// What a hollow resists of a motion that it leaves free at first: less than counts as resisted, and the part of the loads that
+/// is expected to find its balance by a motion that is small beside the hollow.
+constexpr double hollow_resistance = 0.5 * neutral_motion_fraction;
+
+/// Force along the normal at a point, and its moment about a center: times (translation, rotation) about it, the motion that it
+/// resists.
+using Wrench = std::array<double, 3>;
+
+/// Where a side's motions turn about.
+Vec2 center_of(const PartSystem& part) {
+    return part.free_motions.empty() ? Vec2(0, 0) : part.free_motions.front().center;
+}
+
+/// A part's free motions by column: (translation, rotation) about the center.
+Eigen::Matrix3Xd free_twists(const PartSystem& part) {
+    Eigen::Matrix3Xd twists(3, static_cast<Index>(part.free_motions.size()));
+    for (Index k = 0; k < twists.cols(); ++k) {
+        const RigidMotion& motion = part.free_motions[static_cast<std::size_t>(k)];
+        twists.col(k) << motion.at(center_of(part)), motion.rotation;
+    }
+    return twists;
+}
+
+/// Sums of weight times products of the wrenches of two sides, over the points of an interface.
+struct WrenchProducts {
+    Eigen::Matrix3d first = Eigen::Matrix3d::Zero(), both = first, second = first;
+    double weight = 0;
+};
+
+void add_product(double weight, const Wrench& a, const Wrench& b, Eigen::Matrix3d& sum) {
+    for (Index j = 0; j < 3; ++j)
+        for (Index i = 0; i < 3; ++i) sum(i, j) += weight * a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(j)];
+}
+
+/// normals: of a point, outward of each body.
+template <class Normals>
+WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face, Normals normals) {
+    const Interface& f = problem.interfaces[face];
+    const PartSystem &first = problem.parts[static_cast<std::size_t>(f.part[0])],
+                     &second = problem.parts[static_cast<std::size_t>(f.part[1])];
+    const std::array<Vec2, 2> center{center_of(first), center_of(second)};
+    const bool is_first_free = !first.free_motions.empty(), is_second_free = !second.free_motions.empty();
+    WrenchProducts sum;
+    for (std::size_t q = 0; q < f.points.size(); ++q) {
+        const std::array<Vec2, 2> outward = normals(q);
+        const auto wrench = [&](std::size_t side) {
+            const Vec2 &n = outward[side], &x = f.points[q].x[side], &c = center[side];
+            return Wrench{n.x(), n.y(), (x.x() - c.x()) * n.y() - (x.y() - c.y()) * n.x()};
+        };
+        const double weight = f.points[q].weight;
+        sum.weight += weight;
+        const Wrench a = is_first_free ? wrench(0) : Wrench{}, b = is_second_free ? wrench(1) : Wrench{};
+        if (is_first_free) add_product(weight, a, a, sum.first);
+        if (is_first_free && is_second_free) add_product(weight, a, b, sum.both);
+        if (is_second_free) add_product(weight, b, b, sum.second);
+    }
+    return sum;
+}
+
+/// Mean square of the closing along these normals: the first body's motions, then the second's.
+MatrixXd mean_square(const AssemblyProblem& problem, const Interface& f, const WrenchProducts& sum) {
+    const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
+                           b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
+    MatrixXd squared(a.cols() + b.cols(), a.cols() + b.cols());
+    squared.topLeftCorner(a.cols(), a.cols()) = a.transpose() * sum.first * a;
+    squared.topRightCorner(a.cols(), b.cols()) = a.transpose() * sum.both * b;
+    squared.bottomLeftCorner(b.cols(), a.cols()) = squared.topRightCorner(a.cols(), b.cols()).transpose();
+    squared.bottomRightCorner(b.cols(), b.cols()) = b.transpose() * sum.second * b;
+    return squared / sum.weight;
+}
+
+/// Orthonormal basis of the motions with so small a mean square that they are neutral.
+MatrixXd neutral_to(const MatrixXd& squared) {
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(squared);
+    const Index n = (eigen.eigenvalues().array() < neutral_motion_fraction * neutral_motion_fraction).count();
+    return eigen.eigenvectors().leftCols(n);
+}
+
+/// A basis, and what another spans besides; both orthonormal.
+MatrixXd joined(const MatrixXd& basis, const MatrixXd& other) {
+    if (basis.cols() == 0 || other.cols() == 0) return basis.cols() == 0 ? other : basis;
+    const Eigen::JacobiSVD<MatrixXd> svd(other - basis * (basis.transpose() * other), Eigen::ComputeThinU);
+    const Index more = (svd.singularValues().array() > same_motion).count();
+    MatrixXd both(basis.rows(), basis.cols() + more);
+    both << basis, svd.matrixU().leftCols(more);
+    return both;
+}
+
+/// The motion of a basis that turns the bodies against each other, but for what another basis has of it; zero where none does.
+/// Lines that meet in a point leave a turn about it free at first, but a body that turns in a hollow rises: it is held as soon
+/// as it moves.
+VectorXd turn_in_hollow(const AssemblyProblem& problem, const Interface& f, const MatrixXd& basis, const MatrixXd& own) {
+    const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
+                           b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
+    VectorXd turn(a.cols() + b.cols());
+    turn << a.row(2).transpose(), -b.row(2).transpose();
+    VectorXd motion = basis * (basis.transpose() * turn);
+    if (motion.norm() <= same_motion * turn.norm()) return VectorXd::Zero(turn.size());
+    motion.normalize();
+    motion -= own * (own.transpose() * motion);
+    return motion.norm() > same_motion ? motion.normalized() : VectorXd::Zero(turn.size());
+}
+
+/// What an interface resists of a motion: its closing along the lines that forces act on, but for the motions that leave these
+/// as they are, and those in which a body's own outline slides in itself.
+Resistance pair_resistance(const AssemblyProblem& problem, std::size_t face) {
+    const Interface& f = problem.interfaces[face];
+    const MatrixXd acting = mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) {
+                                            return std::array<Vec2, 2>{f.points[q].normal[0], Vec2(-f.points[q].normal[1])};
+                                        }));
+    if (f.bilateral) return {acting, acting};
+    const MatrixXd own =
+        mean_square(problem, f, wrench_products(problem, face, [&](std::size_t q) { return problem.own_normals[face][q]; }));
+    const MatrixXd across = neutral_to(acting), in_outline = neutral_to(own), neutral = joined(in_outline, across);
+    if (neutral.cols() == 0) return {acting, acting};
+    const MatrixXd resisted = MatrixXd::Identity(acting.rows(), acting.cols()) - neutral * neutral.transpose();
+    const VectorXd held = hollow_resistance * turn_in_hollow(problem, f, across, in_outline);
+    return {resisted * acting * resisted + held * held.transpose(), acting};
+}
+
+/// Amplitudes of an interface's motions.
+std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>& offset) {
+    std::vector<Index> list;
+    for (int part : face.part)
+        for (Index k = offset[static_cast<std::size_t>(part)]; k < offset[static_cast<std::size_t>(part) + 1]; ++k)
+            list.push_back(k);
+    return list;
+}
+
+/// Of the neutral motions those in which contact forces have levers, scaled to levers of one.
+MatrixXd balanced_motions(const Resistance& resistance, const MatrixXd& neutral) {
+    const MatrixXd levers = neutral.transpose() * resistance.acting * neutral;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(levers);
+    MatrixXd balanced(neutral.rows(), 0);
+    for (Index k = 0; k < neutral.cols(); ++k) {
+        const VectorXd motion = neutral * eigen.eigenvectors().col(k);
+        const double lever = std::sqrt(std::max(0.0, eigen.eigenvalues()[k])),
+                     left = std::sqrt(std::max(0.0, motion.dot(resistance.contact * motion)));
+        if (lever <= std::max(least_lever, clear_lever * left)) continue;
+        balanced.conservativeResize(Eigen::NoChange, balanced.cols() + 1);
+        balanced.rightCols(1) = motion / lever;
+    }
+    return balanced;
+}
+
+}  // namespace
+
+Resistance candidate_resistance(const AssemblyProblem& problem) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    Resistance sum{MatrixXd::Zero(offset.back(), offset.back()), MatrixXd::Zero(offset.back(), offset.back())};
+    for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
+        const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
+        if (problem.interfaces[f].points.empty() || amplitude.empty()) continue;
+        const Resistance pair = pair_resistance(problem, f);
+        sum.contact(amplitude, amplitude) += pair.contact;
+        sum.acting(amplitude, amplitude) += pair.acting;
+    }
+    return sum;
+}
+
+MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const MatrixXd& modes) {
+    const Index n = modes.cols();
+    if (n == 0) return {MatrixXd(0, 0), MatrixXd(0, 0), MatrixXd(0, 0)};
+    const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
+    const MatrixXd squared = resistance.contact + held.transpose() * held;
+    const double limit = neutral_motion_fraction * neutral_motion_fraction;
+    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues();
+    if (values[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
+    // Jacobi's rotations leave motions that nothing couples apart: one part's stays one part's among equal values, too
+    const Eigen::JacobiSVD<MatrixXd> svd(squared, Eigen::ComputeFullV);
+    const Index kept = (svd.singularValues().array() >= limit).count();
+    const MatrixXd neutral = svd.matrixV().rightCols(n - kept);
+    return {svd.matrixV().leftCols(kept), neutral, balanced_motions(resistance, neutral)};
+}
+
+std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
+    const std::vector<Index> offset = mode_offsets(parts);
+    constexpr double notable = 1e-3;
+    std::vector<PartMotion> result;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto share = amplitudes.segment(offset[i], offset[i + 1] - offset[i]);
+        if (share.size() == 0 || share.norm() < notable * amplitudes.norm()) continue;
+        PartMotion m{static_cast<int>(i), {{0, 0}, 0, parts[i].free_motions[0].center}};
+        for (Index k = 0; k < share.size(); ++k) {
+            const RigidMotion& unit = parts[i].free_motions[static_cast<std::size_t>(k)];
+            m.motion.translation += share[k] * unit.translation;
+            m.motion.rotation += share[k] * unit.rotation;
+        }
+        result.push_back(m);
+    }
+    return result;
+}
+
+void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const MatrixXd& neutral,
+                                const VectorXd& mode_load, double load_scale, AssemblySolution& solution) {
+    VectorXd work = neutral.transpose() * mode_load;
+    for (Index k = 0; k < neutral.cols(); ++k) {
+        const double left = std::sqrt(std::max(0.0, neutral.col(k).dot(resistance.contact * neutral.col(k))));
+        if (std::abs(work[k]) <= (neutral_work_fraction + left) * load_scale) work[k] = 0;
+    }
+    if (!work.isZero(0)) {
+        solution.mechanism = part_motions(problem.parts, neutral * work);
+        return;
+    }
+    for (Index k = 0; k < neutral.cols(); ++k)
+        for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
+}
+
+void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    if (neutral.cols() == 0) return;
+    MatrixXd gram = MatrixXd::Zero(neutral.cols(), neutral.cols());
+    VectorXd rhs = VectorXd::Zero(neutral.cols());
+    std::vector<MatrixXd> motion;
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        motion.push_back(problem.parts[i].modes * neutral.middleRows(offset[i], offset[i + 1] - offset[i]));
+        gram += motion.back().transpose() * motion.back();
+        rhs -= motion.back().transpose() * solution.displacement[i];
+    }
+    const VectorXd amplitude = gram.ldlt().solve(rhs);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Free motions of an assembly that its contacts do not resist: they are left out of the contact problem, which they would make
+// singular, and looked at apart.
+#pragma once
+#include <vector>
+
+#include "solver/contact/assembly_solve.hpp"
+
+namespace abut::solver {
+
+/// Orthonormal bases of the motions that something resists, and of the neutral ones (amplitudes x motions). balanced: neutral
+/// motions in which contact forces have levers all the same, since a force on a round part acts on the line that both bodies
+/// share, not through the part's own centre (scaled to levers of one). Pressures are made to balance in them.
+struct MotionSplit {
+    Eigen::MatrixXd resisted, neutral, balanced;
+};
+/// Mean squares of what the candidates' points close by in motions (amplitudes squared), each interface's over its length, so
+/// that a motion straight against a face has 1. acting: along the lines that contact forces act on. contact: the same but for
+/// motions that contact does not resist: across all of these lines, and of a body that turns or slides in its own outline.
+struct Resistance {
+    Eigen::MatrixXd contact, acting;
+};
+Resistance candidate_resistance(const AssemblyProblem& problem);
+/// modes: G of the rows, of which the constraints' resist as they are.
+MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& modes);
+
+/// Motion of every part that takes a notable share in a combination of the free motions.
+std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const Eigen::VectorXd& amplitudes);
+
+/// Names the neutral motions in the solution: as its mechanism, where the loads work in them. load_scale: the largest load on
+/// any body, prescribed displacements' included. A motion that is neutral only nearly, since an outline is drawn with rounding,
+/// takes as much of the loads as the little that resists it.
+void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& neutral,
+                                const Eigen::VectorXd& mode_load, double load_scale, AssemblySolution& solution);
+
+/// The neutral motions' amplitudes that make the displacement least (in the coefficients).
+void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, AssemblySolution& solution);
+
+}  // namespace abut::solver

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/rigid_settle.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int max_newton_steps = 100;
+constexpr double balance_tolerance = 1e-12;  // relative to the loads
+constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
+constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
+constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
+/// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
+/// slide far under a small part of its load; more where the step was too long.
+constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
+
+/// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
+constexpr double free_fraction = 1e-3;
+
+VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
+    const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
+    VectorXd l = -qp.foundation.cwiseProduct(gap);
+    for (Index k = 0; k < l.size(); ++k)
+        if (qp.unilateral[static_cast<std::size_t>(k)]) l[k] = std::max(0.0, l[k]);
+    return l;
+}
+
+/// With what its terms' rounding may hide.
+struct Energy {
+    double value, rounding;
+};
+Energy energy_of(const ContactQp& qp, const VectorXd& amplitudes, const VectorXd& l) {
+    const double stored = 0.5 * l.cwiseProduct(l).cwiseQuotient(qp.foundation).sum();
+    const VectorXd work = qp.mode_load.cwiseProduct(amplitudes);
+    return {stored - work.sum(), energy_rounding * (stored + work.cwiseAbs().sum())};
+}
+
+VectorXd imbalance(const ContactQp& qp, const VectorXd& l) {
+    return qp.modes.transpose() * l + qp.mode_load;
+}
+
+/// Goes the largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by,
+/// that halves the imbalance. 0: none, and stays. energy: of `s`.
+double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd& direction, Settled& s, Energy& energy) {
+    const Energy before = energy;
+    const double slope = residual.dot(direction);
+    for (double reach = 1; reach > least_reach; reach *= 0.5) {
+        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, trial);
+        const double wanted = sufficient_descent * reach * slope;
+        energy = energy_of(qp, trial, l);
+        const bool falls = energy.value <= before.value - wanted;
+        if (!falls && (wanted > before.rounding || imbalance(qp, l).norm() > 0.5 * residual.norm())) continue;
+        s.amplitudes = std::move(trial);
+        s.multipliers = std::move(l);
+        return reach;
+    }
+    return 0;
+}
+
+/// G'WG with a diagonal W; motions are few, rows many.
+MatrixXd weighted_gram(const MatrixXd& modes, const VectorXd& weight) {
+    MatrixXd gram(modes.cols(), modes.cols());
+    VectorXd column(modes.rows());
+    for (Index j = 0; j < modes.cols(); ++j) {
+        column = weight.cwiseProduct(modes.col(j));
+        for (Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = column.dot(modes.col(i));
+    }
+    return gram;
+}
+
+/// G'KG of a foundation, and a little (`held`) against motions that it does not hold.
+MatrixXd held_stiffness(const MatrixXd& modes, const VectorXd& foundation, double held) {
+    MatrixXd stiffness = weighted_gram(modes, foundation);
+    stiffness.diagonal().array() += held;
+    return stiffness;
+}
+
+VectorXd pressed_foundation(const ContactQp& qp, const VectorXd& l) {
+    return (l.array() != 0).select(qp.foundation, 0.0);
+}
+
+}  // namespace
+
+double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
+    if (qp.modes.size() == 0) return qp.load_scale;
+    return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
+}
+
+MatrixXd foundation_stiffness(const ContactQp& qp) {
+    return weighted_gram(qp.modes, qp.foundation);
+}
+
+Settled settle_rigidly(const ContactQp& qp) {
+    const Index n = qp.modes.cols();
+    Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
+    if (qp.gap.size() == 0) return s;
+    s.stiffness = foundation_stiffness(qp);
+    s.multipliers = pressures(qp, s.amplitudes);
+    if (n == 0) return s;
+    const double mean = s.stiffness.trace() / static_cast<double>(n);
+    double held = first_held;
+    Energy energy = energy_of(qp, s.amplitudes, s.multipliers);
+    for (int step = 0; step < max_newton_steps; ++step) {
+        const VectorXd residual = imbalance(qp, s.multipliers);
+        s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
+        if (s.balanced || mean == 0) break;
+        const VectorXd direction =
+            held_stiffness(qp.modes, pressed_foundation(qp, s.multipliers), held * mean).ldlt().solve(residual);
+        const double reach = move_along(qp, residual, direction, s, energy);
+        if (reach == 0) break;
+        held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
+    }
+    return s;
+}
+
+std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& closed) {
+    const Index n = qp.modes.cols();
+    if (n == 0) return VectorXd::Zero(n);
+    VectorXd foundation = qp.foundation;
+    for (Index k = 0; k < foundation.size(); ++k)
+        if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
+    const Eigen::LDLT<MatrixXd> factor(weighted_gram(qp.modes, foundation));
+    const VectorXd pivots = factor.vectorD();
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_fraction * pivots.maxCoeff())) return std::nullopt;
+    return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
+}
+
+}  // namespace abut::solver

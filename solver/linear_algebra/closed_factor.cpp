@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/linear_algebra/closed_factor.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solver/linear_algebra/blas.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Of a row's own compliance: what is left of it once the rows before are closed is rounding, or (the splines' own coupling) a
+/// hundredth and more.
+constexpr double redundant_fraction = 1e-11;
+
+std::size_t at(Index i) {
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+ClosedFactor::ClosedFactor(const MatrixXd& compliance, const Eigen::VectorXd& pressure)
+    : compliance_(compliance), preferred_(at(compliance.rows())), l_(compliance.rows(), compliance.rows()) {
+    std::iota(preferred_.begin(), preferred_.end(), Index{0});
+    const auto open = std::stable_partition(preferred_.begin(), preferred_.end(), [&](Index a) { return pressure[a] != 0; });
+    std::stable_sort(preferred_.begin(), open, [&](Index a, Index b) { return pressure[a] > pressure[b]; });
+}
+
+bool ClosedFactor::move_to(const std::vector<char>& closed) {
+    const auto left = std::find_if(rows_.begin(), rows_.end(), [&](Index row) { return !closed[at(row)]; });
+    rows_.erase(left, rows_.end());
+    std::vector<char> kept(closed.size(), 0);
+    for (Index row : rows_) kept[at(row)] = 1;
+    std::vector<Index> more;
+    for (Index row : preferred_)
+        if (closed[at(row)] && !kept[at(row)]) more.push_back(row);
+    left_out_.clear();
+    return more.empty() || append(more);
+}
+
+bool ClosedFactor::append(const std::vector<Index>& more) {
+    if (append_all(more)) return true;
+    for (Index row : more) {
+        if (append_all({row})) continue;
+        const auto n = static_cast<Index>(rows_.size());
+        if (l_(n, n) < -redundant_fraction * compliance_(row, row)) return false;
+        left_out_.push_back(row);
+    }
+    return true;
+}
+
+/// [C11 C21'; C21 C22]: L21 = C21 L11'^-1, L22 L22' = C22 - L21 L21'.
+bool ClosedFactor::append_all(const std::vector<Index>& more) {
+    const int n = static_cast<int>(rows_.size()), k = static_cast<int>(more.size()), ld = static_cast<int>(l_.rows());
+    double *below = l_.data() + n, *corner = below + static_cast<Index>(n) * ld;
+    for (int i = 0; i < k; ++i) {
+        for (int j = 0; j < n; ++j) l_(n + i, j) = compliance_(more[at(i)], rows_[at(j)]);
+        for (int j = 0; j <= i; ++j) l_(n + i, n + j) = compliance_(more[at(i)], more[at(j)]);
+    }
+    const double one = 1, minus = -1;
+    if (n > 0) {
+        dtrsm_("R", "L", "T", "N", &k, &n, &one, l_.data(), &ld, below, &ld);
+        dsyrk_("L", "N", &k, &n, &minus, below, &ld, &one, corner, &ld);
+    }
+    int info = 0;
+    dpotrf_("L", &k, corner, &ld, &info);
+    if (info != 0) return false;
+    for (int i = 0; i < k; ++i) {
+        const double pivot = l_(n + i, n + i) * l_(n + i, n + i);
+        if (pivot <= redundant_fraction * compliance_(more[at(i)], more[at(i)])) return false;
+    }
+    rows_.insert(rows_.end(), more.begin(), more.end());
+    return true;
+}
+
+void ClosedFactor::solve_lower(MatrixXd& x) const {
+    const int n = static_cast<int>(rows_.size()), columns = static_cast<int>(x.cols()), ldl = static_cast<int>(l_.rows());
+    const double one = 1;
+    if (n > 0 && columns > 0) dtrsm_("L", "L", "N", "N", &n, &columns, &one, l_.data(), &ldl, x.data(), &n);
+}
+
+void ClosedFactor::solve_transposed(Eigen::VectorXd& x) const {
+    const int n = static_cast<int>(rows_.size()), ldl = static_cast<int>(l_.rows()), step = 1;
+    if (n > 0) dtrsv_("L", "T", "N", &n, l_.data(), &ldl, x.data(), &step);
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/linear_algebra/factorization.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "solver/linear_algebra/condition.hpp"
+#include "solver/linear_algebra/frontal_factor.hpp"
+#include "solver/linear_algebra/grid_dissection.hpp"
+#include "solver/linear_algebra/ordering.hpp"
+#include "solver/linear_algebra/schur_complement.hpp"
+#include "solver/linear_algebra/signed_factor.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::VectorXd;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// FNV-1a.
+std::uint64_t checksum(const SparseSymmetric& m) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const std::vector<int>* numbers : {&m.first, &m.row})
+        for (int i : *numbers) hash = (hash ^ static_cast<std::uint32_t>(i)) * 1099511628211u;
+    return hash;
+}
+
+/// The banded factor is chosen up to this bandwidth, in entries of the matrix in a row of its lower triangle: measured, see the
+/// header's table.
+constexpr double largest_relative_bandwidth = 8;
+
+bool is_worthwhile(const SparseSymmetric& m, int bandwidth) {
+    return bandwidth * static_cast<double>(m.n) <= largest_relative_bandwidth * static_cast<double>(m.row.size());
+}
+
+Band make_band(const SparseSymmetric& m, std::vector<int> order) {
+    Band band{std::move(order), {}, 0};
+    band.position = inverse_order(band.order);
+    band.width = bandwidth(m, band.position);
+    return band;
+}
+
+Band given_band(const SparseSymmetric& m) {
+    std::vector<int> order(at(m.n));
+    std::iota(order.begin(), order.end(), 0);
+    return make_band(m, std::move(order));
+}
+
+/// Rows are ascending in each column.
+int given_bandwidth(const SparseSymmetric& m) {
+    int widest = 0;
+    for (int c = 0; c < m.n; ++c) widest = std::max(widest, m.row[at(m.first[at(c) + 1] - 1)] - c);
+    return widest;
+}
+
+/// The narrower of the given order and reverse Cuthill-McKee's.
+Band narrow_band(const SparseSymmetric& m, const MergedPattern& pattern, const Neighbours& graph) {
+    Band given = given_band(m), other = make_band(m, expanded(pattern, reverse_cuthill_mckee(graph)));
+    return other.width < given.width ? std::move(other) : std::move(given);
+}
+
+/// The same band from its other end, where that brings the given rows later.
+Band turned_late(Band band, const std::vector<int>& rows) {
+    double sum = 0;
+    for (int row : rows) sum += band.position[at(row)];
+    if (2 * sum >= static_cast<double>(rows.size()) * (static_cast<double>(band.order.size()) - 1)) return band;
+    std::reverse(band.order.begin(), band.order.end());
+    band.position = inverse_order(band.order);
+    return band;
+}
+
+/// norm_one: of the matrix before. Diagonal entries come first in their columns; from row n_positive on they are to be
+/// negative. Result: row of the first of the wrong sign, or of an entry that is not a number.
+int scale_to_unit_diagonal(SparseSymmetric& m, int n_positive, VectorXd& scale, double& norm_one) {
+    scale.resize(m.n);
+    VectorXd column_sums = VectorXd::Zero(m.n);
+    for (int c = 0; c < m.n; ++c) {
+        const double d = m.value[at(m.first[at(c)])] * (c < n_positive ? 1 : -1);
+        if (!(d > 0)) return c;
+        scale[c] = 1 / std::sqrt(d);
+    }
+    for (int c = 0; c < m.n; ++c)
+        for (int k = m.first[at(c)]; k < m.first[at(c) + 1]; ++k) {
+            double& value = m.value[at(k)];
+            const int r = m.row[at(k)];
+            if (!std::isfinite(value)) return r;
+            column_sums[c] += std::abs(value);
+            if (r != c) column_sums[r] += std::abs(value);
+            value *= scale[c] * scale[r];
+        }
+    norm_one = m.n > 0 ? column_sums.maxCoeff() : 0;
+    return -1;
+}
+
+}  // namespace
+
+namespace {
+
+/// Fronts of few nodes are joined to one that dense routines take at once: 8 to 32 hardly differ.
+constexpr int nodes_of_front = 16;
+
+struct FrontalStructure {
+    std::shared_ptr<const Fronts> fronts;
+    double entries() const { return fronts->first_value.back(); }
+};
+
+FrontalStructure frontal_structure(const SparseSymmetric& m, const MergedPattern& pattern, const RowHints& hints) {
+    GridPlaces nodes{{}, hints.reach};
+    nodes.at.reserve(at(pattern.n_nodes()));
+    for (int k = 0; k < pattern.n_nodes(); ++k) nodes.at.push_back(hints.place[at(pattern.first_column[at(k)])]);
+    return {std::make_shared<const Fronts>(make_fronts(m, pattern, dissected(nodes, nodes_of_front)))};
+}
+
+using Structure = std::variant<Band, SupernodalStructure, FrontalStructure>;
+
+/// A piece of this many nodes is not cut any more: 500 to 3000 hardly differ, in time of the factor and of inverse_form().
+constexpr int least_dissected = 1000;
+
+/// Of the separators (see dissect), where the nodes' places are known; else none.
+std::vector<int> separators_of(const MergedPattern& pattern, const Neighbours& graph, const std::vector<GridPlace>& place) {
+    if (place.empty()) return {};
+    std::vector<GridPlace> of_node;
+    for (int n = 0; n < pattern.n_nodes(); ++n) of_node.push_back(place[at(pattern.first_column[at(n)])]);
+    return dissect(graph, of_node, least_dissected);
+}
+
+/// Strips of so few functions across, in reaches, have no separators worth the name. Banded, they are eliminated from one end
+/// to the other, which also costs them fewer digits (a wedge of one degree, degree 4: 1e-5 of the displacement, dissected
+/// 1e-3).
+constexpr int strip_reaches = 3;
+
+bool is_strip(const RowHints& hints) {
+    if (hints.place.empty()) return false;
+    std::array<int, 2> low = hints.place.front(), high = low;
+    for (const GridPlace& p : hints.place)
+        for (std::size_t axis : {0u, 1u}) {
+            low[axis] = std::min(low[axis], p[axis]);
+            high[axis] = std::max(high[axis], p[axis]);
+        }
+    return std::min(high[0] - low[0], high[1] - low[1]) < strip_reaches * hints.reach;
+}
+
+Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> method, const RowHints& hints) {
+    const MergedPattern pattern = merged_pattern(m);
+    if (method == FactorMethod::frontal || (!method && !hints.place.empty() && !is_strip(hints)))
+        return frontal_structure(m, pattern, hints);
+    const Neighbours graph = neighbours(pattern);
+    if (method == FactorMethod::banded || (!method && is_worthwhile(m, least_bandwidth(graph)))) {
+        Band band = turned_late(narrow_band(m, pattern, graph), hints.late);
+        if (method == FactorMethod::banded || is_worthwhile(m, band.width)) return band;
+    }
+    return SupernodalStructure(m, pattern, separators_of(pattern, graph, hints.place));
+}
+
+}  // namespace
+
+struct SymbolicFactorization::Data {
+    std::uint64_t checksum;
+    Structure structure;
+    int given_bandwidth;
+};
+
+SymbolicFactorization::SymbolicFactorization(const SparseSymmetric& m, std::optional<FactorMethod> method,
+                                             const RowHints& hints)
+    : data_(std::make_shared<const Data>(Data{checksum(m), structure_for(m, method, hints), given_bandwidth(m)})) {}
+
+FactorMethod SymbolicFactorization::method() const {
+    constexpr std::array methods = {FactorMethod::banded, FactorMethod::supernodal, FactorMethod::frontal};
+    return methods[data_->structure.index()];
+}
+int SymbolicFactorization::bandwidth() const {
+    const Band* band = std::get_if<Band>(&data_->structure);
+    return band != nullptr ? band->width : data_->given_bandwidth;
+}
+double SymbolicFactorization::entries() const {
+    return std::visit([](const auto& s) { return s.entries(); }, data_->structure);
+}
+bool SymbolicFactorization::fits(const SparseSymmetric& m) const {
+    return data_->checksum == checksum(m);
+}
+
+struct Factorization::Data {
+    SymbolicFactorization symbolic;
+    VectorXd scale;
+    double norm_one = 0;  // of the matrix as it was given
+    int failed_at = -1;
+    std::variant<std::monostate, BandedFactor, SupernodalFactor, FrontalFactor, SignedFactor> factor;
+    std::optional<SchurComplement> schur;  // with the signed factor only
+
+    int n() const { return static_cast<int>(scale.size()); }
+
+    template <class F>
+    auto with_cholesky(F f) const {
+        if (const auto* frontal = std::get_if<FrontalFactor>(&factor)) return f(*frontal);
+        const auto* banded = std::get_if<BandedFactor>(&factor);
+        return banded != nullptr ? f(*banded) : f(std::get<SupernodalFactor>(factor));
+    }
+    template <class F>
+    auto with_factor(F f) const {
+        const auto* with_signs = std::get_if<SignedFactor>(&factor);
+        return with_signs != nullptr ? f(*with_signs) : with_cholesky(f);
+    }
+    VectorXd solved(const VectorXd& b) const {
+        return with_factor([&](const auto& l) { return l.solve(b); });
+    }
+    VectorXd product(const VectorXd& x) const {
+        return with_cholesky([&](const auto& l) { return l.product(x); });
+    }
+    LinearMap schur_product() const {
+        const auto mass = std::make_shared<const Factorization>(schur->eliminated());
+        return [this, mass](const VectorXd& x) { return schur->product(x, [&](const VectorXd& b) { return mass->solve(b); }); };
+    }
+};
+
+namespace {
+
+/// The first row whose pivot is not positive, or lost in rounding.
+template <class Factor>
+int failed_row(const Factor& l) {
+    if (l.failed_at() >= 0) return l.failed_at();
+    int row = -1;
+    return l.smallest_pivot(row) > std::numeric_limits<double>::epsilon() ? -1 : row;
+}
+
+}  // namespace
+
+Factorization::Factorization() = default;
+Factorization::Factorization(Factorization&&) noexcept = default;
+Factorization& Factorization::operator=(Factorization&&) noexcept = default;
+Factorization::~Factorization() = default;
+
+void Factorization::factorize(SparseSymmetric matrix, int threads) {
+    Data& d = *data_;
+    d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
+    if (d.failed_at >= 0 || matrix.n == 0) return;
+    const Structure& structure = d.symbolic.data_->structure;
+    if (const Band* band = std::get_if<Band>(&structure))
+        d.factor.emplace<BandedFactor>(matrix, *band);
+    else if (const auto* frontal = std::get_if<FrontalStructure>(&structure))
+        d.factor.emplace<FrontalFactor>(matrix, frontal->fronts, threads);
+    else
+        d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
+    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
+}
+
+Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads)
+    : data_(new Data{SymbolicFactorization(matrix, {}, hints), {}, 0, -1, {}, {}}) {
+    factorize(std::move(matrix), threads);
+}
+
+Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads)
+    : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
+    if (!data_->symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
+    factorize(std::move(matrix), threads);
+}
+
+Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
+    : data_(new Data{SymbolicFactorization(matrix, FactorMethod::supernodal), {}, 0, -1, {}, {}}) {
+    Data& d = *data_;
+    const int n_positive = matrix.n - n_eliminated;
+    d.schur.emplace(matrix, n_eliminated);
+    d.failed_at = scale_to_unit_diagonal(matrix, n_positive, d.scale, d.norm_one);
+    if (d.failed_at >= 0 || matrix.n == 0) return;
+    std::vector<double> sign(at(matrix.n), 1.0);
+    std::fill(sign.begin() + n_positive, sign.end(), -1.0);
+    d.factor.emplace<SignedFactor>(matrix, std::get<SupernodalStructure>(d.symbolic.data_->structure), sign);
+    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
+}
+
+bool Factorization::ok() const {
+    return data_ && data_->failed_at < 0;
+}
+int Factorization::failed_at() const {
+    return data_ ? data_->failed_at : -1;
+}
+FactorMethod Factorization::method() const {
+    return data_->symbolic.method();
+}
+int Factorization::bandwidth() const {
+    return data_->symbolic.bandwidth();
+}
+double Factorization::entries() const {
+    return data_->symbolic.entries();
+}
+double Factorization::bytes() const {
+    return entries() * sizeof(double);
+}
+
+double Factorization::condition_estimate() const {
+    const Data& d = *data_;
+    if (!d.schur)
+        return condition_by_lanczos(
+            d.n(), [&](const VectorXd& x) { return d.product(x); }, [&](const VectorXd& b) { return d.solved(b); });
+    const VectorXd& s = d.schur->scale();
+    const LinearMap k = d.schur_product();
+    return condition_by_lanczos(
+        d.schur->n(), [&](const VectorXd& x) -> VectorXd { return s.cwiseProduct(k(s.cwiseProduct(x))); },
+        [&](const VectorXd& b) -> VectorXd { return solve(b.cwiseQuotient(s)).cwiseQuotient(s); });
+}
+
+double Factorization::condition_estimate(const LinearMap& matrix) const {
+    const Data& d = *data_;
+    if (d.schur) return condition_estimate();
+    return condition_by_lanczos(
+        d.n(), [&](const VectorXd& x) -> VectorXd { return d.scale.cwiseProduct(matrix(d.scale.cwiseProduct(x))); },
+        [&](const VectorXd& b) { return d.solved(b); });
+}
+
+double Factorization::unscaled_condition_two() const {
+    const Data& d = *data_;
+    const auto inverse = [&](const VectorXd& b) { return solve(b); };
+    if (d.schur) return condition_by_lanczos(d.schur->n(), d.schur_product(), inverse);
+    const auto product = [&](const VectorXd& x) -> VectorXd {
+        return d.product(x.cwiseQuotient(d.scale)).cwiseQuotient(d.scale);
+    };
+    return condition_by_lanczos(d.n(), product, inverse);
+}
+
+double Factorization::unscaled_condition_one() const {
+    const Data& d = *data_;
+    if (d.n() == 0) return 1;
+    const int n = d.schur ? d.schur->n() : d.n();
+    const double norm = d.schur ? solver::norm_one(n, d.schur_product()) : d.norm_one;
+    return norm * solver::norm_one(n, [&](const VectorXd& b) { return solve(b); });
+}
+
+VectorXd Factorization::solve(const VectorXd& b) const {
+    if (b.size() == 0) return b;
+    const auto own = data_->scale.head(b.size());  // a K is without the eliminated rows
+    VectorXd padded = VectorXd::Zero(data_->n());
+    padded.head(b.size()) = own.cwiseProduct(b);
+    return own.cwiseProduct(data_->solved(padded).head(b.size()));
+}
+
+Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
+    if (b.size() == 0) return b;
+    if (data_->schur) throw std::logic_error("the factor of a Schur complement has signs: inverse_form() knows them");
+    const Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
+    return data_->with_cholesky([&](const auto& l) { return l.solve_lower(scaled); });
+}
+
+Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    if (b.size() == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
+    const Eigen::SparseMatrix<double> scaled = data_->scale.head(b.rows()).asDiagonal() * b;
+    return data_->with_factor([&](const auto& l) { return l.inverse_form(scaled); });
+}
+
+}  // namespace abut::solver

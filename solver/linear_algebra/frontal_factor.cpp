@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/linear_algebra/frontal_factor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "solver/linear_algebra/blas.hpp"
+#include "solver/linear_algebra/front_tasks.hpp"
+#include "solver/linear_algebra/supernodal_form.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// One front of L: columns by columns, `rows` apart.
+struct Front {
+    int begin, width, rows;
+    const int* row;
+    double* values;
+
+    int under() const { return rows - width; }
+};
+
+Front front_of(const Fronts& f, int s, double* values) {
+    return {f.first_column[at(s)], f.width(s), f.rows(s), f.row.data() + f.first_row[at(s)], values + f.first_value[at(s)]};
+}
+
+void add(const double* from, int n, double* to) {
+    for (int k = 0; k < n; ++k) to[k] += from[k];
+}
+
+/// The elimination under way.
+struct Elimination {
+    const Fronts& fronts;
+    const FrontTasks& tasks;
+    double* values;
+    std::vector<Numbers> rooms{};  // by task, while its updates are alive
+
+    double* update_of(int front) const { return rooms[at(tasks.task_of[at(front)])].get() + tasks.update[at(front)]; }
+
+    const FrontRun* run(int front) const { return fronts.run.data() + fronts.first_run[at(front)]; }
+
+    /// The lower triangle of a child's update for the columns of some runs, to where its column 0 row 0 would stand; columns of
+    /// that are `apart`.
+    void add_columns(int child, const FrontRun* begin, const FrontRun* end, double* to, int apart) const {
+        const FrontRun* last = run(child + 1);
+        const int under = fronts.rows(child) - fronts.width(child);
+        const double* update = update_of(child);
+        for (const FrontRun* columns = begin; columns < end; ++columns)
+            for (int c = columns->begin; c < columns->end; ++c) {
+                const double* from = update + at(c) * at(under);
+                double* column = to + at(columns->place + c - columns->begin) * at(apart);
+                add(from + c, columns->end - c, column + columns->place + c - columns->begin);
+                for (const FrontRun* rows = columns + 1; rows < last; ++rows)
+                    add(from + rows->begin, rows->end - rows->begin, column + rows->place);
+            }
+    }
+
+    /// The first of a child's runs that is below its parent's own columns.
+    const FrontRun* below(int child, const Front& parent) const {
+        return std::partition_point(run(child), run(child + 1), [&](const FrontRun& r) { return r.place < parent.width; });
+    }
+
+    void add_to_columns(const Front& f, int child) const { add_columns(child, run(child), below(child, f), f.values, f.rows); }
+    void add_to_update(const Front& f, int child, double* update) const {
+        const auto before = static_cast<std::ptrdiff_t>(f.width) * (f.under() + 1);
+        add_columns(child, below(child, f), run(child + 1), update - before, f.under());
+    }
+    template <class F>
+    void for_children(int s, F f) const {
+        for (int k = fronts.first_child[at(s)]; k < fronts.first_child[at(s) + 1]; ++k) f(fronts.child[at(k)]);
+    }
+
+    /// The position of the pivot that is not positive, -1: none.
+    int eliminate(int s) const {
+        const Front f = front_of(fronts, s, values);
+        for_children(s, [&](int child) { add_to_columns(f, child); });
+        int info = 0;
+        dpotrf_("L", &f.width, f.values, &f.rows, &info);
+        if (info > 0) return f.begin + info - 1;
+        const int under = f.under();
+        if (under == 0) return -1;
+        const double one = 1, minus = -1, zero = 0;
+        double* update = update_of(s);
+        dtrsm_("R", "L", "T", "N", &under, &f.width, &one, f.values, &f.rows, f.values + f.width, &f.rows);
+        dsyrk_("L", "N", &under, &f.width, &minus, f.values + f.width, &f.rows, &zero, update, &under);
+        for_children(s, [&](int child) { add_to_update(f, child, update); });
+        return -1;
+    }
+
+    /// As eliminate(), of the first front of the task that has such a pivot.
+    int eliminate_task(int k) {
+        const FrontTask& task = tasks.task[at(k)];
+        rooms[at(k)] = unset(task.room);
+        for (int s : task.front) {
+            if (const int position = eliminate(s); position >= 0) return position;
+            for_children(s, [&](int child) {
+                if (tasks.task_of[at(child)] != k) rooms[at(tasks.task_of[at(child)])].reset();
+            });
+        }
+        return -1;
+    }
+};
+
+}  // namespace
+
+FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts, int threads)
+    : fronts_(std::move(fronts)), values_(zeros(at(fronts_->first_value.back()))) {
+    for (std::size_t k = 0; k < matrix.value.size(); ++k) values_[at(fronts_->target[k])] = matrix.value[k];
+    const FrontTasks tasks = make_front_tasks(*fronts_, largest_for(*fronts_, threads));
+    Elimination elimination{*fronts_, tasks, values_.get()};
+    elimination.rooms.resize(tasks.task.size());
+    std::vector<int> failed(tasks.task.size(), -1);
+    std::vector<std::atomic<bool>> is_stuck(tasks.task.size());  // one below has failed
+    for_front_tasks(tasks, threads, [&](int k) {
+        if (!is_stuck[at(k)]) failed[at(k)] = elimination.eliminate_task(k);
+        if (const int above = tasks.task[at(k)].above; above >= 0 && (is_stuck[at(k)] || failed[at(k)] >= 0))
+            is_stuck[at(above)] = true;
+    });
+    // the same row for any number of threads: no front below a failed one fails, and the others have failed or not by
+    // themselves
+    for (int position : failed)
+        if (position >= 0 && (failed_at_ < 0 || position < failed_at_)) failed_at_ = position;
+    if (failed_at_ >= 0) failed_at_ = fronts_->order[at(failed_at_)];
+}
+
+double FrontalFactor::smallest_pivot(int& row) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int s = 0; s < fronts_->n_fronts(); ++s) {
+        const Front f = front_of(*fronts_, s, values_.get());
+        for (int k = 0; k < f.width; ++k) {
+            const double pivot = f.values[at(k) * (at(f.rows) + 1)];
+            if (pivot >= least) continue;
+            least = pivot;
+            row = fronts_->order[at(f.begin + k)];
+        }
+    }
+    return least * least;
+}
+
+MatrixXd FrontalFactor::solve_lower(const MatrixXd& b) const {
+    MatrixXd y = b(fronts_->order, Eigen::all);
+    const int n = static_cast<int>(y.cols()), ld = static_cast<int>(y.rows());
+    const double one = 1, zero = 0;
+    MatrixXd below;
+    for (int s = 0; s < fronts_->n_fronts(); ++s) {
+        const Front f = front_of(*fronts_, s, values_.get());
+        const int under = f.under();
+        dtrsm_("L", "L", "N", "N", &f.width, &n, &one, f.values, &f.rows, &y(f.begin, 0), &ld);
+        if (under == 0) continue;
+        below.resize(under, n);
+        dgemm_("N", "N", &under, &n, &f.width, &one, f.values + f.width, &f.rows, &y(f.begin, 0), &ld, &zero, below.data(),
+               &under);
+        y(Eigen::Map<const Eigen::VectorXi>(f.row + f.width, under), Eigen::all) -= below;
+    }
+    return y;
+}
+
+VectorXd FrontalFactor::solve(const VectorXd& b) const {
+    VectorXd x = b(fronts_->order), below;
+    const int step = 1;
+    const double one = 1, minus = -1, zero = 0;
+    const auto rows_below = [](const Front& f) { return Eigen::Map<const Eigen::VectorXi>(f.row + f.width, f.under()); };
+    for (int s = 0; s < fronts_->n_fronts(); ++s) {
+        const Front f = front_of(*fronts_, s, values_.get());
+        const int under = f.under();
+        dtrsv_("L", "N", "N", &f.width, f.values, &f.rows, &x[f.begin], &step);
+        below.resize(under);
+        dgemv_("N", &under, &f.width, &one, f.values + f.width, &f.rows, &x[f.begin], &step, &zero, below.data(), &step);
+        x(rows_below(f)) -= below;
+    }
+    for (int s = fronts_->n_fronts() - 1; s >= 0; --s) {
+        const Front f = front_of(*fronts_, s, values_.get());
+        const int under = f.under();
+        below = x(rows_below(f));
+        dgemv_("T", &under, &f.width, &minus, f.values + f.width, &f.rows, below.data(), &step, &one, &x[f.begin], &step);
+        dtrsv_("L", "T", "N", &f.width, f.values, &f.rows, &x[f.begin], &step);
+    }
+    VectorXd result(x.size());
+    result(fronts_->order) = x;
+    return result;
+}
+
+MatrixXd FrontalFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    return solver::inverse_form(fronts_->pattern(), values_.get(), nullptr, b);
+}
+
+VectorXd FrontalFactor::product(const VectorXd& x) const {
+    const VectorXd px = x(fronts_->order);
+    VectorXd y = VectorXd::Zero(x.size()), below, part;
+    const int step = 1;
+    const double one = 1, zero = 0;
+    for (int s = 0; s < fronts_->n_fronts(); ++s) {
+        // y += L_s (L_s' x): the whole columns of one front, L L' being the sum over all of them
+        const Front f = front_of(*fronts_, s, values_.get());
+        const int under = f.under();
+        const Eigen::Map<const Eigen::VectorXi> rows(f.row + f.width, under);
+        part = px.segment(f.begin, f.width);
+        below = px(rows);
+        dtrmv_("L", "T", "N", &f.width, f.values, &f.rows, part.data(), &step);
+        dgemv_("T", &under, &f.width, &one, f.values + f.width, &f.rows, below.data(), &step, &one, part.data(), &step);
+        dgemv_("N", &under, &f.width, &one, f.values + f.width, &f.rows, part.data(), &step, &zero, below.data(), &step);
+        dtrmv_("L", "N", "N", &f.width, f.values, &f.rows, part.data(), &step);
+        y.segment(f.begin, f.width) += part;
+        y(rows) += below;
+    }
+    VectorXd result(x.size());
+    result(fronts_->order) = y;
+    return result;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Multifrontal Cholesky factor [Liu92].
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
+
+#include "solver/linear_algebra/fronts.hpp"
+#include "solver/linear_algebra/large_pages.hpp"
+
+namespace abut::solver {
+
+/// P A P' = L L'. From below, each front takes in the updates of those below it, is factorised as a dense matrix, and leaves
+/// its own: three calls of BLAS a front, where a left-looking factor makes two for every pair of them.
+class FrontalFactor {
+public:
+    /// Subtrees side by side on `threads` threads at most; the factor is the same to the bit for any number.
+    FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts, int threads = 1);
+
+    int failed_at() const { return failed_at_; }  ///< row of the matrix, -1: none
+    double smallest_pivot(int& row) const;        ///< square of the smallest diagonal entry of L
+
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 P B
+    Eigen::VectorXd product(const Eigen::VectorXd& x) const;      ///< A x
+    /// B' A^-1 B, see supernodal_form.hpp.
+    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
+
+private:
+    std::shared_ptr<const Fronts> fronts_;
+    Numbers values_;
+    int failed_at_ = -1;
+};
+
+}  // namespace abut::solver

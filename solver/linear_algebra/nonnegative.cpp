@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/linear_algebra/nonnegative.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <limits>
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+
+Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<Index>& passive) {
+    Eigen::MatrixXd columns(a.rows(), static_cast<Index>(passive.size()));
+    for (std::size_t i = 0; i < passive.size(); ++i) columns.col(static_cast<Index>(i)) = a.col(passive[i]);
+    return columns.completeOrthogonalDecomposition().solve(b);
+}
+
+}  // namespace
+
+NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                            const std::vector<char>& bounded) {
+    const Index n = a.cols();
+    NonnegativeResult r{Eigen::VectorXd::Zero(n), b, true};
+    if (a.size() == 0) return r;
+    r.converged = false;
+    const double tolerance = 1e-12 * (a.cwiseAbs().maxCoeff() * b.norm() + std::numeric_limits<double>::min());
+    std::vector<Index> passive;
+    for (Index k = 0; k < n; ++k)
+        if (!bounded[static_cast<std::size_t>(k)]) passive.push_back(k);
+    if (!passive.empty()) {
+        const Eigen::VectorXd z = least_squares_on(a, b, passive);
+        for (std::size_t i = 0; i < passive.size(); ++i) r.x[passive[i]] = z[static_cast<Index>(i)];
+        r.residual = b - a * r.x;
+    }
+    for (Index step = 0; step < 3 * n + 10; ++step) {
+        const Eigen::VectorXd w = a.transpose() * r.residual;
+        Index enter = -1;
+        for (Index k = 0; k < n; ++k)
+            if (bounded[static_cast<std::size_t>(k)] && r.x[k] == 0 && w[k] > tolerance && (enter < 0 || w[k] > w[enter]))
+                enter = k;
+        if (enter < 0) {
+            r.converged = true;
+            return r;
+        }
+        passive.push_back(enter);
+        for (;;) {
+            const Eigen::VectorXd z = least_squares_on(a, b, passive);
+            double reach = 1;
+            for (std::size_t i = 0; i < passive.size(); ++i) {
+                const Index k = passive[i];
+                const double zk = z[static_cast<Index>(i)];
+                if (bounded[static_cast<std::size_t>(k)] && zk <= 0) reach = std::min(reach, r.x[k] / (r.x[k] - zk));
+            }
+            if (!(reach >= 0)) reach = 0;
+            std::vector<Index> kept;
+            for (std::size_t i = 0; i < passive.size(); ++i) {
+                const Index k = passive[i];
+                const double zk = z[static_cast<Index>(i)];
+                const bool leaves = reach < 1 && bounded[static_cast<std::size_t>(k)] && zk <= 0 &&
+                                    r.x[k] <= reach * (r.x[k] - zk) * (1 + 1e-14);
+                r.x[k] = leaves ? 0.0 : r.x[k] + reach * (zk - r.x[k]);
+                if (!leaves) kept.push_back(k);
+            }
+            passive.swap(kept);
+            if (reach >= 1) break;
+        }
+        r.residual = b - a * r.x;
+    }
+    return r;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rigid motions of a part that nothing holds.
+#pragma once
+#include "solver/parts/part_system.hpp"
+
+namespace abut::solver {
+
+/// Of a part whose supports and springs are known; center, size: as in make_part_system. Around an axis the only rigid motion
+/// is the one along it: all others stretch the hoops.
+std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& center, double size);
+
+}  // namespace abut::solver

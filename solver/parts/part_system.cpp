@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/parts/part_system.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "solver/parts/fold.hpp"
+#include "solver/parts/free_motions.hpp"
+#include "solver/parts/hold_axis.hpp"
+#include "solver/parts/pins.hpp"
+#include "solver/parts/row_hints.hpp"
+#include "solver/parts/structure_reactions.hpp"
+#include "solver/terms/dilatation.hpp"
+#include "solver/terms/free_strain.hpp"
+#include "solver/terms/stress.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Drops the functions of an aligned set. What stands against it: the basis, an earlier set with another value, or a weight.
+/// Empty: done.
+std::string drop_aligned(PartSystem& s, SupportRecord& record) {
+    const auto component = static_cast<std::size_t>(record.set.component);
+    if (s.input.structure && s.input.structure->weight[component]) return "another support weights this displacement component";
+    const auto functions = functions_on_side(s.input.space, *record.set.side, record.set.stretches);
+    if (!functions) return "dropping functions there would hold more than this edge";
+    const auto prescribed = [&](int f) { return coefficient_of_one(s.input.space, f) * record.set.value; };
+    const auto dof = [&](int f) { return static_cast<std::size_t>(2 * f + record.set.component); };
+    for (int f : *functions)
+        if (s.dropped[dof(f)] && s.prescribed[static_cast<Index>(dof(f))] != prescribed(f))
+            return "an adjacent support prescribes another value";
+    for (int f : *functions) {
+        if (s.dropped[dof(f)]) continue;
+        s.dropped[dof(f)] = 1;
+        s.prescribed[static_cast<Index>(dof(f))] = prescribed(f);
+        record.dropped.push_back(f);
+    }
+    return "";
+}
+
+void apply_support(PartSystem& s, SupportRecord& record) {
+    if (record.set.by_structure) {
+        record.method = SupportMethod::structure;
+        record.why = record.set.note;
+        return;
+    }
+    record.why = record.set.note.empty() ? "does not lie along the grid's outermost lines" : record.set.note;
+    if (record.set.side) {
+        record.why = drop_aligned(s, record);
+        if (record.why.empty()) {
+            record.method = SupportMethod::aligned;
+            record.why = "lies along the grid's outermost lines: exact and free";
+            return;
+        }
+    }
+    record.method = SupportMethod::nitsche;
+    add_nitsche(s.input, record.set, s.stiffness, s.load);
+}
+
+void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
+    for (SupportSet& set : sets) {
+        s.supports.push_back({std::move(set), SupportMethod::nitsche, {}, {}});
+        apply_support(s, s.supports.back());
+    }
+    if (s.springs.empty()) return;
+    const auto begin = std::chrono::steady_clock::now();
+    for (const SpringSet& set : s.springs) add_springs(s.input, set, s.stiffness, s.load);
+    s.seconds.springs = seconds_since(begin);
+}
+
+void number_unknowns(PartSystem& s) {
+    const std::vector<Index> pinned = pins(s);
+    if (is_folded(s.input)) return fold_unknowns(s, pinned);
+    s.number.assign(s.dropped.size(), -1);
+    for (std::size_t i = 0; i < s.dropped.size(); ++i) {
+        const bool is_pin = std::find(pinned.begin(), pinned.end(), static_cast<Index>(i)) != pinned.end();
+        if (!s.dropped[i] && !is_pin) s.number[i] = s.n_kept++;
+    }
+}
+
+/// The weighted functions of a component hold none of its rigid motions: a motion that is free must not move it. False where
+/// one does.
+bool follow_structure(PartSystem& s, double size) {
+    constexpr double rounding = 1e-6;  // of unit motion: what the eigenvectors of the Gram matrix leave
+    for (RigidMotion& m : s.free_motions)
+        for (int c = 0; c < 2; ++c) {
+            if (!s.input.structure->weight[static_cast<std::size_t>(c)]) continue;
+            if (std::abs(m.translation[c]) > rounding || std::abs(m.rotation) * size > rounding) return false;
+            m.translation[c] = m.rotation = 0;
+        }
+    return true;
+}
+
+/// The stiffness and the loads before any support but the structure.
+void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
+    if (s.input.structure) {
+        WeightedStiffness k = assemble_weighted(s.input);
+        s.stiffness = std::move(k.stiffness);
+        s.load = weighted + k.load;
+    } else {
+        s.stiffness = assemble_stiffness(s.input);
+        s.load = s.applied;
+    }
+    if (s.input.free_strain) s.load += free_strain_load(s.input);
+}
+
+void set_modes(PartSystem& s) {
+    s.modes = coefficients_of(s.input.space, s.free_motions);
+    for (std::size_t i = 0; i < s.dropped.size(); ++i)
+        if (s.dropped[i]) s.modes.row(static_cast<Index>(i)).setZero();
+}
+
+/// The projection of the volume strain, which Nitsche's supports have a share in.
+void project_dilatation(PartSystem& s) {
+    const auto begin = std::chrono::steady_clock::now();
+    std::vector<const SupportSet*> by_nitsche;
+    for (const SupportRecord& record : s.supports)
+        if (record.method == SupportMethod::nitsche) by_nitsche.push_back(&record.set);
+    s.input.dilatation = make_dilatation(s.input, by_nitsche);
+    s.failure = s.input.dilatation->failure;
+    if (s.failure.empty()) s.load += volume_load(*s.input.dilatation);
+    s.seconds.dilatation = seconds_since(begin);
+}
+
+Factorization factorized(const PartSystem& s) {
+    SparseSymmetric a =
+        s.share.empty() ? restricted(s.stiffness, s.number, s.n_kept) : folded(s.stiffness, s.number, s.share, s.n_kept);
+    if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number), s.input.threads);
+    return Factorization(with_pressures(a, *s.input.dilatation, s.number, s.share), s.input.dilatation->space.n_functions);
+}
+
+/// What a pivot that is not positive means here, and what to do about it.
+std::string failure_text(const PartSystem& s) {
+    const std::string text = "the stiffness matrix is not positive definite to working precision: ";
+    if (s.input.structure && s.springs.empty())
+        return text +
+               "the weight functions of its supports leave too little there; take dirichlet \"nitsche\", or smaller cells";
+    if (!s.springs.empty())
+        return text + "its springs are too soft against its material to hold it; make them stiffer, or add a support";
+    if (s.input.space.basis != Basis::web)
+        return text + "functions of the basis hardly reach into the part there; take basis \"web\", or move the grid lines";
+    return text + "part of it hangs on too little there to carry anything; refine the grid, or look for a stray sliver";
+}
+
+void note_failure(PartSystem& s) {
+    s.failure = failure_text(s);
+    for (std::size_t i = 0; i < s.number.size(); ++i)
+        if (s.number[i] >= 0 && s.number[i] == s.factor.failed_at()) {
+            const auto dof = static_cast<int>(i);
+            s.failed_at = FailedPivot{greville_point(s.input.space, dof / 2), dof % 2};
+        }
+}
+
+}  // namespace
+
+Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion) {
+    Eigen::VectorXd c(2 * space.n_functions);
+    for (int f = 0; f < space.n_functions; ++f)
+        c.segment<2>(2 * f) = coefficient_of_one(space, f) * motion.at(greville_point(space, f));
+    return c;
+}
+
+Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<RigidMotion>& motions) {
+    Eigen::MatrixXd modes(2 * space.n_functions, static_cast<Index>(motions.size()));
+    for (std::size_t k = 0; k < motions.size(); ++k) modes.col(static_cast<Index>(k)) = coefficients_of(space, motions[k]);
+    return modes;
+}
+
+PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
+                            double size, std::vector<SpringSet> springs, const Eigen::VectorXd& weighted) {
+    const auto begin = std::chrono::steady_clock::now();
+    PartSystem s;
+    s.input = std::move(input);
+    s.applied = std::move(applied);
+    s.springs = std::move(springs);
+    if (s.input.structure && s.input.is_projected) {
+        s.failure = "supports by weight functions do not go with a nearly incompressible material; take dirichlet \"nitsche\"";
+        return s;
+    }
+    if (s.input.structure && (s.input.free_strain || s.input.axis)) {
+        s.failure = std::string("supports by weight functions do not go with ") +
+                    (s.input.axis ? "an axisymmetric analysis" : "a temperature") + "; take dirichlet \"nitsche\"";
+        return s;
+    }
+    assemble(s, weighted);
+    s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
+    s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
+    apply_supports(s, std::move(supports));
+    if (s.input.is_projected) project_dilatation(s);
+    if (s.input.touches_axis) hold_axis(s);
+    if (!s.failure.empty()) return s;
+    s.free_motions = free_motions(s, center, size);
+    if (s.input.structure && !follow_structure(s, size)) {
+        s.failure =
+            "its supports leave it a rigid motion that weight functions cannot follow (one point, or one straight edge held "
+            "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
+        return s;
+    }
+    keep_symmetric_motions(s);
+    set_modes(s);
+    if (is_follower(s.input)) {
+        s.number.assign(s.dropped.size(), -1);
+        s.seconds.all = seconds_since(begin);
+        return s;
+    }
+    number_unknowns(s);
+    const double before = seconds_since(begin);
+    s.factor = factorized(s);
+    s.seconds.all = seconds_since(begin);
+    s.seconds.factorisation = s.seconds.all - before;
+    if (!s.factor.ok())
+        note_failure(s);
+    else if (!s.springs.empty() && condition_estimate(s) > largest_spring_condition)
+        s.failure = failure_text(s);
+    return s;
+}
+
+Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    if (system.body) return Eigen::VectorXd::Zero(displacement.size());
+    Eigen::VectorXd forces = multiply(system.stiffness, displacement);
+    if (system.input.is_projected) forces += volume_forces(*system.input.dilatation, displacement);
+    return forces;
+}
+
+Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load) {
+    Eigen::VectorXd rest = load;
+    if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
+    Eigen::VectorXd b(system.n_kept);
+    if (!system.share.empty()) return folded_load(system, rest);
+    for (std::size_t i = 0; i < system.number.size(); ++i)
+        if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
+    return b;
+}
+
+Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
+    if (system.body || is_follower(system.input)) return system.prescribed;
+    const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
+    Eigen::VectorXd u = system.prescribed;
+    if (!system.share.empty()) {
+        add_unfolded(system, x, u);
+        return u;
+    }
+    for (std::size_t i = 0; i < system.number.size(); ++i)
+        if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
+    return u;
+}
+
+double condition_estimate(const PartSystem& system) {
+    if (system.body || is_follower(system.input) || !system.factor.ok()) return 1;
+    if (system.input.is_projected || !system.share.empty()) return system.factor.condition_estimate();
+    return system.factor.condition_estimate([&](const Eigen::VectorXd& x) {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * system.n());
+        for (std::size_t i = 0; i < system.number.size(); ++i)
+            if (system.number[i] >= 0) all[static_cast<Index>(i)] = x[system.number[i]];
+        const Eigen::VectorXd product = multiply(system.stiffness, all);
+        Eigen::VectorXd kept(system.n_kept);
+        for (std::size_t i = 0; i < system.number.size(); ++i)
+            if (system.number[i] >= 0) kept[system.number[i]] = product[static_cast<Index>(i)];
+        return kept;
+    });
+}
+
+namespace {
+
+Resultant dropped_reaction(const PartSystem& system, const SupportRecord& record, const Eigen::VectorXd& residual) {
+    Resultant sum;
+    for (int f : record.dropped) {
+        Vec2 force = Vec2::Zero();
+        force[record.set.component] = residual[2 * f + record.set.component];
+        sum.add(greville_point(system.input.space, f), coefficient_of_one(system.input.space, f) * force);
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
+                                         const Eigen::VectorXd& load, const Eigen::VectorXd& plain) {
+    const Eigen::VectorXd residual = stiffness_times(system, displacement) - load;
+    std::vector<Resultant> reactions;
+    for (const SupportRecord& record : system.supports)
+        reactions.push_back(record.method == SupportMethod::nitsche ? nitsche_reaction(system.input, record.set, displacement)
+                                                                    : dropped_reaction(system, record, residual));
+    if (system.input.structure) add_structure_reactions(system, displacement, plain, reactions);
+    return reactions;
+}
+
+Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement) {
+    const StressOf stress(input, displacement);
+    Resultant sum;
+    for (const SupportPoint& p : set.points) {
+        const Eigen::Vector3d s = stress(p.element, p.x);
+        const Vec2 traction(s[0] * p.normal.x() + s[2] * p.normal.y(), s[2] * p.normal.x() + s[1] * p.normal.y());
+        sum.add(p.x, p.weight * input.thickness * p.direction.dot(traction) * p.direction);
+    }
+    return sum;
+}
+
+Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
+    Resultant sum;
+    for (int f = 0; f < space.n_functions; ++f)
+        sum.add(greville_point(space, f), coefficient_of_one(space, f) * load.segment<2>(2 * f));
+    return sum;
+}
+
+double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
+    if (system.body) return 0;
+    if (system.input.structure) return weighted_strain_energy(system.input, displacement);
+    if (system.input.free_strain || system.input.axis)
+        return elastic_energy(system.input, displacement) +
+               (system.input.is_projected ? volume_energy(*system.input.dilatation, displacement) : 0);
+    double twice = displacement.dot(multiply(system.stiffness, displacement));
+    for (const SpringSet& set : system.springs) twice -= 2 * spring_answer(system.input, set, displacement).energy;
+    for (const SupportRecord& record : system.supports)
+        if (record.method == SupportMethod::nitsche) twice -= nitsche_energy(system.input, record.set, displacement);
+    const double of_volume = system.input.is_projected ? volume_energy(*system.input.dilatation, displacement) : 0;
+    return 0.5 * twice + of_volume;
+}
+
+double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement) {
+    if (input.structure) return largest_weighted_displacement(input, displacement);
+    double largest = 0;
+    for (Index f = 0; f + 1 < displacement.size(); f += 2) largest = std::max(largest, displacement.segment<2>(f).norm());
+    return largest;
+}
+
+}  // namespace abut::solver

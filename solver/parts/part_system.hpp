@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One part ready to be solved: stiffness with supports, its free rigid motions, its factor.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/linear_algebra/factorization.hpp"
+#include "solver/terms/springs.hpp"
+#include "solver/terms/supports.hpp"
+
+namespace abut::solver {
+
+/// A small rigid motion in the plane: u(x) = translation + rotation * (-(y - center.y), x - center.x).
+struct RigidMotion {
+    Vec2 translation{0, 0};
+    double rotation = 0;
+    Vec2 center{0, 0};
+    Vec2 at(const Vec2& x) const { return translation + rotation * Vec2(-(x.y() - center.y()), x.x() - center.x()); }
+};
+
+/// How a support set was imposed.
+enum class SupportMethod { aligned, nitsche, structure };
+
+struct SupportRecord {
+    SupportSet set;
+    SupportMethod method;
+    std::vector<int> dropped;  ///< functions whose `component` the set holds (aligned); each belongs to one set only
+    std::string why;           ///< the method, in words
+};
+
+/// Whether two rigid motions of a part count as held or free: the smallest eigenvalue of the supports' Gram matrix, with
+/// rotations measured at the part's size, below this fraction of the largest is free.
+inline constexpr double rigid_mode_fraction = 1e-10;
+
+/// The unknown at which a factorisation ended.
+struct FailedPivot {
+    Vec2 at;  ///< of its function
+    int component;
+};
+
+/// Springs as soft as this against a part's material leave less than four digits of its answer: not solved. (Of the matrix
+/// scaled to a unit diagonal; measured: the balance of forces is off by 1e-16 to 1e-18 times the condition number.)
+inline constexpr double largest_spring_condition = 1e12;
+
+struct RigidBody;
+
+struct PartSystem {
+    PartInput input;
+    std::shared_ptr<const RigidBody> body{};  ///< of a rigid part (rigid_body.hpp): no stiffness, no factor, no unknowns
+    /// With Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has that, too.
+    BlockMatrix stiffness;
+    Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
+    Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
+    std::vector<SupportRecord> supports;
+    std::vector<SpringSet> springs;
+    std::string axis_hold;       ///< how u_x is held on the axis that the part touches; empty: it touches none
+    Eigen::VectorXd prescribed;  ///< (2n) values of dropped coefficients, 0 elsewhere
+    std::vector<int> number;     ///< (2n) row in the factorised matrix; negative: dropped or pinned
+    std::vector<double> share;   ///< (2n) of a coefficient in its row, where rows are folded (fold.hpp); empty: 1
+    std::vector<char> dropped;   ///< (2n)
+    int n_kept = 0;
+    std::vector<RigidMotion> free_motions;      ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
+    std::vector<RigidMotion> all_free_motions;  ///< where only the symmetric ones are solved for (fold.hpp): all of them
+    Eigen::MatrixXd modes;                      ///< (2n x free motions) their coefficients
+    Factorization factor;
+    std::string failure;                   ///< not empty: not solvable, what that means and what to do
+    std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
+    struct {
+        double all = 0, factorisation = 0, springs = 0, dilatation = 0;
+    } seconds;  ///< of make_part_system, and of steps in it
+
+    int n() const { return input.space.n_functions; }
+};
+
+/// size: the length at which rotations are measured (the part's diagonal); center: about which they turn.
+/// The free motions are held by pinning as many coefficients: exact as long as the loads on the part balance, which the
+/// equilibrium rows of the contact problem see to. Springs hold a motion that they resist, however soft they are.
+/// applied: on the plain functions; weighted: the same loads on the weighted ones, with a structure only.
+PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
+                            double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
+
+/// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
+Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
+
+/// The same of several motions, by column.
+Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<RigidMotion>& motions);
+
+/// K u of the whole space (2n), nothing dropped.
+Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
+
+/// Right-hand side of the factorised matrix (n_kept) for a total load vector (2n): what prescribed coefficients take of it.
+Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load);
+
+/// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones
+/// prescribed.
+Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
+
+/// Condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost: 10
+/// solutions, and as many products with the stiffness.
+double condition_estimate(const PartSystem& system);
+
+/// Forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by support.
+/// Those of structures follow from equilibrium: the residual of the plain functions, each function's to the support nearest to
+/// it; plain: loads (2n) besides `applied` (contact, constraints) on the plain functions, read for these only.
+std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
+                                         const Eigen::VectorXd& load, const Eigen::VectorXd& plain = {});
+
+/// Resultant of the stresses of a displacement along a support's points, in the held direction: a second opinion on the
+/// reaction of a structure, which converges more slowly.
+Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
+
+/// Resultant of a load vector (2n) on the plain functions.
+Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
+
+/// Of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
+double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
+
+/// No displacement of the part is larger but for the overshoot of sampling: the largest coefficient, or with a structure the
+/// largest value at its points.
+double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement);
+
+}  // namespace abut::solver

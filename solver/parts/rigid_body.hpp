@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A rigid part as a part system: it lends the contact problem its motions, and no compliance.
+//
+// What supports hold of it spans a wrench space [Grishin10, section 2.2]; the motions of that space are prescribed, those that
+// no support resists are free and become amplitudes with their equilibrium, as those of elastic parts do.
+#pragma once
+#include <vector>
+
+#include "solver/parts/part_system.hpp"
+
+namespace abut::solver {
+
+/// row . (u_x, u_y, rotation) = value, of the motion about the body's centre; weight: that of the place among the supports.
+struct MotionCondition {
+    int tag = 0;
+    Eigen::Vector3d row{0, 0, 0};
+    double value = 0, weight = 1;
+};
+
+/// The condition direction . u(x) = value.
+MotionCondition held_point(int tag, const Vec2& x, const Vec2& center, const Vec2& direction, double value, double weight);
+
+struct RigidBody {
+    Vec2 center{0, 0};
+    double size = 1;  ///< the length at which rotations are measured
+    std::vector<MotionCondition> conditions;
+    Eigen::Matrix3d held_inverse = Eigen::Matrix3d::Zero();  ///< of the conditions' Gram matrix, on what they hold
+    double contradiction = 0;  ///< largest violation of the conditions by the motion that fits them best
+    double largest_value = 0;  ///< of the conditions' values
+};
+
+/// Whether the conditions can all be met by one motion, but for rounding.
+bool is_consistent(const RigidBody& body);
+
+/// input: a space that holds linear functions; of the rest its axis alone is read: a body around one moves along y only.
+/// applied: loads (2n). failure stays empty.
+PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> conditions, Eigen::VectorXd applied,
+                             const Vec2& center, double size);
+
+/// What each condition's support exerts, by tag, for the total load (2n, contact included). More conditions than motions share
+/// as equally stiff points would: rigid bodies leave that open.
+struct TaggedResultant {
+    int tag;
+    Resultant force;
+};
+std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& load);
+
+}  // namespace abut::solver

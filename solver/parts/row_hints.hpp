@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+#include "solver/assembly/assembly.hpp"
+#include "solver/linear_algebra/factorization.hpp"
+
+namespace abut::solver {
+
+/// Places of the rows on the part's grid, and the rows of its contact elements. number: (2n) row of every coefficient,
+/// negative: none.
+RowHints row_hints(const PartInput& input, const std::vector<int>& number);
+
+/// Places of a space's functions, one row each.
+RowHints row_hints(const SplineSpace& space);
+
+}  // namespace abut::solver

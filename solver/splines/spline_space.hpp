@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tensor-product spline space of one part, and how its functions are made from local B-splines.
+//
+// Elements are the connected components of (cell and part): 0 to n_cells - 1 the cells themselves, or the first component of
+// cells in several pieces, whose other components follow. A tensor B-spline whose support inside the part falls into several
+// connected pieces, the arms beside a slot, is as many functions, its branches (DESIGN 3, "arms apart"): each lives on one of
+// them, and nothing ties the arms together.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "solver/splines/bspline.hpp"
+
+namespace abut::solver {
+
+using Vec2 = Eigen::Vector2d;
+
+/// plain: the B-splines whose support meets the part. normalized: the same, those that meet it in one cut cell only divided by
+/// their largest value there [Grishin10, eqs 4.1 and B.1]. web: extended (weighted extended B-splines without the weight).
+enum class Basis { plain, normalized, web };
+
+/// A cell counts as inner for the extension from this filled fraction on (measured: condition numbers stay at 1e3 for any cut).
+inline constexpr double inner_cell_fraction = 0.25;
+
+/// Where cells are in several pieces, or neighbours share no material. Empty for a part without slots.
+struct Splits {
+    std::vector<int> cell_of_extra;  ///< of elements n_cells, n_cells + 1, ...
+    /// Elements across the four sides through material, ascending; of those elements for which these are not simply the cells
+    /// around that hold material.
+    std::map<int, std::vector<int>> neighbours;
+};
+
+/// Every branch is a combination of the space's functions ("extraction"): itself, where it is one of them; for an extended
+/// basis, where its support holds no inner cell, the continuation of the polynomials of the nearest inner element, or the mean
+/// of the continuations where several are equally near. Nothing downstream knows which basis it is.
+struct SplineSpace {
+    KnotVector x, y;
+    Basis basis = Basis::web;
+    std::vector<double> fraction;  ///< filled fraction of the cell (row-major, row = y), by element
+    Splits splits;
+    int n_functions = 0;               ///< of the space, per displacement component
+    std::vector<int> tensor_of_extra;  ///< tensor functions of branches n_tensor, n_tensor + 1, ...; below, branch = tensor
+    std::map<int, std::vector<int>> branches;  ///< of the elements that have other than first branches, x fastest
+    std::vector<int> first;                    ///< n_branches + 1 offsets: the row of a branch
+    std::vector<int> function;                 ///< functions of the space in each row, ascending
+    std::vector<double> coefficient;
+    std::vector<int> tensor_of;              ///< tensor function of each function of the space
+    std::vector<double> coefficient_of_one;  ///< of each function in the function 1; empty: all 1
+    int n_extended = 0;                      ///< branches that are extended
+    std::string failure;                     ///< not empty: no such space (no inner cell to extend from), and why
+
+    int columns() const { return x.n_intervals(); }
+    int rows() const { return y.n_intervals(); }
+    int n_cells() const { return columns() * rows(); }
+    int n_tensor() const { return x.n_functions() * y.n_functions(); }
+    int cell_of(int element) const {
+        return element < n_cells() ? element : splits.cell_of_extra[static_cast<std::size_t>(element - n_cells())];
+    }
+    int column_of(int element) const { return cell_of(element) % columns(); }
+    int row_of(int element) const { return cell_of(element) / columns(); }
+    /// For parts without slots; elsewhere whoever knows the part's shape has to tell the element.
+    int cell_at(const Vec2& p) const { return interval_of(y, p.y()) * columns() + interval_of(x, p.x()); }
+    bool has_row(int branch) const {
+        return first[static_cast<std::size_t>(branch)] < first[static_cast<std::size_t>(branch) + 1];
+    }
+};
+
+/// What a space is made for.
+struct SpaceInput {
+    KnotVector x, y;
+    std::vector<double> fraction;  ///< by element, 0 for outer cells
+    Splits splits;
+    Basis basis = Basis::web;
+    /// Points of the boundary of (element and part), asked for only by the normalized basis: of cut elements.
+    std::function<std::vector<Vec2>(int element)> outline;
+};
+SplineSpace make_space(SpaceInput input);
+
+/// Simple knots, no slots.
+SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines, int degree_x, int degree_y,
+                       std::vector<double> fraction, Basis basis);
+
+/// Branches of the tensor functions of an element, (q+1)(p+1), x fastest.
+std::vector<int> tensor_functions(const SplineSpace& space, int element);
+/// The same without memory of their own: how many.
+using LocalFunctions = std::array<int, (max_degree + 1) * (max_degree + 1)>;
+std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result);
+
+/// Functions of the space that are not zero on an element, and how its B-splines combine them: n_local x n_functions.
+struct Extraction {
+    std::vector<int> functions;
+    Eigen::MatrixXd matrix;
+    bool identity = false;  ///< the B-splines themselves: matrix left empty
+};
+Extraction extraction(const SplineSpace& space, int element);
+
+/// Values and gradients of the space's functions at a point.
+struct PointBasis {
+    std::vector<int> functions;
+    Eigen::VectorXd value, dx, dy;
+};
+PointBasis evaluate(const SplineSpace& space, int element, const Vec2& p);
+
+/// Coefficients of a linear function of position f: f(greville_point) times the coefficient of the function 1.
+Vec2 greville_point(const SplineSpace& space, int function);
+inline double coefficient_of_one(const SplineSpace& space, int function) {
+    return space.coefficient_of_one.empty() ? 1 : space.coefficient_of_one[static_cast<std::size_t>(function)];
+}
+
+}  // namespace abut::solver

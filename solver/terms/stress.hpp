@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stresses of a displacement, whichever way the part's volume strain is made, less those of its free strain.
+#pragma once
+#include <optional>
+
+#include "solver/splines/local_spline.hpp"
+#include "solver/terms/solution_structure.hpp"
+
+namespace abut::solver {
+
+/// Of one part and displacement, both of which it refers to. Cost of making it: with a projected dilatation one solution with
+/// the mass matrix, else nothing.
+class StressOf {
+public:
+    /// On one element: what its points share is done once.
+    class OnElement {
+    public:
+        OnElement(const StressOf& stress, int element);
+        Eigen::Vector3d operator()(const Vec2& x) const;
+        /// The same where the B-splines of the element's column and row there are at hand. Without a structure only.
+        Eigen::Vector3d operator()(const Vec2& x, const LineValues& along_x, const LineValues& along_y) const;
+
+    private:
+        const StressOf& stress_;
+        int element_;
+        std::optional<LocalSpline<2>> displacement_;  // without a structure
+    };
+
+    StressOf(const PartInput& input, const Eigen::VectorXd& displacement);
+
+    /// (xx, yy, xy) at a point of an element.
+    Eigen::Vector3d operator()(int element, const Vec2& x) const;
+    /// The same where the displacement there is at hand.
+    Eigen::Vector3d operator()(int element, const Vec2& x, const DisplacementAt& u) const;
+    /// What does not follow from these by out_of_plane alone: zz of a part with an axis, or with a free strain.
+    double zz(int element, const Vec2& x) const;
+
+private:
+    /// Of the projected volume strain.
+    double volume_pressure(int element, const Vec2& x) const;
+
+    const PartInput& input_;
+    const Eigen::VectorXd& displacement_;
+    Eigen::VectorXd pressure_;
+};
+
+/// Is zz more than out_of_plane (xx + yy)?
+inline bool has_own_zz(const PartInput& input) {
+    return input.axis || (input.free_strain && input.elasticity.expansion_zz != 0);
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/accuracy_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/analysis/missed_contacts.hpp"
+#include "src/report/svg.hpp"
+#include "src/results/findings.hpp"
+#include "src/results/result_units.hpp"
+#include "src/scene/accuracy_goal.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+/// A peak that still changes by more than this from grid to grid.
+constexpr double doubtful = 0.1;
+
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
+/// A force that statics alone give has no error. Others err like the energy, whose error a change from grid to grid can miss;
+/// but where the change is a small part of it, statics give nearly all of the force. What the change says, and the energy, over
+/// the true error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
+/// cylinder on a block 2 to 12 and 40 to 160 (2e-6 of the force).
+double force_error(const ContactError& contact, const std::optional<double>& energy) {
+    constexpr double most_missed = 16;  // by the share of the change: 1 over the least of these
+    return std::clamp(energy.value_or(0), contact.force, most_missed * contact.force);
+}
+
+/// What is to be said of largest pressures.
+struct DoubtfulPeaks {
+    std::vector<Finding> at_corner, uncertain;
+};
+
+void fill_contact(const ContactError& e, const std::optional<double>& energy, std::size_t k, ContactResult& c,
+                  DoubtfulPeaks& peaks) {
+    c.error_estimate = e.pressure;
+    c.errors = ContactErrors{e.pressure, e.peak, force_error(e, energy), e.at_corner};
+    const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
+    if (e.at_corner)
+        peaks.at_corner.push_back({c.max_pressure.value, name,
+                                   largest + " stands at a sharp corner, where it grows with every finer grid (by " +
+                                       percent(e.peak) + " yet, or more); error estimates leave out what is beside it",
+                                   largest + " stands at a sharp corner, where it has no limit"});
+    else if (e.peak > doubtful && c.max_pressure.value > 0)
+        peaks.uncertain.push_back(
+            {e.peak, name, largest + " is uncertain by " + percent(std::min(e.peak, 1.0)) + ": the grids are too coarse for it",
+             largest + " known to " + percent(std::min(e.peak, 1.0))});
+}
+
+std::string why_it_ended(PathEnd end) {
+    if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
+    if (end == PathEnd::fixed_grids)
+        return "the scene gives the grids; \"adapt\": true lets those of a cell_size follow the target";
+    if (end == PathEnd::out_of_digits) return "rounding hides what finer grids would change";
+    return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
+}
+
+/// A penalty's penetration is an error of the pressure that no grid shows.
+ErrorEstimate with_penetration(ErrorEstimate e, const SolvedAssembly& solved) {
+    for (std::size_t k = 0; k < std::min(e.contacts.size(), solved.contacts.size()); ++k) {
+        const double share = penetration_share(solved, k);
+        if (!e.contacts[k] || share == 0) continue;
+        ContactError& c = *e.contacts[k];
+        c.pressure = std::hypot(c.pressure, share);
+        c.peak = std::hypot(c.peak, share);
+        e.contact_pressure = std::max(*e.contact_pressure, c.share * c.pressure);
+        e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
+    }
+    return e;
+}
+
+/// What the target is an error of.
+std::optional<double> steering(const ErrorEstimate& e) {
+    if (e.contact_pressure) return std::max(*e.contact_pressure, *e.peak);
+    return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
+}
+
+void fill_target(const Outcome& out, Result& result) {
+    const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
+    result.accuracy.of = error.contact_pressure                ? "contact pressure"
+                         : error.largest_stress > error.stress ? "largest stress"
+                                                               : "stress in the energy norm";
+    result.accuracy.target = out.target;
+    result.accuracy.estimate = steering(error);
+    result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
+    const std::optional<double> of_grids = steering(out.errors.back());
+    const bool penetrates = of_grids && *of_grids <= out.target && !result.accuracy.reached;
+    if (result.accuracy.reached || (!penetrates && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
+    result.accuracy.why = penetrates
+                              ? "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take "
+                                "a larger contacts.penalty, or none"
+                              : why_it_ended(out.end);
+    const std::string estimate = percent(result.accuracy.estimate.value_or(1)), target = percent(out.target);
+    tell({{0, "",
+           "the estimated error of the " + result.accuracy.of + ", " + estimate + ", is above the " + target +
+               " aimed at: " + result.accuracy.why,
+           (error.contact_pressure ? "contact pressures" : "stresses") + (" known to " + estimate + ", not to " + target)}},
+         "accuracy", result);
+}
+
+}  // namespace
+
+void fill_errors(const Outcome& out, Result& result) {
+    for (std::size_t k = 0; k < out.passes.size(); ++k)
+        result.passes.push_back(
+            {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
+    fill_target(out, result);
+    const ErrorEstimate error = with_penetration(out.errors.back(), out.solved);
+    if (!error.energy && !error.contact_pressure) {
+        result.error_estimate.method = "none: nothing is strained";
+        return;
+    }
+    result.error_estimate.method = error.contact_pressure
+                                       ? "fit of the root at free ends of contact; elsewhere a share of the change between the "
+                                         "last two grids, or the distance from the theory of half planes; energy, "
+                                         "stress: smoothed stresses"
+                                       : "smoothed stresses beside those of the displacement, in the energy norm; at the "
+                                         "largest stress, there alone, and its change between the last two grids";
+    result.error_estimate.energy = error.energy;
+    result.error_estimate.contact_pressure = error.contact_pressure;
+    result.error_estimate.stress = error.stress;
+    DoubtfulPeaks peaks;
+    for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
+        if (error.contacts[k]) fill_contact(*error.contacts[k], error.energy, k, result.contacts[k], peaks);
+    if (!result.accuracy.why.empty())  // the verdict has a worse word already
+        for (Finding& f : peaks.uncertain) f.reason.clear();
+    tell(std::move(peaks.at_corner), "corner", result);
+    tell(std::move(peaks.uncertain), "peak", result);
+}
+
+void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
+    std::vector<Finding> findings;
+    const MissedContacts missed = missed_contacts(scene, out.solved, out.target);
+    for (std::size_t k = 0; k < missed.size(); ++k)
+        for (const MissedContact& m : missed[k]) {
+            const std::string pair = result.contacts[k].between[0] + " and " + result.contacts[k].between[1];
+            findings.push_back({m.depth, pair,
+                                pair + " overlap by " + number_text(m.depth, 3) +
+                                    " where no contact was found: the cells are too coarse there for a force of up to " +
+                                    percent(std::min(1.0, m.share)) +
+                                    " of the largest on one of them; ask for a higher accuracy",
+                                pair + " overlap where no contact was found"});
+        }
+    if (!findings.empty()) result.accuracy.reached = false;
+    tell(std::move(findings), "missed contact", result);
+}
+
+void warn_of_largest_stress(Result& result) {
+    const PartResult* most = most_stressed(result);
+    if (!most) return;
+    const std::string which = "the largest von Mises stress, " + number_text(most->max_von_mises.value, 4) + " in " +
+                              most->name + " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";
+    // with contact the answer is judged by its pressures
+    const bool is_aimed_at = result.accuracy.of != "contact pressure";
+    if (most->max_von_mises_at_corner)
+        tell({{0, most->name,
+               which + " has no limit there (a re-entrant corner, the end of a support, or the corner of a contact): it grows "
+                       "with every finer grid",
+               is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
+             "corner", result);
+    else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
+        tell({{0, most->name,
+               which + " is uncertain by " + percent(std::min(*most->max_von_mises_error, 1.0)) +
+                   ": the grid is too coarse for it",
+               result.accuracy.why.empty() ? "the largest stress is uncertain" : ""}},
+             "stress", result);
+}
+
+namespace {
+
+/// Solution time grows a little faster than unknowns.
+constexpr double time_exponent = 1.2;
+/// Passes that a finer target adds, of the last one's size.
+constexpr double passes_added = 1.5;
+constexpr double finer = 5;
+/// Bounds on the growth of unknowns per fall of the error, as an exponent.
+constexpr double least_growth = 0.1, most_growth = 1;
+/// With contact, where the passes do not show it; without, errors of stress fall like the cells' area: most_growth.
+constexpr double usual_growth = 0.5;
+
+NextLevel next_target(double target) {
+    for (const char* level : {"draft", "standard", "fine"}) {
+        Accuracy accuracy;
+        accuracy.level = level;
+        if (target_of(accuracy) < target / 1.5) return {level, target_of(accuracy), 0};
+    }
+    return {number_text(target / finer, 2), target / finer, 0};
+}
+
+double stage_seconds_of(const Result& result, const std::string& stage) {
+    for (const auto& [name, seconds] : result.timing)
+        if (name == stage) return seconds;
+    return 0;
+}
+
+}  // namespace
+
+void predict_next_level(Result& result) {
+    const auto& passes = result.passes;
+    if (passes.empty() || !(result.accuracy.estimate && *result.accuracy.estimate > 0)) return;
+    if (!result.accuracy.why.empty()) return;  // not even this level was reached
+    // from the first pass with an estimate to the last
+    const auto first =
+        std::find_if(passes.begin(), passes.end(), [](const PassSummary& p) { return p.estimated_error.has_value(); });
+    const PassSummary& last = passes.back();
+    const double seconds_before = passes.size() > 1 ? passes[passes.size() - 2].seconds : 0.0;
+    double growth = result.error_estimate.contact_pressure ? usual_growth : most_growth;
+    if (first != passes.end() && *first->estimated_error > *last.estimated_error && last.unknowns > first->unknowns)
+        growth = std::log(static_cast<double>(last.unknowns) / first->unknowns) /
+                 std::log(*first->estimated_error / *last.estimated_error);
+    growth = std::clamp(growth, least_growth, most_growth);
+    NextLevel next = next_target(result.accuracy.target);
+    const double more = std::pow(std::max(1.0, *last.estimated_error / next.target), growth);
+    const double last_seconds = last.seconds - seconds_before;
+    const double import = stage_seconds_of(result, "import");
+    const double answers = std::max(0.0, stage_seconds_of(result, "total") - last.seconds - import);
+    next.seconds = import + last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) + more * answers;
+    result.next_level = next;
+}
+
+}  // namespace abut

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of the answer's accuracy: estimated errors, whether the target was reached, what the next level would cost.
+#pragma once
+#include "src/analysis/adaptive.hpp"
+#include "src/results/result.hpp"
+
+namespace abut {
+
+/// Estimated errors of the contacts (parallel to the candidates) and of the whole, passes, and warnings where the target was
+/// missed or a pressure may have no limit.
+void fill_errors(const Outcome& out, Result& result);
+
+/// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
+void fill_missed(const Scene& scene, const Outcome& out, Result& result);
+
+/// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
+void warn_of_largest_stress(Result& result);
+
+/// The next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over the
+/// passes and from the seconds they took; nothing where there is no estimate to go by, or where this level
+/// was missed. Call with the timing filled in, and again when more of the total is known.
+void predict_next_level(Result& result);
+
+}  // namespace abut

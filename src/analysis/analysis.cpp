@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The walk: conditions -> candidates -> passes (grids, solution, new grids from the contacts found) -> results.
+#include "src/analysis/analysis.hpp"
+
+#include <chrono>
+#include <map>
+
+#include "solver/linear_algebra/blas_threads.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
+#include "src/analysis/accuracy_results.hpp"
+#include "src/analysis/adaptive.hpp"
+#include "src/analysis/assumptions.hpp"
+#include "src/analysis/effect_answers.hpp"
+#include "src/analysis/held_contacts.hpp"
+#include "src/analysis/placement.hpp"
+#include "src/analysis/self_contact.hpp"
+#include "src/analysis/unpaired_touches.hpp"
+#include "src/answers/contact_results.hpp"
+#include "src/answers/equilibrium.hpp"
+#include "src/answers/field_results.hpp"
+#include "src/answers/mobility.hpp"
+#include "src/answers/motion_text.hpp"
+#include "src/answers/part_results.hpp"
+#include "src/answers/probes.hpp"
+#include "src/contact/candidate_faces.hpp"
+#include "src/plan/mirror_symmetry.hpp"
+#include "src/plan/plan.hpp"
+#include "src/plan/rigid_parts.hpp"
+#include "src/report/svg.hpp"
+#include "src/results/findings.hpp"
+#include "src/results/verdict.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
+/// pictures.
+constexpr double drawn_patch = 1.0 / 160;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    result.status = "failed";
+    result.solver.converged = false;
+    if (!solved.failure.empty()) {
+        result.message = solved.failure;
+        return;
+    }
+    result.message =
+        "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
+        ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+}
+
+void fill_largest(const LargestStress& largest, PartResult& part) {
+    part.max_displacement = largest.displacement;
+    part.max_von_mises = largest.von_mises;
+    part.max_von_mises_error = largest.error;
+    part.max_von_mises_at_corner = largest.at_corner;
+}
+
+/// Displacements and stresses of all parts that have some, side by side. False: one has no stresses.
+bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
+    const SolvedAssembly& solved = out.solved;
+    geometry::Box2 model;
+    for (const PartOnGrid& g : solved.grids) model.extend(bounding_box(scene.parts[at(g.part)].part));
+    solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
+        if (!out.stress[at(k)].failure.empty()) return;
+        const auto i = at(solved.grids[at(k)].part);
+        fill_largest(out.largest[at(k)], result.parts[i]);
+        result.fields[i] = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)],
+                                      drawn_patch * model.diagonal());
+    });
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        if (out.stress[k].failure.empty()) continue;
+        result.status = "failed";
+        result.message = "part " + scene.parts[at(solved.grids[k].part)].name + ": " + out.stress[k].failure +
+                         "; its cells are too coarse where it is thin: set accuracy.refine there, or a higher accuracy.level";
+        return false;
+    }
+    return true;
+}
+
+void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::map<std::string, Finding> findings;  // by motion: each once
+    for (const solver::PartMotion& m : solved.solution.neutral) {
+        const std::string text = motion_text(scene, solved, m);
+        findings[text] = {0, text, "nothing holds a motion that no load drives (the answer of least motion is given): " + text};
+    }
+    tell(values_of(findings), "neutral", result);
+}
+
+void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, int threads,
+                  Stopwatches& seconds, Result& result) {
+    const SolvedAssembly& solved = out.solved;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        result.contacts.push_back(contact_result(scene, solved, out.candidates[k], k));
+        result.contacts.back().functional = faces_of(scene, out.candidates[k]).functional;
+    }
+    result.under_load = mobility_under_load(scene, conditions, result.contacts);
+    result.strain_energy = energy_of(solved);
+    result.energy_rounding = energy_rounding_of(solved);
+    fill_equilibrium(scene, solved, result);
+    fill_errors(out, result);
+    fill_missed(scene, out, result);
+    const auto begin = std::chrono::steady_clock::now();
+    if (!fill_fields(scene, out, threads, result)) return;
+    warn_of_largest_stress(result);
+    fill_probes(scene, solved, out.stress, result);
+    seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    tell_neutral_motions(scene, solved, result);
+    check_assumptions(scene, out, result);
+    warn_of_held_contacts(scene, conditions, out, result);
+    warn_of_unpaired_touches(scene, result);
+    warn_of_self_contact(result);
+}
+
+/// "assembly" holds the factorisations, too.
+std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
+    return {{"geometry", seconds["geometry"]},
+            {"assembly", seconds["assembly"] - seconds["factorisation"]},
+            {"factorisation", seconds["factorisation"]},
+            {"contact", seconds["solve"]},
+            {"recovery", seconds["recovery"]}};
+}
+
+/// Whether half of the scene is to be solved.
+std::optional<MirrorLine> mirror_to_use(const Scene& scene, const ResolvedConditions& conditions, Result& result) {
+    const MirrorSymmetry symmetry = plan_symmetry(scene, conditions, result.effects);
+    if (symmetry.found) return symmetry.line;
+    result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
+    return std::nullopt;
+}
+
+/// The grids turned out not to be symmetric.
+void note_not_folded(const std::string& why, Result& result) {
+    const std::string text = "solved as drawn, because the scene on its grids is not symmetric: " + why;
+    set_symmetry(false, text, result.effects);
+    result.warnings.push_back("\"symmetry\": \"auto\": " + text);
+}
+
+bool has_answer(const Outcome& out) {
+    return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
+}
+
+/// The analysis of the parts where they are drawn, and where they go far before they rest, again from there: the scene that it
+/// ends with, if another.
+std::optional<Scene> follow_to_rest(const Scene& drawn, ResolvedConditions conditions, const AnalyzeOptions& options,
+                                    Stopwatches& seconds, Outcome& out, Result& result) {
+    constexpr int most_placements = 5;
+    std::optional<Scene> rest;
+    for (int k = 0; k < most_placements && has_answer(out); ++k) {
+        std::optional<PlacedScene> placed = placed_at_rest(rest ? *rest : drawn, out.solved);
+        if (!placed) break;
+        conditions.mirror.reset();
+        Outcome there = solve_adaptively(placed->scene, conditions, options, seconds);
+        if (!has_answer(there)) break;
+        out = std::move(there);
+        rest = std::move(placed->scene);
+        result.warnings.push_back("analysed where the loads take it, " + first_few(placed->moved) + " from where it was " +
+                                  (k == 0 ? "drawn" : "before") + ": places and displacements are those from there");
+    }
+    return rest;
+}
+
+Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
+    Result result;
+    result.title = drawn.title;
+    result.length_unit = drawn.length_unit;
+    result.force_unit = drawn.force_unit;
+    result.degree = drawn.accuracy.degree;
+    result.warnings = drawn.warnings;
+    check_probes(drawn);
+    ResolvedConditions conditions = resolve_conditions(drawn);
+    result.effects = plan_effects(drawn, conditions);
+    if (drawn.fold_symmetry) conditions.mirror = mirror_to_use(drawn, conditions, result);
+    const int threads = solver::usable_threads(options.threads);
+    Outcome out = solve_adaptively(drawn, conditions, options, seconds);
+    const std::optional<Scene> rest = follow_to_rest(drawn, conditions, options, seconds, out, result);
+    const Scene& scene = rest ? *rest : drawn;
+    result.support_marks = support_marks(scene, conditions);
+    result.load_marks = load_marks(scene, conditions);
+    fill_parts(scene, out.solved, result);
+    if (!out.solved.not_folded.empty()) note_not_folded(out.solved.not_folded, result);
+    result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
+    result.multipliers = out.solved.solution.n_multipliers;
+    result.solver = {static_cast<int>(out.passes.size()),
+                     out.factorizations,
+                     out.iterations,
+                     largest_condition(out.solved, threads),
+                     out.solved.solution.converged,
+                     out.solved.solution.groups,
+                     out.solved.solution.contact_problems};
+    if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
+        fill_failure(scene, out.solved, result);
+    } else {
+        if (!out.solved.solution.converged) {
+            result.status = "failed";
+            result.message = "the contact iterations did not converge";
+        }
+        if (const std::string pressed = rigid_pair_failure(scene, out); !pressed.empty()) {
+            result.status = "failed";
+            result.message = pressed;
+        }
+        fill_answers(scene, conditions, out, threads, seconds, result);
+        if (const std::string impossible = impossible_in(result); result.status == "ok" && !impossible.empty()) {
+            result.status = "failed";
+            result.message = "what was computed is no answer: " + impossible;
+        }
+    }
+    const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    fill_effects(out, total, result);
+    for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
+        result.timing.emplace_back(stage, seconds[stage]);
+    result.stages = fine_stages(seconds);
+    result.timing.emplace_back("output", 0);
+    result.timing.emplace_back("total", total);
+    predict_next_level(result);
+    return result;
+}
+
+}  // namespace
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    try {
+        return analyze_checked(scene, options);
+    } catch (const InputError& error) {
+        std::vector<Problem> problems = error.problems();
+        for (Problem& p : problems)
+            if (p.where.starts_with('/')) p.where = scene.file + " " + p.where;
+        throw InputError(std::move(problems));
+    }
+}
+
+}  // namespace abut

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/assumptions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/assembly/ring.hpp"
+#include "src/answers/field_results.hpp"
+#include "src/plan/left_out_parts.hpp"
+#include "src/plan/plan.hpp"
+#include "src/plan/rigid_parts.hpp"
+#include "src/report/svg.hpp"
+#include "src/results/findings.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
+constexpr double large_rotation = 0.05, large_strain = 0.05;
+constexpr double large_motion = 0.05;  // of the part's size
+/// Tension of a bonded pair, over its largest traction, that is more than the fit of the spline.
+constexpr double noted_tension = 1e-3;
+/// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
+constexpr double noted_rounding = 1e-3;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+struct PlacedValue {
+    double value = 0;
+    Vec2 at{0, 0};  // in the part's frame
+
+    void take(double other, const Vec2& x) {
+        if (other <= value) return;
+        value = other;
+        at = x;
+    }
+};
+struct LargestChange {
+    PlacedValue rotation, strain;
+};
+
+/// Where a part is looked at: all along its boundary, in its cut cells, and in the middle of the others.
+std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
+    std::vector<std::pair<int, Vec2>> places = cut_cell_samples(g);
+    const geometry::Grid& grid = g.cells.grid;
+    for (std::size_t c = 0; c < g.cells.cell_class.size(); ++c) {
+        if (g.cells.cell_class[c] != geometry::CellClass::inner) continue;
+        const int cell = static_cast<int>(c);
+        const std::size_t i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
+        places.emplace_back(cell, 0.5 * Vec2(grid.x[i] + grid.x[i + 1], grid.y[j] + grid.y[j + 1]));
+    }
+    for (std::size_t k = 0; k < g.cells.pieces.size(); ++k) {
+        const geometry::BoundaryPiece& piece = g.cells.pieces[k];
+        if (g.elements.of_piece[k] < 0) continue;
+        const geometry::Curve& curve = g.local.edges[at(piece.edge)].curve;
+        for (double t : {piece.t0, 0.5 * (piece.t0 + piece.t1)}) places.emplace_back(g.elements.of_piece[k], point(curve, t));
+    }
+    return places;
+}
+
+LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+    LargestChange largest;
+    for (const auto& [element, x] : places_of(g)) {
+        const auto u = solver::displacement_at(g.input, displacement, element, x);
+        largest.rotation.take(0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)), x);
+        const double hoop = g.input.axis ? solver::hoop_strain(g.input, x, u) : 0.0;
+        largest.strain.take(std::hypot((0.5 * (u.gradient + u.gradient.transpose())).norm(), hoop), x);
+    }
+    return largest;
+}
+
+std::string percent(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
+std::string place_text(const Vec2& p) {
+    return "(" + number_text(p.x(), 4) + ", " + number_text(p.y(), 4) + ")";
+}
+
+/// What would treat it is an effect of the plan that is off: there is no key for it.
+void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> motions, rotations, strains;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const PartOnGrid& g = solved.grids[k];
+        const auto& [rotation, strain] = largest_change(g, solved.solution.displacement[k]);
+        const std::string& name = scene.parts[at(g.part)].name;
+        const ValueAt& motion = result.parts[at(g.part)].max_displacement;
+        const double degrees = rotation.value * 180 / std::numbers::pi;
+        if (motion.value > large_motion * g.size)
+            motions.push_back({motion.value / g.size, name,
+                               "large displacement would matter: part " + name + " moves by " + number_text(motion.value, 3) +
+                                   " at " + place_text(motion.at) + "; contacts are paired where they are drawn",
+                               name + " moves by " + percent(motion.value / g.size) + " of its size"});
+        if (rotation.value > large_rotation)
+            rotations.push_back({rotation.value, name,
+                                 "large displacement would matter: rotation " + number_text(degrees, 3) + " degrees at part " +
+                                     name + ", near " + place_text(g.frame.to_global(rotation.at)) +
+                                     "; the answer is that of small displacements",
+                                 name + " turns by " + number_text(degrees, 2) + " degrees"});
+        if (strain.value > large_strain)
+            strains.push_back({strain.value, name,
+                               "large strain: part " + name + " strains by up to " + number_text(100 * strain.value, 3) +
+                                   " % near " + place_text(g.frame.to_global(strain.at)) +
+                                   "; the answer is that of linear elasticity",
+                               name + " strains by " + percent(strain.value)});
+    }
+    tell(std::move(motions), "displacement", result);
+    tell(std::move(rotations), "rotation", result);
+    tell(std::move(strains), "strain", result);
+}
+
+void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
+    for (const PartOnGrid& g : solved.grids) {
+        const ScenePart& part = scene.parts[at(g.part)];
+        const Material& material = scene.materials[at(part.material)];
+        const ValueAt& reached = result.parts[at(g.part)].max_von_mises;
+        if (!material.yield || !(reached.value > *material.yield)) continue;
+        const std::string times = number_text(reached.value / *material.yield, 3) + " times ";
+        findings.push_back({reached.value / *material.yield, part.name,
+                            "yield exceeded: part " + part.name + " reaches a von Mises stress of " +
+                                number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " + times +
+                                "the yield of " + material.name + " (" + number_text(*material.yield, 4) +
+                                "); the answer is that of linear elasticity, without plasticity",
+                            part.name + " at " + times + "its yield"});
+    }
+    tell(std::move(findings), "yield", result);
+}
+
+/// Bonded pairs that would open if they were contacts.
+void check_bonds(Result& result) {
+    std::vector<Finding> findings;
+    for (const ContactResult& c : result.contacts) {
+        if (c.kind != "bonded") continue;
+        const std::vector<double>& p = c.profile.pressure;
+        double most = 0;
+        for (double v : p) most = std::max(most, std::abs(v));
+        const auto least = std::min_element(p.begin(), p.end());
+        if (p.empty() || *least >= -noted_tension * most) continue;
+        const auto k = static_cast<std::size_t>(least - p.begin());
+        const std::string pair = c.between[0] + " and " + c.between[1];
+        findings.push_back({-*least, pair,
+                            "bonded pair in tension: " + pair + " are pulled apart with up to " + number_text(-*least, 4) +
+                                " at " + place_text({c.profile.x[k], c.profile.y[k]}) +
+                                "; a contact (kind \"contact\" in contacts.pairs) would open there"});
+    }
+    tell(std::move(findings), "bond", result);
+}
+
+/// Parts whose contact reaches the end of what was searched: "a and b".
+std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
+    std::string names;
+    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+        const geometry::FacingZone& zone = s.contacts[k].zone;
+        const auto ends_there = [&](const ContactRun& run) {
+            return (run.from_start && zone.begin_is_limit) || (run.to_end && zone.end_is_limit);
+        };
+        if (s.contacts[k].face.bilateral || std::none_of(s.runs[k].begin(), s.runs[k].end(), ends_there)) continue;
+        const auto& [a, b] = s.contacts[k].part;
+        names += (names.empty() ? ": " : ", ") + scene.parts[at(a)].name + " and " + scene.parts[at(b)].name;
+    }
+    return names;
+}
+
+void check_rules(const Scene& scene, const Outcome& out, Result& result) {
+    std::vector<Finding> findings;
+    for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
+        const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
+                                      [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
+        if (const std::string rule = "contacts.pairs " + std::to_string(r);
+            !used && scene.contacts.pairs[r].kind != PairRule::Kind::ignore)
+            findings.push_back(
+                {0, rule, rule + " has no effect: these edges face each other nowhere within the search distance"});
+    }
+    tell(std::move(findings), "rule", result);
+}
+
+/// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are
+/// 4 % off at nu = 0.49 and as large as themselves at 0.4999 (the thick ring E10, eight cells across).
+void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
+    for (const PartOnGrid& g : solved.grids) {
+        const ScenePart& part = scene.parts[at(g.part)];
+        const Material& material = scene.materials[at(part.material)];
+        if (!g.is_rigid && !g.input.is_projected && is_nearly_incompressible(scene, material))
+            findings.push_back(
+                {material.nu, part.name,
+                 "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
+                     ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\""});
+    }
+    tell(std::move(findings), "locking", result);
+}
+
+/// More than this out of balance is the rounding of a badly conditioned system.
+constexpr double noted_imbalance = 1e-6;
+
+void check_balance(Result& result) {
+    const double off = std::max(result.equilibrium.relative_residual, result.equilibrium.relative_moment_residual);
+    if (off <= noted_imbalance) return;
+    const std::string text = "forces and moments balance only to " + number_text(off, 2) + " of the largest";
+    tell({{off, "", text + ": rounding, of cells that are tiny beside their part", text}}, "balance", result);
+}
+
+/// Below the error aimed at rounding is none that matters.
+void check_rounding(double target, Result& result) {
+    const double rounding = std::min(1.0, std::numeric_limits<double>::epsilon() * result.solver.condition_estimate);
+    if (rounding <= noted_rounding) return;
+    const std::string words = "rounding may change this answer by up to " + number_text(100 * rounding, 1) + " %";
+    tell({{0, "",
+           words + " (condition number " + number_text(result.solver.condition_estimate, 2) +
+               "): a part is very slender, or runs out in a very sharp tip",
+           rounding > target ? words : ""}},
+         "rounding", result);
+}
+
+void check_grids(const Scene& scene, const Outcome& out, Result& result) {
+    if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
+    if (const std::string left_out = left_out_text(left_out_parts(result)); !left_out.empty())
+        result.warnings.push_back(left_out);
+    if (out.search_too_short)
+        tell({{0, "",
+               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
+                   "; give contacts.search_distance a larger value",
+               "contact reaches the end of what was searched"}},
+             "search", result);
+    if (out.solved.limited_grids > 0)
+        result.warnings.push_back(
+            "grids of " + std::to_string(out.solved.limited_grids) +
+            " part(s) are coarser than the contacts ask for, to bound the number of cells; \"fine\" allows more");
+    if (out.solved.refined_for_walls > 0)
+        result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
+                                  " part(s) were refined because a wall was thinner than a cell");
+}
+
+/// What a user did not ask for, or may expect, of parts that are rigid.
+void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    const bool has_weights = std::any_of(scene.loads.begin(), scene.loads.end(), [](const Load& l) {
+        return l.kind == Load::Kind::gravity || l.kind == Load::Kind::spin;
+    });
+    std::vector<Finding> stiff, weightless;
+    for (const PartOnGrid& g : solved.grids) {
+        if (!g.is_rigid) continue;
+        const ScenePart& part = scene.parts[at(g.part)];
+        const bool is_asked_for = scene.materials[at(part.material)].rigid;
+        if (!is_asked_for)
+            stiff.push_back(
+                {0, part.name,
+                 "part " + part.name + " is computed as a rigid body (" + why_rigid(scene, g.part) + "): it has no stress"});
+        if (is_asked_for && has_weights)
+            weightless.push_back(
+                {0, part.name,
+                 "part " + part.name + " is rigid and weightless, gravity and spin do nothing to it: give it a force"});
+    }
+    tell(std::move(stiff), "rigid", result);
+    tell(std::move(weightless), "weightless", result);
+}
+
+}  // namespace
+
+void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
+    check_kinematics(scene, out.solved, result);
+    check_yield(scene, out.solved, result);
+    check_bonds(result);
+    check_rules(scene, out, result);
+    check_grids(scene, out, result);
+    check_rounding(out.target, result);
+    check_balance(result);
+    warn_of_locking(scene, out.solved, result);
+    warn_of_rigid_parts(scene, out.solved, result);
+}
+
+}  // namespace abut

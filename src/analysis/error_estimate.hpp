@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Estimated errors of a solution.
+//
+// Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
+// the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
+// share of the change from the solution before; of contacts small beside their parts no more than the distance from the
+// pressure that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have
+// no limit are left out. Energy and stress: from the smoothed stresses of one solution (stress_error).
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "src/analysis/pass_record.hpp"
+
+namespace abut {
+
+/// Of one contact, relative to its own values.
+struct ContactError {
+    double pressure = 0;          ///< L2 over the contact:
+    double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
+    double change = 0;            ///< of the rest, from the grids before
+    double peak = 0, force = 0;
+    double share = 1;          ///< of the strongest contact's pressure (L2)
+    double share_of_peak = 1;  ///< of the largest pressure of all contacts
+    bool at_corner = false;    ///< the largest pressure stands at a corner, where it may have no limit
+};
+
+/// Unset: nothing to compare with.
+struct ErrorEstimate {
+    std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
+    std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
+    std::optional<double> peak;                         ///< the same of largest pressures, but for those at corners
+    std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
+    std::optional<double> energy;                       ///< strain energy; not by estimate_errors
+    std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
+    std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
+};
+
+/// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands
+/// where a contact's cells stayed as they were; theory: by candidate, or empty. It knows nothing of the grids: a solution that
+/// is nearer to it than the change says is that near to the truth, but for what both are off by in the same direction.
+ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before,
+                              std::span<const std::optional<PlanePressure>> theory = {});
+
+/// A solution's strain energy, and the energy of what its smoothed stresses differ by, relative to it.
+struct EnergyOnGrid {
+    double energy, smoothing;
+};
+/// Relative error of the energy on the later of two grids. The differences of smoothed stresses tell how the errors of both
+/// compare; the change of the energy is the difference of those errors, which gives their size: at corners without a limit of
+/// the stress the smoothed ones see a quarter of the error (error of stress: half), and miss the same fraction on both grids.
+double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);
+
+}  // namespace abut

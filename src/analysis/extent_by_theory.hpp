@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a contact ends whose grid is too coarse to tell.
+//
+// Its force is right on the coarsest grid, by statics. Bodies that are large beside the contact answer a pressure like half
+// planes; with the drawn gap f(x) around the middle the half width a follows from the force per thickness [Galin1953]
+//   P = E* int_0^(pi/2) a sin(t) f'(a sin(t)) dt,   1/E* = 1/E1' + 1/E2'
+// for a symmetric profile; f = x^2 / (2 R) gives Hertz' P = pi E* a^2 / (4 R). A flat of half width b with fillets of radius R
+// touches a little beyond them, for a - b << b (the limit of [Ciavarella1998]) by
+//   a - b = (3 P R / (4 E* sqrt(b / 2)))^(2/3)
+// and nearly all of the pressure's steep ends lies there. Only a place to put cells: the next solution finds the end itself.
+// Parts that move far before they press (a pin drawn concentric with its hole) have another gap then: nothing is said of them.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "src/analysis/plane_pressure.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+struct TheoryOfContacts {
+    ContactRuns runs;
+    /// By contact; where all of its runs are small beside their parts and of half planes.
+    std::vector<std::optional<PlanePressure>> pressure;
+    bool is_close = false;  ///< every contact has one
+};
+
+/// Runs of few knots with their free ends put there, about where the drawn gap is lowest, or about the interface's end where a
+/// run begins or ends with it (a line of symmetry); ends of longer runs near a fillet's joint put beyond it; others as they
+/// were found. Where the first kind is all there is of a contact, its pressure, too.
+TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved);
+
+}  // namespace abut

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cell sizes that contacts ask for: before a solution from the drawn gaps, after one from the contacts found.
+#include <algorithm>
+#include <cmath>
+
+#include "src/solution/contact_joints.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int samples = 33;
+constexpr double near_gap_fraction = 0.25;  // of a zone's range of gaps: what is closer counts as where contact will be
+constexpr double cells_in_first_contact = 16;
+/// Cells at the ends from which on the growth towards the middle follows them, by the fourth root: the ends' errors fall with
+/// the cell size, those of the rest with its third power and more.
+constexpr double fast_end = 0.02;
+/// Distance of a joint from the end of contact, times this: the length that the end's cells are a fraction of.
+/// At least this of the run: a joint at the very end tells nothing.
+constexpr double lengths_beside_joint = 4, least_steep_end = 1e-3;
+constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size, double growth) {
+    if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size, growth});
+}
+
+double growth_for(const ContactResolution& r) {
+    return std::clamp(fastest_growth * std::pow(r.end_fraction / fast_end, 0.25), slowest_growth, fastest_growth);
+}
+
+/// length: of the pressure's steep end.
+double end_size(const RunEnd& end, double length, const ContactResolution& r) {
+    return length * (end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction);
+}
+
+/// Joints within a run from which on the gap opens; and the lengths of the pressure's steep ends, beyond the nearest ones.
+struct RunJoints {
+    std::vector<ContactJoint> inside;
+    std::vector<double> length;  // of the steep end that each belongs to
+    double at_begin, at_end;
+};
+
+RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& run) {
+    const double whole = run.end - run.begin;
+    RunJoints in{{}, {}, whole, whole};
+    for (const ContactJoint& joint : joints) {
+        if (joint.s <= run.begin || joint.s >= run.end) continue;
+        const bool to_end = joint.opening > 0;
+        const double distance = to_end ? run.end - joint.s : joint.s - run.begin;
+        const RunEnd& end = to_end ? run.at_end : run.at_begin;
+        const double length = end.kind == RunEnd::Kind::free
+                                  ? std::clamp(lengths_beside_joint * distance, least_steep_end * whole, whole)
+                                  : whole;
+        double& shortest = to_end ? in.at_end : in.at_begin;
+        shortest = std::min(shortest, length);
+        in.inside.push_back(joint);
+        in.length.push_back(length);
+    }
+    return in;
+}
+
+}  // namespace
+
+WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness) {
+    WantedSizes wanted(scene.parts.size());
+    for (const Candidate& c : candidates) {
+        const geometry::Part &p1 = scene.parts[at(c.first)].part, &p2 = scene.parts[at(c.second)].part;
+        const double limit = c.zone.gap_min + near_gap_fraction * (c.zone.gap_max - c.zone.gap_min);
+        std::vector<Vec2> on1, on2;
+        double partner = c.zone.begin2;
+        for (int k = 0; k < samples; ++k) {
+            const double s1 = c.zone.begin1 + (k + 0.5) / samples * (c.zone.end1 - c.zone.begin1);
+            const geometry::FacingPair pair = pair_from_first(p1, p2, c.zone, s1, partner);
+            if (!pair.found) continue;
+            partner = pair.s2;
+            if (pair.gap > limit) continue;
+            on1.push_back(pair.on1.x);
+            on2.push_back(pair.on2.x);
+        }
+        const double length = (c.zone.end1 - c.zone.begin1) * static_cast<double>(on1.size()) / samples;
+        want(wanted, c.first, on1, coarseness * length / cells_in_first_contact, size_growth);
+        want(wanted, c.second, on2, coarseness * length / cells_in_first_contact, size_growth);
+    }
+    return wanted;
+}
+
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
+                       const std::vector<ContactResolution>& resolution) {
+    WantedSizes wanted(scene.parts.size());
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const std::vector<ContactJoint> all_joints =
+            runs[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
+        for (const ContactRun& run : runs[k]) {
+            const ContactInterface& contact = solved.contacts[k];
+            const double length = run.end - run.begin, growth = growth_for(resolution[k]);
+            std::array<std::vector<Vec2>, 2> points;
+            for (int i = 0; i < samples; ++i) {
+                const geometry::FacingPair pair = pair_at(scene, contact, run.begin + length * i / (samples - 1));
+                if (!pair.found) continue;
+                points[0].push_back(pair.on1.x);
+                points[1].push_back(pair.on2.x);
+            }
+            const RunJoints joints = joints_in(all_joints, run);
+            for (std::size_t side = 0; side < 2; ++side) {
+                if (points[side].empty()) continue;
+                const int part = contact.part[side];
+                want(wanted, part, points[side], length / resolution[k].cells, growth);
+                if (run.at_begin.kind != RunEnd::Kind::plain)
+                    want(wanted, part, {points[side].front()}, end_size(run.at_begin, joints.at_begin, resolution[k]), growth);
+                if (run.at_end.kind != RunEnd::Kind::plain)
+                    want(wanted, part, {points[side].back()}, end_size(run.at_end, joints.at_end, resolution[k]), growth);
+                for (std::size_t i = 0; i < joints.inside.size(); ++i)
+                    want(wanted, part, {joints.inside[i].x[side]}, joints.length[i] * resolution[k].corner_fraction, growth);
+            }
+        }
+    }
+    return wanted;
+}
+
+}  // namespace abut

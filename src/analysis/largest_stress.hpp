@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The largest von Mises stress of every part, and its own estimated error. The energy's says nothing of it: a notch that is
+// small beside the part has no energy.
+//
+// Smoothed stresses, which are those shown, and stresses of the displacement differ where the grid is too coarse for either;
+// with two grids, the peak's change is compared with that. At re-entrant corners, at the ends of supports, under held points
+// and where contact ends at a corner the stress has no limit, and no error.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "solver/recovery/recovery.hpp"
+#include "src/results/result.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+struct LargestStress {
+    ValueAt displacement;         ///< the largest, too: both are found in one go
+    ValueAt von_mises;            ///< assembly coordinates
+    double cell = 0;              ///< size of the cell there
+    double smoothing = 0;         ///< von Mises stress of what smoothed stresses and the others differ by in that cell
+    bool at_corner = false;       ///< there is no limit there
+    std::optional<double> error;  ///< of the stress, relative; unset at corners, and where nothing is strained
+};
+
+/// Of each of solved.grids. stress: of fits that have not failed; before: the same of the grids before, or empty.
+std::vector<LargestStress> largest_stresses(const Scene& scene, const ResolvedConditions& conditions,
+                                            const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
+                                            const std::vector<LargestStress>& before, int threads);
+
+/// The one among them whose stress is largest; nullptr where there is none.
+const LargestStress* strongest(const std::vector<LargestStress>& all);
+
+}  // namespace abut

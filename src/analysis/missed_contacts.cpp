@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/missed_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "solver/terms/solution_structure.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Of the scene's largest force: a part on which less acts is of no interest to anybody.
+constexpr double negligible_force = 1e-3;
+
+/// Of the distance between two points: nearer than this the place of the least gap is known well enough.
+constexpr double place_tolerance = 1e-3;
+
+/// A zone under the displacements.
+class DeformedZone {
+public:
+    DeformedZone(const Scene& scene, const SolvedAssembly& solved, std::size_t contact)
+        : scene_(scene), solved_(solved), contact_(solved.contacts[contact]), runs_(solved.runs[contact]) {}
+
+    double gap(const solver::InterfacePoint& p) const {
+        double gap = p.gap;
+        for (std::size_t side = 0; side < 2; ++side) gap += opening(side, p.element[side], p.x[side], p.normal[side]);
+        return gap;
+    }
+
+    /// The same anywhere along the middle curve; nothing where it has no pair.
+    std::optional<double> gap(double s) const {
+        const geometry::FacingPair pair = pair_at(scene_, contact_, s);
+        if (!pair.found) return std::nullopt;
+        double gap = contact_.drawn.of(pair.gap);
+        for (std::size_t side = 0; side < 2; ++side) {
+            const PartOnGrid& g = grid_of(side);
+            const geometry::ChainPoint& on = side == 0 ? pair.on1 : pair.on2;
+            gap += opening(side, element_of(g, on), g.frame.to_local(on.x), g.frame.vector_to_local(pair.normal));
+        }
+        return gap;
+    }
+
+    /// Is a place under pressure, or so near to where it ends that the pressure's knots do not tell?
+    bool is_pressed(double s) const {
+        return std::any_of(runs_.begin(), runs_.end(), [&](const ContactRun& run) {
+            return s >= run.begin - run.at_begin.reach && s <= run.end + run.at_end.reach;
+        });
+    }
+
+private:
+    const PartOnGrid& grid_of(std::size_t side) const { return solved_.grids[at(contact_.face.part[side])]; }
+    double opening(std::size_t side, int element, const Vec2& x, const Vec2& normal) const {
+        const std::size_t i = at(contact_.face.part[side]);
+        const auto u = solver::displacement_at(solved_.grids[i].input, solved_.solution.displacement[i], element, x);
+        return (side == 0 ? -1 : 1) * normal.dot(u.value);
+    }
+
+    const Scene& scene_;
+    const SolvedAssembly& solved_;
+    const ContactInterface& contact_;
+    const std::vector<ContactRun>& runs_;
+};
+
+struct GapAt {
+    double s, gap;
+};
+
+/// The least gap between two places (golden sections: it has one minimum there).
+GapAt least_between(const DeformedZone& zone, double low, double high) {
+    constexpr double golden = 0.6180339887498949;
+    const double tolerance = place_tolerance * (high - low);
+    const auto look = [&](double s) { return GapAt{s, zone.gap(s).value_or(std::numeric_limits<double>::infinity())}; };
+    GapAt a = look(high - golden * (high - low)), b = look(low + golden * (high - low));
+    while (high - low > tolerance) {
+        if (a.gap < b.gap) {
+            high = b.s;
+            b = a;
+            a = look(high - golden * (high - low));
+        } else {
+            low = a.s;
+            a = b;
+            b = look(low + golden * (high - low));
+        }
+    }
+    return a.gap < b.gap ? a : b;
+}
+
+/// Where the gap closes between an open place and an overlap.
+double edge_between(const DeformedZone& zone, double open, double closed) {
+    const double tolerance = place_tolerance * std::abs(closed - open);
+    while (std::abs(closed - open) > tolerance) {
+        const double middle = 0.5 * (open + closed);
+        (zone.gap(middle).value_or(1) < 0 ? closed : open) = middle;
+    }
+    return open;
+}
+
+MissedContact missed_between(double begin, double end, double depth) {
+    MissedContact m{{begin, end, false, false}, depth, 0};
+    m.run.at_begin.kind = m.run.at_end.kind = RunEnd::Kind::free;
+    return m;
+}
+
+/// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is.
+std::vector<MissedContact> overlaps(const DeformedZone& zone, const ContactInterface& c) {
+    std::vector<GapAt> gaps;
+    for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
+    std::vector<MissedContact> found;
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+        const double before = i == 0 ? c.s.front() : gaps[i - 1].s, after = i + 1 == gaps.size() ? c.s.back() : gaps[i + 1].s;
+        if (gaps[i].gap < 0) {
+            if (i == 0 || gaps[i - 1].gap >= 0) found.push_back(missed_between(before, after, 0));
+            found.back().run.end = after;
+            found.back().depth = std::max(found.back().depth, -gaps[i].gap);
+            continue;
+        }
+        const bool is_least =
+            gaps[i].gap > 0 && i > 0 && i + 1 < gaps.size() && gaps[i].gap <= gaps[i - 1].gap && gaps[i].gap <= gaps[i + 1].gap;
+        if (!is_least) continue;
+        const GapAt least = least_between(zone, before, after);
+        if (least.gap < 0)
+            found.push_back(
+                missed_between(edge_between(zone, before, least.s), edge_between(zone, after, least.s), -least.gap));
+    }
+    return found;
+}
+
+/// By solver's part: the largest load on it, or force of its contacts.
+std::vector<double> largest_forces(const SolvedAssembly& solved) {
+    std::vector<double> force = solved.problem.part_load;
+    force.resize(solved.grids.size(), 0);
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        if (solved.runs[k].empty()) continue;
+        const double f = contact_force(solved, k).force.norm();
+        for (int part : solved.contacts[k].face.part) force[at(part)] = std::max(force[at(part)], f);
+    }
+    return force;
+}
+
+}  // namespace
+
+MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share) {
+    MissedContacts missed(solved.contacts.size());
+    const std::vector<double> forces = largest_forces(solved);
+    const double of_all = forces.empty() ? 0 : *std::max_element(forces.begin(), forces.end());
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const ContactInterface& c = solved.contacts[k];
+        if (solved.interface_of[k] < 0 || c.face.bilateral || c.pairing != Pairing::middle) continue;
+        const double force =
+            std::max(std::min(forces[at(c.face.part[0])], forces[at(c.face.part[1])]), negligible_force * of_all);
+        for (MissedContact& m : overlaps(DeformedZone(scene, solved, k), c)) {
+            m.share = c.face.thickness * m.depth / compliance_of(solved, k) / force;
+            if (m.share > least_share) missed[k].push_back(m);
+        }
+    }
+    return missed;
+}
+
+bool any_missed(const MissedContacts& missed) {
+    return std::any_of(missed.begin(), missed.end(), [](const auto& m) { return !m.empty(); });
+}
+
+ContactRuns with_missed(ContactRuns runs, const MissedContacts& missed) {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        for (const MissedContact& m : missed[k]) runs[k].push_back(m.run);
+        std::sort(runs[k].begin(), runs[k].end(), [](const ContactRun& a, const ContactRun& b) { return a.begin < b.begin; });
+    }
+    return runs;
+}
+
+}  // namespace abut

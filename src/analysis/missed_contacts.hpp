@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts that a pass did not see. Its gaps are means over functions of the pressure, a few cells wide: where bodies overlap
+// less far than that, they can pass as open. So every zone is looked at point by point.
+#pragma once
+#include <vector>
+
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// A stretch of a zone without pressure where the bodies overlap.
+struct MissedContact {
+    ContactRun run{};  ///< the stretch, with free ends
+    double depth = 0;  ///< of the overlap, at its deepest
+    /// What it may carry, over the largest force on the part that has less: two half planes that are pressed together by the
+    /// depth answer with less than E* times thickness times depth.
+    double share = 0;
+};
+
+/// By contact, ascending along its zone; stretches that may carry more than `least_share` of that force.
+using MissedContacts = std::vector<std::vector<MissedContact>>;
+MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share);
+
+bool any_missed(const MissedContacts& missed);
+
+/// Both, ascending.
+ContactRuns with_missed(ContactRuns runs, const MissedContacts& missed);
+
+}  // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cells that the next grids are to have, from what a solution shows of the contacts and of its errors.
+#pragma once
+#include <vector>
+
+#include "src/analysis/error_estimate.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// Of the sizes that the shape asks for: first and second grids only locate the contacts, and show what the shape's cells do.
+inline constexpr double first_coarsening = 2, coarsening_step = 1.4;
+
+struct NextGrids {
+    double target;                                ///< estimated relative error aimed at
+    double coarseness;                            ///< of the shape's cells, at the target
+    double coarsening;                            ///< of these, on the next grids
+    std::vector<double> goal{};                   ///< by contact: fraction of its length that reaches the target at its ends
+    std::vector<ContactResolution> resolution{};  ///< by contact, on the next grids
+
+    double next_coarseness() const;
+    bool on_final_cells() const { return coarsening <= coarseness; }
+};
+
+/// Towards the final cells of the shape by one step; the last step is no smaller than the others, or there would be nothing to
+/// see in it.
+void coarsen_less(NextGrids& next);
+
+/// Contacts that were just found; runs: as they were, or where they are expected.
+void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, NextGrids& next);
+
+/// The next grids are the last ones, if all goes well.
+void aim_at_goals(NextGrids& next);
+
+/// Contacts whose error still counts get finer cells; where they had what they aimed at, they aim at less.
+void refine(const ErrorEstimate& error, NextGrids& next);
+
+}  // namespace abut

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/pass_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/curves/gauss.hpp"
+#include "src/solution/contact_measures.hpp"
+#include "src/solution/table.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Of the pressure's integral: resultants below are rounding (a ring pressed all round).
+constexpr double balanced = 1e-9;
+constexpr double same_place = 1e-6;     // of a zone's length
+constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
+
+double spacing(const solver::KnotVector& knots, double s) {
+    const auto i = static_cast<std::size_t>(interval_of(knots, s));
+    return knots.breakpoints[i + 1] - knots.breakpoints[i];
+}
+
+/// Is a place within the reach of an end of that kind?
+bool beside(RunEnd::Kind kind, const std::vector<ContactRun>& runs, double s) {
+    return std::any_of(runs.begin(), runs.end(), [=](const ContactRun& run) {
+        return (run.at_begin.kind == kind && std::abs(s - run.begin) < run.at_begin.reach) ||
+               (run.at_end.kind == kind && std::abs(s - run.end) < run.at_end.reach);
+    });
+}
+
+/// Place in `before` of a place on the first chain; a closed zone may begin elsewhere than before.
+template <class Before>
+double place_in(const Before& before, double s1) {
+    const double whole = before.s1.back() - before.s1.front();
+    if (s1 < before.s1.front()) s1 += whole;
+    if (s1 > before.s1.back()) s1 -= whole;
+    return interpolate(before.s1, before.s, s1);
+}
+
+bool beside(RunEnd::Kind kind, const ContactRecord& c, double s) {
+    return beside(kind, c.runs, s);
+}
+double pressure_of(const ContactRecord& c, double s) {
+    return solver::pressure_at(c.pressure, c.coefficients, s);
+}
+double spacing_of(const ContactRecord& c, double s, double /*now*/) {
+    return spacing(c.pressure, s);
+}
+
+bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
+    return false;
+}
+double pressure_of(const PlanePressure& theory, double s) {
+    double sum = 0;
+    for (const PlaneRun& run : theory.runs) sum += pressure_at(run, s);
+    return sum;
+}
+double spacing_of(const PlanePressure& /*theory*/, double /*s*/, double now) {
+    return now;
+}
+
+double force_of(const ContactRecord& c) {
+    const auto& rule = geometry::gauss_rule(c.pressure.degree);
+    double force = 0;
+    for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
+        const double a = c.pressure.breakpoints[i], h = c.pressure.breakpoints[i + 1] - a;
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+            force += h * rule.weights[q] * solver::pressure_at(c.pressure, c.coefficients, a + h * rule.points[q]);
+    }
+    return force * c.thickness;
+}
+
+}  // namespace
+
+PassRecord record_of(const SolvedAssembly& solved, double seconds) {
+    PassRecord record;
+    record.energy = energy_of(solved);
+    record.multipliers = solved.solution.n_multipliers;
+    record.seconds = seconds;
+    for (const PartOnGrid& g : solved.grids) record.unknowns += g.is_rigid ? 0 : 2 * g.input.space.n_functions;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        record.contacts.emplace_back();
+        if (solved.interface_of[k] < 0) continue;
+        const ContactInterface& c = solved.contacts[k];
+        record.contacts.back() = {c.s1,
+                                  c.s,
+                                  c.face.pressure,
+                                  pressure_of(solved, k),
+                                  solved.runs[k],
+                                  c.face.thickness,
+                                  contact_force(solved, k).force};
+    }
+    return record;
+}
+
+namespace {
+
+/// All of it but the forces.
+template <class Before>
+PressureChange pressure_change(const ContactRecord& now, const Before& before) {
+    PressureChange change;
+    double ratios = 0, length = 0;
+    if (now.s.empty() || before.s.empty()) return change;
+    const auto& rule = geometry::gauss_rule(points_per_interval);
+    for (int i = 0; i < now.pressure.n_intervals(); ++i) {
+        const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
+        const double h = now.pressure.breakpoints[static_cast<std::size_t>(i) + 1] - a;
+        for (std::size_t q = 0; q < rule.points.size(); ++q) {
+            const double s = a + h * rule.points[q], w = h * rule.weights[q];
+            const double p = pressure_of(now, s);
+            const double s0 = place_in(before, interpolate(now.s, now.s1, s));
+            const double p0 = pressure_of(before, s0);
+            change.peak = std::max(change.peak, p);
+            change.peak_before = std::max(change.peak_before, p0);
+            if (beside(RunEnd::Kind::corner, now, s) || beside(RunEnd::Kind::corner, before, s0)) continue;
+            const double square = w * (p - p0) * (p - p0);
+            change.difference += square;
+            change.norm += w * p * p;
+            if (beside(RunEnd::Kind::free, now, s) || beside(RunEnd::Kind::free, before, s0)) continue;
+            change.inside += square;
+            if (p > 0 && p0 > 0) {
+                ratios += w * std::log(h / spacing_of(before, s0, h));
+                length += w;
+            }
+        }
+    }
+    change.difference = std::sqrt(change.difference);
+    change.inside = std::sqrt(change.inside);
+    change.refinement = length > 0 ? std::exp(ratios / length) : 1;
+    change.norm = std::sqrt(change.norm);
+    return change;
+}
+
+}  // namespace
+
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before) {
+    PressureChange change = pressure_change(now, before);
+    if (now.s.empty() || before.s.empty()) return change;
+    change.force = force_of(now);
+    change.force_before = force_of(before);
+    change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);
+    if (now.resultant && before.resultant && now.resultant->norm() > balanced * std::abs(change.force))
+        change.force_change = (*now.resultant - *before.resultant).norm() / now.resultant->norm();
+    return change;
+}
+
+bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory) {
+    if (now.s1.empty() || theory.s1.empty()) return false;
+    const double tolerance = same_place * std::abs(now.s1.back() - now.s1.front());
+    return std::abs(now.s1.front() - theory.s1.front()) <= tolerance && std::abs(now.s1.back() - theory.s1.back()) <= tolerance;
+}
+
+PressureChange change_from(const ContactRecord& now, const PlanePressure& theory) {
+    return pressure_change(now, theory);
+}
+
+}  // namespace abut

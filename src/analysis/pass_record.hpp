@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is kept of a solution to compare later ones with, without its grids and matrices.
+#pragma once
+#include <optional>
+
+#include "src/analysis/plane_pressure.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+struct ContactRecord {
+    std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
+    solver::KnotVector pressure;  ///< over s; no intervals: no interface
+    Eigen::VectorXd coefficients;
+    std::vector<ContactRun> runs;
+    double thickness = 1;
+    std::optional<Vec2> resultant{};  ///< force on the first part
+};
+
+struct PassRecord {
+    std::vector<ContactRecord> contacts;  ///< by candidate
+    double energy = 0;
+    int unknowns = 0, multipliers = 0;
+    double seconds = 0;  ///< since the first grid was begun
+};
+
+PassRecord record_of(const SolvedAssembly& solved, double seconds);
+
+/// Of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
+struct PressureChange {
+    double difference = 0;  ///< L2, like the norm without the neighbourhoods of corners
+    double inside = 0;      ///< the same without those of free ends
+    double refinement = 1;  ///< of the knots there: their spacing over that before, geometric mean
+    double norm = 0;        ///< L2 of the pressure
+    double peak = 0, peak_before = 0;
+    double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
+    double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
+};
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
+/// Do both tables begin and end at the same places? Those of a closed zone may have moved.
+bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory);
+/// The same from what theory has, which is no force and no knots: refinement 1.
+PressureChange change_from(const ContactRecord& now, const PlanePressure& theory);
+
+}  // namespace abut

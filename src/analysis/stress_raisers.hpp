@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the stresses of a solution are worst: re-entrant corners, ends of loads and supports, small holes.
+#pragma once
+#include <vector>
+
+#include "solver/recovery/recovery.hpp"
+#include "src/analysis/largest_stress.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// Where few cells hold half of the squared error of the stresses (smoothed against those of the displacement): adds smaller
+/// cells there. False: the error lies everywhere, and nothing is added. stress: by part of solved.grids.
+bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, WantedSizes& wanted);
+
+/// Smaller cells where the largest stress stands.
+void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted);
+
+}  // namespace abut

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/answers/contact_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "geometry/interfaces/interface_kind.hpp"
+#include "src/contact/candidate_faces.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int profile_points_per_interval = 6;
+constexpr int profile_points_per_penalty_point = 2;  // they stand closer than a pressure spline's knots
+constexpr double margin_fraction = 0.35;             // of the contact's length that a profile shows beyond its ends
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+struct Side {
+    const ScenePart& part;
+    const PartOnGrid& grid;
+    const Eigen::VectorXd& displacement;
+
+    std::string edge_name(int edge) const { return part.name + "/" + part.part.edges[at(edge)].name; }
+    double arc_length(const geometry::ChainPoint& p) const { return edge_arc_length(part.part.edges[at(p.edge)], p.t); }
+    Vec2 displacement_at(const geometry::ChainPoint& p) const {
+        const auto u = solver::displacement_at(grid.input, displacement, element_of(grid, p), grid.frame.to_local(p.x));
+        return grid.frame.vector_to_global(u.value);
+    }
+};
+
+Side side_of(const Scene& scene, const SolvedAssembly& solved, int part) {
+    const int k = solved.solver_part[at(part)];
+    return {scene.parts[at(part)], solved.grids[at(k)], solved.solution.displacement[at(k)]};
+}
+
+/// Where the profile is sampled: every pressure interval, up to the faces' own ends; where only the search ended the zone, up
+/// to a margin beyond the contact.
+std::vector<double> profile_places(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+    const solver::KnotVector& k = contact.face.pressure;
+    double low = k.breakpoints.front(), high = k.breakpoints.back();
+    if (!runs.empty()) {
+        double longest = 0;
+        for (const ContactRun& r : runs) longest = std::max(longest, r.end - r.begin);
+        if (contact.zone.begin_is_limit || contact.zone.closed)
+            low = std::max(low, runs.front().begin - margin_fraction * longest);
+        if (contact.zone.end_is_limit || contact.zone.closed)
+            high = std::min(high, runs.back().end + margin_fraction * longest);
+    }
+    const int n = contact.face.penalty.empty() ? profile_points_per_interval : profile_points_per_penalty_point;
+    std::vector<double> places;
+    for (int i = 0; i < k.n_intervals(); ++i) {
+        const double a = std::max(low, k.breakpoints[at(i)]), b = std::min(high, k.breakpoints[at(i) + 1]);
+        if (b <= a) continue;
+        for (int j = 0; j < n; ++j) places.push_back(a + (b - a) * j / n);
+    }
+    places.push_back(high);
+    return places;
+}
+
+/// The pressure that answers to a gap: the pressure spline's, or what the penalty makes of a penetration there (the nearest
+/// point's beta).
+double pressure_for(const ContactInterface& contact, const Eigen::VectorXd& pressure, double s, double gap) {
+    const std::vector<solver::InterfacePoint>& points = contact.face.points;
+    if (contact.face.bilateral) return solver::pressure_at(contact.face.pressure, pressure, s);
+    if (contact.face.penalty.empty()) return std::max(0.0, solver::pressure_at(contact.face.pressure, pressure, s));
+    const auto after = std::lower_bound(points.begin(), points.end(), s, [](const auto& p, double v) { return p.s < v; });
+    auto k = static_cast<std::size_t>(after - points.begin());
+    if (k == points.size() || (k > 0 && s - points[k - 1].s < points[k].s - s)) --k;
+    return contact.face.penalty[k] * std::max(0.0, -gap);
+}
+
+const Eigen::VectorXd& shear_of(const SolvedAssembly& solved, std::size_t contact) {
+    return solved.solution.pressure[at(solved.shear_of[contact])];
+}
+
+void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t k, const Candidate& candidate,
+                  ContactResult& result) {
+    const ContactInterface& contact = solved.contacts[k];
+    const Eigen::VectorXd& pressure = pressure_of(solved, k);
+    const Side first = side_of(scene, solved, candidate.first), second = side_of(scene, solved, candidate.second);
+    const bool is_open = solved.runs[k].empty();  // but for rounding
+    for (double s : profile_places(contact, solved.runs[k])) {
+        const geometry::FacingPair pair = pair_at(scene, contact, s);
+        if (!pair.found) continue;
+        const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing;
+        const double gap = drawn + pair.normal.dot(second.displacement_at(pair.on2) - first.displacement_at(pair.on1));
+        const double p = is_open ? 0 : pressure_for(contact, pressure, s, gap);
+        ContactProfile& profile = result.profile;
+        profile.edge.push_back(first.edge_name(pair.on1.edge));
+        profile.s.push_back(first.arc_length(pair.on1));
+        profile.x.push_back(pair.on1.x.x());
+        profile.y.push_back(pair.on1.x.y());
+        profile.edge2.push_back(second.edge_name(pair.on2.edge));
+        profile.s2.push_back(second.arc_length(pair.on2));
+        profile.x2.push_back(pair.on2.x.x());
+        profile.y2.push_back(pair.on2.x.y());
+        profile.pressure.push_back(p);
+        profile.gap.push_back(gap);
+        if (solved.shear_of[k] >= 0)
+            profile.shear.push_back(solver::pressure_at(contact.face.pressure, shear_of(solved, k), s));
+        result.max_penetration = std::max(result.max_penetration, -gap);
+        if (p > result.max_pressure.value || profile.s.size() == 1) result.max_pressure = {p, pair.on1.x};
+    }
+}
+
+/// Names of the edges met along a profile, in order, and the one that carries most: of the pressure, or of the length where
+/// open.
+void name_edges(const std::vector<std::string>& edge, const std::vector<double>& pressure, std::vector<std::string>& all,
+                std::string& main) {
+    std::map<std::string, double> share;
+    const bool loaded = std::any_of(pressure.begin(), pressure.end(), [](double p) { return p != 0; });
+    for (std::size_t i = 0; i < edge.size(); ++i) {
+        if (std::find(all.begin(), all.end(), edge[i]) == all.end()) all.push_back(edge[i]);
+        share[edge[i]] += loaded ? std::abs(pressure[i]) : 1;
+    }
+    double most = -1;
+    for (const std::string& name : all)
+        if (share[name] > most) {
+            most = share[name];
+            main = name;
+        }
+}
+
+int edge_named(const ScenePart& part, const std::string& qualified) {
+    for (std::size_t e = 0; e < part.part.edges.size(); ++e)
+        if (part.name + "/" + part.part.edges[e].name == qualified) return static_cast<int>(e);
+    return 0;
+}
+
+std::string interface_of(const Scene& scene, const Candidate& candidate, const std::array<std::string, 2>& between) {
+    const ScenePart &a = scene.parts[at(candidate.first)], &b = scene.parts[at(candidate.second)];
+    return geometry::interface_kind(a.part, edge_named(a, between[0]), b.part, edge_named(b, between[1]));
+}
+
+std::string status_of(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+    if (contact.face.bilateral) return "closed";
+    if (runs.empty()) return "open";
+    const bool whole = runs.size() == 1 && runs[0].from_start && runs[0].to_end;
+    return whole && !contact.zone.begin_is_limit && !contact.zone.end_is_limit ? "closed" : "partial";
+}
+
+}  // namespace
+
+ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate,
+                             std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    ContactResult result;
+    result.part = {candidate.first, candidate.second};
+    result.parts = {scene.parts[at(candidate.first)].name, scene.parts[at(candidate.second)].name};
+    result.gap_min = candidate.zone.gap_min - candidate.closing;
+    result.gap_max = candidate.zone.gap_max - candidate.closing;
+    if (solved.interface_of[contact] < 0) {
+        result.status = "open";
+        return result;
+    }
+    result.status = status_of(c, solved.runs[contact]);
+    for (const ContactRun& run : solved.runs[contact]) {
+        result.contact_length += run.end - run.begin;
+        for (double s : {run.begin, run.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
+    }
+    if (c.face.bilateral) result.kind = "bonded";
+    fill_profile(scene, solved, contact, candidate, result);
+    name_edges(result.profile.edge, result.profile.pressure, result.edges[0], result.between[0]);
+    name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);
+    result.interface = corner_kind(scene, candidate).value_or(interface_of(scene, candidate, result.between));
+    if (result.status == "open") return result;
+    const ContactForce total = contact_force(solved, contact);
+    result.force = total.force;
+    result.moment = total.moment;
+    return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/results/result.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// What one contact of a solved assembly does, on the model's own edges.
+ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate, std::size_t contact);
+
+}  // namespace abut

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "solver/recovery/recovery.hpp"
+#include "src/results/result.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// Smoothed stresses of one solved part.
+solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement);
+
+/// Displacement (assembly frame) and stress (assembly axes) at a point of a cell, given in the local frame.
+FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
+                         int element, const Vec2& local);
+
+/// Where displacement and von Mises stress of a part are largest, and the element and local point of that stress (element -1:
+/// there is none).
+struct LargestOfPart {
+    ValueAt displacement, von_mises;
+    int element = -1;
+    Vec2 local{0, 0};
+};
+LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress);
+
+/// What is drawn of a part. patch: sides of patches are no longer than this, but for those of few cells, which are divided into
+/// more. Fields are taken inside the part only: corners of patches beyond the boundary have what is extrapolated from the
+/// nearest point of it in their cell, linearly; patches without any of the part are left out.
+PartField part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
+                     double patch);
+
+}  // namespace abut

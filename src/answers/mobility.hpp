@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the supports and contacts of an assembly leave its parts to do as rigid bodies [Grishin10, section 2.2].
+#pragma once
+#include <vector>
+
+#include "src/analysis/adaptive.hpp"
+#include "src/results/result.hpp"
+
+namespace abut {
+
+/// As drawn: every support, and every contact that is closer than a detected pair may be, as two-sided.
+MobilityResult mobility_as_drawn(const Scene& scene, const ResolvedConditions& conditions,
+                                 const std::vector<Candidate>& candidates);
+
+/// Under the loads: the supports, and the contacts that carry force.
+MobilityResult mobility_under_load(const Scene& scene, const ResolvedConditions& conditions,
+                                   const std::vector<ContactResult>& contacts);
+
+}  // namespace abut

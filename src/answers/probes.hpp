@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <vector>
+
+#include "src/answers/field_results.hpp"
+#include "src/results/result.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// Throws InputError for probes that lie outside their part.
+void check_probes(const Scene& scene);
+
+/// stress: by solver part.
+void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
+                 Result& result);
+
+}  // namespace abut

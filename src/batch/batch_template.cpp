@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/batch/batch_template.hpp"
+
+#include <algorithm>
+
+#include "src/io/json_document.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+namespace {
+
+bool names_any_file(const JsonValue& value) {
+    if (value.kind == JsonValue::Kind::string && value.key == "file" && value.text == any_file) return true;
+    return std::any_of(value.items.begin(), value.items.end(), names_any_file);
+}
+
+const std::string how_to_name = std::string("name the file '") + any_file +
+                                "' where each job's own belongs, as in \"assembly\": {\"file\": \"" + any_file + "\", ...}";
+
+}  // namespace
+
+BatchTemplate read_template(const std::string& file) {
+    const JsonDocument document = read_json(file);
+    BatchTemplate result{file, names_any_file(document.root), {}};
+    if (const JsonValue* parameters = find_member(document.root, "parameters"))
+        for (const JsonValue& item : parameters->items) result.parameters.push_back(item.key);
+    return result;
+}
+
+void check_template(const BatchSource& source, const BatchTemplate* batch_template) {
+    std::vector<Problem> problems;
+    if (!batch_template && !source.names_files)
+        problems.push_back({source.parameters.empty() ? "" : source.parameters.begin()->second,
+                            "the table has no column 'file'",
+                            "add one, or give the scene that its parameters are for by --template"});
+    if (batch_template && source.names_files && !batch_template->takes_file)
+        problems.push_back({batch_template->file, "this template has no place for the files", how_to_name});
+    if (batch_template && !source.names_files && batch_template->takes_file)
+        problems.push_back({batch_template->file, "this template wants a file for each job, and the table names none",
+                            "add the column 'file'"});
+    for (const auto& [name, where] : source.parameters) {
+        if (!batch_template) break;
+        const auto& known = batch_template->parameters;
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            problems.push_back({where, "the column '" + shortened(name) + "' is no parameter of " + batch_template->file,
+                                nearest_name_hint(name, known)});
+    }
+    if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+}  // namespace abut

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the faces of a candidate meet: which edges, as what kind of contact.
+#pragma once
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "geometry/interfaces/functional_interface.hpp"
+#include "src/contact/candidates.hpp"
+
+namespace abut {
+
+struct CandidateFaces {
+    std::map<std::array<int, 2>, double> lengths;  ///< on the first part, by pair of edges
+    std::array<int, 2> carrying{0, 0};             ///< the pair that is longest
+    double shared_length = 0;                      ///< of edges that lie on each other wherever they face each other
+    std::string kind{};                            ///< "pin-in-hole", "flat-on-flat", ...
+    FunctionalInterface functional{};              ///< about the origin of assembly coordinates
+};
+CandidateFaces faces_of(const Scene& scene, const Candidate& candidate);
+
+/// Where a candidate's faces come closest at an end at which they are not parallel, a corner meets a face: the kind of that.
+std::optional<std::string> corner_kind(const Scene& scene, const Candidate& candidate);
+
+/// Of two boundary points, one at least a corner's, that are all there is of a contact.
+FunctionalInterface functional_at_corner(const Scene& scene, int first, int second, const geometry::ClosestPoints& at,
+                                         const std::string& kind);
+
+}  // namespace abut

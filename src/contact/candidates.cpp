@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/contact/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+
+#include "src/contact/drawn_overlap.hpp"
+
+namespace abut {
+
+namespace {
+
+const geometry::Part& part_of(const Scene& scene, int i) {
+    return scene.parts[static_cast<std::size_t>(i)].part;
+}
+
+/// Is a pair of edges searched at all? Without detection only what rules speak of.
+bool is_searched(const Scene& scene, int rule) {
+    return rule < 0 ? scene.contacts.detect
+                    : scene.contacts.pairs[static_cast<std::size_t>(rule)].kind != PairRule::Kind::ignore;
+}
+
+/// Overlaps deeper than this have faces that are not paired.
+double deepest_paired(const PartReach& reach, int first, int second) {
+    return std::min(reach.searched(first, second, 1), first_search_fraction * reach.size(first, second));
+}
+
+/// A zone whose faces have passed each other: where parts have nothing in common, and deeper than any fit, these are the far
+/// sides of thin parts.
+bool is_far_side(const geometry::FacingZone& zone, const geometry::Overlap& common, double touching, double deepest) {
+    return zone.gap_min < -(common.depth > touching ? deepest : 2 * touching);
+}
+
+Candidate candidate_of(const Scene& scene, int first, int second, RuledZone&& ruled) {
+    Candidate c{first, second, acting_zone(part_of(scene, first), part_of(scene, second), std::move(ruled.zone)), 0,
+                scene.contacts.overlap == "ignore"};
+    c.rule = ruled.rule;
+    if (c.rule >= 0) {
+        const PairRule& rule = scene.contacts.pairs[static_cast<std::size_t>(c.rule)];
+        c.closing = rule.interference;
+        c.bonded = rule.kind == PairRule::Kind::bonded;
+    }
+    return c;
+}
+
+/// Pairs run along the middle of both normals, at most 30 degrees from either: a zone along an overlap sees more than half of
+/// its depth.
+bool sees_depth(const geometry::FacingZone& zone, double depth) {
+    return zone.gap_min <= -0.5 * depth;
+}
+
+std::vector<Candidate> in_order(std::vector<Meeting>&& meetings) {
+    std::vector<Candidate> candidates;
+    for (Meeting& m : meetings) std::move(m.candidates.begin(), m.candidates.end(), std::back_inserter(candidates));
+    std::stable_sort(candidates.begin(), candidates.end(), comes_before);
+    return candidates;
+}
+
+/// Does the zone begin or end at the closest points? At a corner: its pair there runs along the middle normal, at most 30
+/// degrees from the shortest way.
+bool ends_at_closest(const Scene& scene, const Meeting& m, const geometry::FacingZone& zone, double tolerance) {
+    constexpr double beside = 0.6;  // above the tangent of 30 degrees
+    const auto meets = [&](double s1, double guess) {
+        const geometry::FacingPair p = pair_from_first(part_of(scene, m.first), part_of(scene, m.second), zone, s1, guess);
+        const double off1 = (p.on1.x - m.closest->x1).norm(), off2 = (p.on2.x - m.closest->x2).norm();
+        return std::min(off1, off2) <= tolerance && std::max(off1, off2) <= beside * std::abs(p.gap) + tolerance;
+    };
+    return m.closest && (meets(zone.begin1, zone.begin2) || meets(zone.end1, zone.end2));
+}
+
+}  // namespace
+
+double drawn_gap(const Scene& scene, const Meeting& m, const Candidate& c, double touching) {
+    return ends_at_closest(scene, m, c.zone, touching) ? std::min(c.zone.gap_min, m.closest->distance) : c.zone.gap_min;
+}
+
+Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
+             const MeetingDistances& distances) {
+    const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
+    const double touching = reach.touching(first, second), deepest = deepest_paired(reach, first, second);
+    const geometry::Overlap common = overlap(a, b, touching);
+    Meeting m{first, second};
+    m.closest = closest_points(a, b, std::max(distances.closest, touching));
+    bool paired = false, depth_seen = false;
+    for (geometry::FacingZone& zone : find_facing_zones(a, b, std::max(distances.search, touching))) {
+        if (is_far_side(zone, common, touching, first_search_fraction * reach.size(first, second))) continue;
+        paired = paired ||
+                 (m.closest && (zone.gap_min <= m.closest->distance + touching || ends_at_closest(scene, m, zone, touching)));
+        depth_seen = depth_seen || sees_depth(zone, common.depth);
+        for (RuledZone& ruled : split_by_rules(scene, rules, first, second, zone))
+            if (is_searched(scene, ruled.rule)) m.candidates.push_back(candidate_of(scene, first, second, std::move(ruled)));
+    }
+    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.closing <= distances.shown;
+    if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {
+        m.overlap = common;
+        m.too_deep = common.depth > deepest || !depth_seen;
+    }
+    m.unpaired = m.closest && !paired && is_searched(scene, rules.of(first, m.closest->edge1, second, m.closest->edge2));
+    return m;
+}
+
+std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
+    std::vector<Meeting> meetings;
+    if (!scene.contacts.detect && scene.contacts.pairs.empty()) return meetings;
+    const PairRules rules(scene);
+    const PartReach reach(scene);
+    const int n = static_cast<int>(scene.parts.size());
+    for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j) {
+            const double distance = reach.searched(i, j, factor), shown = reach.shown(i, j);
+            if (reach.within(i, j, distance)) meetings.push_back(meet(scene, rules, reach, i, j, {distance, shown, shown}));
+        }
+    return meetings;
+}
+
+bool comes_before(const Candidate& a, const Candidate& b) {
+    return std::tuple(!a.shown, a.first, a.second) < std::tuple(!b.shown, b.first, b.second);
+}
+
+std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
+    std::vector<Meeting> meetings = find_meetings(scene, factor);
+    std::vector<Problem> problems;
+    if (factor == 1) check_overlaps(scene, meetings, problems);
+    if (!problems.empty()) throw InputError(problems);
+    return in_order(std::move(meetings));
+}
+
+std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor) {
+    return in_order(find_meetings(scene, factor));
+}
+
+PartPairs touching_pairs(const std::vector<Candidate>& candidates) {
+    PartPairs pairs;
+    for (const Candidate& c : candidates) pairs.emplace_back(c.first, c.second);
+    return pairs;
+}
+
+PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates) {
+    PartPairs pairs;
+    for (const Candidate& c : candidates)
+        if (c.closing != 0 || scene.contacts.overlap == "press_fit") pairs.emplace_back(c.first, c.second);
+    return pairs;
+}
+
+}  // namespace abut

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which stretches of which parts can come into contact: the one search that all commands share.
+#pragma once
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/brep/closest_points.hpp"
+#include "geometry/brep/overlap.hpp"
+#include "geometry/proximity/facing.hpp"
+#include "src/contact/pair_rules.hpp"
+#include "src/contact/part_reach.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// Where contact is expected to end, from the grids before.
+struct ExpectedEnd {
+    double s1;    ///< arc length on the zone's first chain
+    int outward;  ///< +1: beyond it, at larger s1, the gap is open; -1: the other way
+};
+
+/// Coefficients of the pressure that was found along a zone.
+struct ExpectedPressure {
+    std::vector<double> s1;  ///< of each the place on the zone's first chain (arc length), ascending; closed zones: once around
+    std::vector<double> pressure;
+};
+
+struct Candidate {
+    int first, second;  ///< indices into Scene::parts, first < second
+    geometry::FacingZone zone;
+    double closing = 0;       ///< interference
+    bool no_overlap = false;  ///< drawn overlaps count as touching
+    bool bonded = false;      ///< held together as drawn
+    int rule = -1;            ///< the scene's rule for this pair, if any
+    bool shown = true;        ///< within the distance that `contacts` shows
+    std::vector<ExpectedEnd> ends{};
+    ExpectedPressure expected{};  ///< empty: nothing is known
+};
+
+using PartPairs = std::vector<std::pair<int, int>>;
+/// The parts of every candidate; those that an interference presses together, or with "press_fit" a drawn overlap.
+PartPairs touching_pairs(const std::vector<Candidate>& candidates);
+PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates);
+
+/// What two parts have to do with each other as drawn.
+struct Meeting {
+    int first, second;
+    std::vector<Candidate> candidates{};               ///< along the first part
+    std::optional<geometry::ClosestPoints> closest{};  ///< of the boundaries, within the distance asked for
+    bool unpaired = false;                             ///< at the closest points no faces oppose each other
+    std::optional<geometry::Overlap> overlap{};        ///< more than rounding, and not left alone by a rule
+    bool too_deep = false;                             ///< the overlap: no faces are paired across it
+};
+
+/// Distances up to which zones are looked for, are shown, and closest points are looked for.
+struct MeetingDistances {
+    double search, shown, closest;
+};
+
+/// Zones are cut where rules change; those left alone are not among the candidates.
+Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
+             const MeetingDistances& distances);
+
+/// A candidate's smallest gap; at a corner the distance, since gaps along middle normals are longer there.
+double drawn_gap(const Scene& scene, const Meeting& meeting, const Candidate& candidate, double touching);
+
+/// All meetings within the search distance that `factor` widens, by parts.
+std::vector<Meeting> find_meetings(const Scene& scene, double factor);
+
+/// What people call contacts 1, 2, ...: those shown come first, in the order of parts. Does `a` come before `b`?
+bool comes_before(const Candidate& a, const Candidate& b);
+
+/// Candidates of all meetings, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
+/// naming edges and place.
+std::vector<Candidate> find_candidates(const Scene& scene, double factor);
+/// The same whatever overlaps.
+std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor);
+
+}  // namespace abut

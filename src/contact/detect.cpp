@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/contact/detect.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+
+#include "geometry/interfaces/cell_case.hpp"
+#include "geometry/interfaces/interface_kind.hpp"
+#include "src/contact/candidate_faces.hpp"
+#include "src/contact/drawn_overlap.hpp"
+#include "src/report/svg.hpp"
+#include "src/results/result_units.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::ClosestPoints;
+using geometry::FacingPair;
+using geometry::FacingZone;
+using geometry::Part;
+
+constexpr double near_miss_fraction = 0.10;  // of the smaller part's extent
+/// Edges with a smaller share of the facing length are not named: rounding next to the ends of others.
+constexpr double least_share = 1e-3;
+
+const ScenePart& part_of(const Scene& scene, int i) {
+    return scene.parts[static_cast<std::size_t>(i)];
+}
+
+std::string edge_name(const ScenePart& part, int edge) {
+    return part.name + "/" + part.part.edges[static_cast<std::size_t>(edge)].name;
+}
+
+/// What all rows of two parts have in common.
+DetectedPair row_of(const Scene& scene, const Meeting& m, const std::array<int, 2>& carrying) {
+    DetectedPair row;
+    row.part = {m.first, m.second};
+    for (std::size_t side = 0; side < 2; ++side) {
+        row.parts[side] = part_of(scene, row.part[side]).name;
+        row.between[side] = edge_name(part_of(scene, row.part[side]), carrying[side]);
+    }
+    return row;
+}
+
+void name_edges(const Scene& scene, const CandidateFaces& faces, DetectedPair& row) {
+    double whole = 0;
+    for (const auto& [edges, length] : faces.lengths) whole += length;
+    for (std::size_t side = 0; side < 2; ++side) {
+        std::map<int, double> lengths;
+        for (const auto& [edges, length] : faces.lengths) lengths[edges[side]] += length;
+        for (const auto& [edge, length] : lengths)
+            if (edge == faces.carrying[side] || length > least_share * whole)
+                row.edges[side].push_back(edge_name(part_of(scene, row.part[side]), edge));
+    }
+}
+
+/// Some of the zone's pairs, from end to end.
+std::vector<FacingPair> pairs_along(const Scene& scene, const Candidate& c) {
+    constexpr int n = 48;
+    std::vector<FacingPair> pairs;
+    double guess = c.zone.begin2;
+    for (int i = 0; i <= n; ++i) {
+        const double s1 = c.zone.begin1 + (c.zone.end1 - c.zone.begin1) * i / n;
+        const FacingPair pair = pair_from_first(part_of(scene, c.first).part, part_of(scene, c.second).part, c.zone, s1, guess);
+        if (!pair.found) continue;
+        guess = pair.s2;
+        pairs.push_back(pair);
+    }
+    return pairs;
+}
+
+std::string status_of(double gap, double touching) {
+    return gap < -touching ? "overlap" : gap <= touching ? "touching" : "gap";
+}
+
+std::string why_overlapping(const Scene& scene, const Meeting& m) {
+    const bool is_allowed = scene.contacts.overlap != "report" && !m.too_deep;
+    return overlap_text(scene, m) + (is_allowed ? "" : ": " + overlap_hint(scene, m));
+}
+
+/// "touching at (0, 0)", "0.1 mm apart at (0, 0)".
+std::string how_close(const Scene& scene, double gap, double touching, const Vec2& at) {
+    return (gap <= touching ? "touching" : with_unit(gap, 4, scene.length_unit) + " apart") + " at " + pair_text(at, 6);
+}
+
+std::string rule_text(const Scene& scene, const Candidate& c) {
+    if (c.bonded) return ", bonded";
+    return c.closing == 0 ? "" : ", with an interference of " + with_unit(c.closing, 4, scene.length_unit);
+}
+
+/// How the meetings of two parts are listed.
+struct Listing {
+    const Scene& scene;
+    const Meeting& meeting;
+    double searched, shown, touching;
+};
+
+DetectedPair row_of(const Listing& l, const Candidate& c, const Candidate* deepest) {
+    const Meeting& m = l.meeting;
+    const CandidateFaces faces = faces_of(l.scene, c);
+    DetectedPair row = row_of(l.scene, m, faces.carrying);
+    name_edges(l.scene, faces, row);
+    const double drawn = drawn_gap(l.scene, m, c, l.touching);
+    row.gap_min = drawn - c.closing;
+    row.gap_max = c.zone.gap_max - c.closing;
+    row.status = status_of(drawn, l.touching);
+    row.interface = faces.kind;
+    row.functional = faces.functional;
+    row.overlap_area = m.overlap && &c == deepest ? m.overlap->area : 0;
+    row.length = c.zone.end1 - c.zone.begin1;
+    row.shared_length = faces.shared_length;
+    const std::vector<FacingPair> pairs = pairs_along(l.scene, c);
+    for (const FacingPair& p : pairs) row.marks.push_back({p.on1.x, p.on2.x});
+    const auto closest =
+        std::min_element(pairs.begin(), pairs.end(), [](const FacingPair& a, const FacingPair& b) { return a.gap < b.gap; });
+    const std::string along = ", facing within " + with_unit(l.searched, 4, l.scene.length_unit) + " along " +
+                              with_unit(row.length, 4, l.scene.length_unit);
+    if (row.overlap_area > 0)
+        row.why = why_overlapping(l.scene, m);
+    else if (row.status == "overlap")
+        row.why = "drawn into each other by up to " + with_unit(-drawn, 4, l.scene.length_unit) + along;
+    else
+        row.why = how_close(l.scene, drawn, l.touching, closest == pairs.end() ? Vec2(0, 0) : closest->on1.x) + along;
+    row.why += rule_text(l.scene, c);
+    return row;
+}
+
+/// An overlap that no faces measure.
+DetectedPair overlap_row(const Listing& l) {
+    const Meeting& m = l.meeting;
+    const geometry::Overlap& o = *m.overlap;
+    DetectedPair row = row_of(l.scene, m, {o.edge1, o.edge2});
+    row.edges = {std::vector{row.between[0]}, std::vector{row.between[1]}};
+    row.gap_min = row.gap_max = -o.depth;
+    row.status = "overlap";
+    row.interface = geometry::interface_kind(part_of(l.scene, m.first).part, o.edge1, part_of(l.scene, m.second).part, o.edge2);
+    row.functional.kind = row.interface;
+    row.overlap_area = o.area;
+    row.marks = {{o.at, o.at}};
+    row.why = why_overlapping(l.scene, m);
+    return row;
+}
+
+/// Closest points where no faces oppose each other.
+DetectedPair place_row(const Listing& l) {
+    const Meeting& m = l.meeting;
+    const ClosestPoints& c = *m.closest;
+    const Part &first = part_of(l.scene, m.first).part, &second = part_of(l.scene, m.second).part;
+    DetectedPair row = row_of(l.scene, m, {c.edge1, c.edge2});
+    row.edges = {std::vector{row.between[0]}, std::vector{row.between[1]}};
+    row.gap_min = row.gap_max = c.distance;
+    row.status = status_of(c.distance, l.touching);
+    const bool corner = is_convex_corner(first, c.edge1, c.t1) || is_convex_corner(second, c.edge2, c.t2);
+    row.interface = corner ? corner_interface(first, c.edge1, c.t1, second, c.edge2, c.t2)
+                           : geometry::interface_kind(first, c.edge1, second, c.edge2);
+    row.functional = functional_at_corner(l.scene, m.first, m.second, c, row.interface);
+    row.marks = {{c.x1, c.x2}};
+    row.why = how_close(l.scene, c.distance, l.touching, c.x1) + ", where no faces oppose each other";
+    return row;
+}
+
+/// What lies between the distances of pairs and of near misses, if anything: its zones reach that far.
+void list_near_miss(const Listing& l, std::vector<DetectedPair>& near_misses) {
+    const std::vector<Candidate>& all = l.meeting.candidates;
+    const auto nearest = std::min_element(
+        all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.zone.gap_min < b.zone.gap_min; });
+    if (nearest == all.end() && !l.meeting.unpaired) return;
+    near_misses.push_back(nearest == all.end() || l.meeting.unpaired ? place_row(l) : row_of(l, *nearest, nullptr));
+    near_misses.back().marks = {{l.meeting.closest->x1, l.meeting.closest->x2}};
+    near_misses.back().why = how_close(l.scene, near_misses.back().gap_min, l.touching, l.meeting.closest->x1) +
+                             ", farther than the distance of pairs " + with_unit(l.shown, 4, l.scene.length_unit);
+}
+
+/// Rows of two parts, those of places without faces apart from the others.
+struct Rows {
+    std::vector<DetectedPair> faces, places;
+};
+
+void list_pairs(const Listing& l, Rows& rows) {
+    const Meeting& m = l.meeting;
+    const auto deepest = std::min_element(m.candidates.begin(), m.candidates.end(), [](const Candidate& a, const Candidate& b) {
+        return a.zone.gap_min < b.zone.gap_min;
+    });
+    const bool faces_measure_it = !m.too_deep && deepest != m.candidates.end() && deepest->zone.gap_min < -l.touching;
+    if (m.overlap && !faces_measure_it) rows.places.push_back(overlap_row(l));
+    for (const Candidate& c : m.candidates) {
+        const bool covered = m.too_deep && c.zone.gap_min < -l.touching;  // the zone ends on its way into the overlap
+        if (c.shown && !covered) rows.faces.push_back(row_of(l, c, faces_measure_it ? &*deepest : nullptr));
+    }
+    if (m.unpaired && !m.overlap && m.closest->distance <= std::max(l.shown, l.touching)) rows.places.push_back(place_row(l));
+}
+
+void fill_cell_cases(const Scene& scene, const PartReach& reach, std::vector<DetectedPair>& rows) {
+    std::map<std::array<int, 2>, std::string> cases;
+    for (DetectedPair& row : rows) {
+        std::string& letter = cases[row.part];
+        if (letter.empty())
+            letter = {cell_case(part_of(scene, row.part[0]).part, part_of(scene, row.part[1]).part,
+                                geometry::case_cell_fraction * reach.size(row.part[0], row.part[1]))};
+        row.cells_case = letter;
+    }
+}
+
+}  // namespace
+
+Detection detect_contacts(const Scene& scene, std::optional<double> distance) {
+    Detection found;
+    const PairRules rules(scene);
+    const PartReach reach(scene);
+    Rows rows;
+    const int n = static_cast<int>(scene.parts.size());
+    for (int i = 0; i < n; ++i)
+        for (int k = i + 1; k < n; ++k) {
+            const double shown = distance.value_or(reach.shown(i, k)), searched = std::max(shown, reach.searched(i, k, 1));
+            const double near_miss = std::max(searched, near_miss_fraction * reach.size(i, k));
+            found.distance = std::max(found.distance, shown);
+            if (!reach.within(i, k, near_miss)) continue;
+            const Meeting m = meet(scene, rules, reach, i, k, {searched, shown, near_miss});
+            if (!m.overlap && !m.closest) continue;
+            const std::size_t before = rows.faces.size() + rows.places.size();
+            list_pairs({scene, m, searched, shown, reach.touching(i, k)}, rows);
+            if (rows.faces.size() + rows.places.size() > before || m.overlap || m.closest->distance <= shown) continue;
+            const Meeting wider = meet(scene, rules, reach, i, k, {near_miss, shown, near_miss});
+            list_near_miss({scene, wider, near_miss, shown, reach.touching(i, k)}, found.near_misses);
+        }
+    found.pairs = std::move(rows.faces);
+    std::move(rows.places.begin(), rows.places.end(), std::back_inserter(found.pairs));
+    for (std::vector<DetectedPair>* list : {&found.pairs, &found.near_misses}) fill_cell_cases(scene, reach, *list);
+    return found;
+}
+
+}  // namespace abut

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts that are drawn into each other: what is said of them, and whether the scene allows it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/contact/candidates.hpp"
+
+namespace abut {
+
+/// "0.2 mm deep, area 0.16, at a/top and b/circle near (0, -0.2)".
+std::string overlap_text(const Scene& scene, const Meeting& meeting);
+/// What to do about it.
+std::string overlap_hint(const Scene& scene, const Meeting& meeting);
+
+/// Appends the faults: any overlap, but what "press_fit" or "ignore" can make something of.
+void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems);
+
+}  // namespace abut

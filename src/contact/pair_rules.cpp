@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/contact/pair_rules.hpp"
+
+#include <algorithm>
+
+#include "geometry/proximity/zone_pieces.hpp"
+#include "src/scene/selection.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::FacingPair;
+using geometry::FacingZone;
+
+const geometry::Part& part_of(const Scene& scene, int i) {
+    return scene.parts[static_cast<std::size_t>(i)].part;
+}
+
+/// Pieces of a zone one after the other that fall under one rule.
+struct Run {
+    int rule;
+    double begin1, end1, gap_min, gap_max;
+};
+
+/// The stretch of a zone that a run is.
+FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZone& whole, const Run& run) {
+    FacingZone z = whole;
+    const auto partner = [&](double s1, double otherwise) {
+        const double guess = whole.begin2 + (s1 - whole.begin1) / (whole.end1 - whole.begin1) * (whole.end2 - whole.begin2);
+        const FacingPair pair = pair_from_first(part_of(scene, first), part_of(scene, second), whole, s1, guess);
+        return pair.found ? pair.s2 : otherwise;
+    };
+    z.closed = false;
+    z.begin_is_limit = whole.begin_is_limit && run.begin1 == whole.begin1;
+    z.end_is_limit = whole.end_is_limit && run.end1 == whole.end1;
+    z.begin1 = run.begin1;
+    z.end1 = run.end1;
+    z.begin2 = partner(run.begin1, whole.begin2);
+    z.end2 = partner(run.end1, whole.end2);
+    z.gap_min = run.gap_min;
+    z.gap_max = run.gap_max;
+    return z;
+}
+
+}  // namespace
+
+PairRules::PairRules(const Scene& scene) {
+    const auto edges_of = [&](const Selector& selector) {
+        Edges edges;
+        for (const EdgePortion& portion : select(scene, {selector})) edges.insert({portion.part, portion.edge});
+        return edges;
+    };
+    for (const PairRule& rule : scene.contacts.pairs) edges_.push_back({edges_of(rule.between[0]), edges_of(rule.between[1])});
+}
+
+int PairRules::of(int part1, int edge1, int part2, int edge2) const {
+    const std::array<int, 2> a{part1, edge1}, b{part2, edge2};
+    for (int r = static_cast<int>(edges_.size()) - 1; r >= 0; --r) {
+        const auto& [one, other] = edges_[static_cast<std::size_t>(r)];
+        if ((one.count(a) && other.count(b)) || (one.count(b) && other.count(a))) return r;
+    }
+    return -1;
+}
+
+std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules, int first, int second,
+                                      const FacingZone& zone) {
+    if (rules.none()) return {{zone, -1}};
+    std::vector<Run> runs;
+    for (const geometry::ZonePiece& p : zone_pieces(part_of(scene, first), part_of(scene, second), zone)) {
+        const int rule = rules.of(first, p.edge1, second, p.edge2);
+        if (runs.empty() || runs.back().rule != rule) {
+            runs.push_back({rule, p.begin1, p.end1, p.gap_min, p.gap_max});
+            continue;
+        }
+        runs.back().end1 = p.end1;
+        runs.back().gap_min = std::min(runs.back().gap_min, p.gap_min);
+        runs.back().gap_max = std::max(runs.back().gap_max, p.gap_max);
+    }
+    if (runs.size() == 1) return {{zone, runs[0].rule}};
+    std::vector<RuledZone> stretches;
+    for (const Run& run : runs) stretches.push_back({stretch_of(scene, first, second, zone, run), run.rule});
+    return stretches;
+}
+
+}  // namespace abut

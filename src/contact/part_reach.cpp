@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/contact/part_reach.hpp"
+
+#include <algorithm>
+
+#include "geometry/brep/extent.hpp"
+
+namespace abut {
+
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+double touching_length(const geometry::Part& first, const geometry::Part& second) {
+    return touching_fraction * std::min(geometry::extent(first), geometry::extent(second));
+}
+
+PartReach::PartReach(const Scene& scene) : given_(scene.contacts.search_distance) {
+    for (const ScenePart& part : scene.parts) {
+        boxes_.push_back(bounding_box(part.part));
+        extents_.push_back(geometry::extent(part.part));
+    }
+}
+
+double PartReach::size(int first, int second) const {
+    return std::min(extents_[at(first)], extents_[at(second)]);
+}
+
+double PartReach::searched(int first, int second, double factor) const {
+    return given_.value_or(factor * first_search_fraction * size(first, second));
+}
+
+double PartReach::shown(int first, int second) const {
+    return given_.value_or(shown_fraction * size(first, second));
+}
+
+bool PartReach::within(int first, int second, double distance) const {
+    return boxes_[at(first)].overlaps(boxes_[at(second)], distance);
+}
+
+}  // namespace abut

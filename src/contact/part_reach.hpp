@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far the parts of a scene are searched for others, and how much of what is found is shown.
+#pragma once
+#include <vector>
+
+#include "geometry/curves/curve.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// Distance up to which two parts are candidates at first, as a fraction of the smaller part's extent; it grows where contact
+/// reaches the end of a zone. Overlaps drawn deeper than this are no fits: strains are small.
+inline constexpr double first_search_fraction = 0.05;
+/// Pairs that come as close as this fraction of the smaller part's extent are what an assembly shows without any loads.
+inline constexpr double shown_fraction = 0.02;
+/// Gaps and overlaps below this fraction of the smaller extent are touching: above the six digits that drawings are commonly
+/// written with, below the joining tolerance of imports and any clearance that means something.
+inline constexpr double touching_fraction = 1e-6;
+
+/// For two parts alone.
+double touching_length(const geometry::Part& first, const geometry::Part& second);
+
+/// Boxes and extents of all parts, once for all distances between them: lengths do not depend on how the assembly lies.
+class PartReach {
+public:
+    explicit PartReach(const Scene& scene);
+
+    /// Smaller extent of two parts (geometry::extent).
+    double size(int first, int second) const;
+    /// Distance up to which two parts are searched; factor: on the first search distance.
+    double searched(int first, int second, double factor) const;
+    double shown(int first, int second) const;
+    double touching(int first, int second) const { return touching_fraction * size(first, second); }
+    /// Do the parts' boxes come as near as this?
+    bool within(int first, int second, double distance) const;
+
+private:
+    std::optional<double> given_;  // by the scene
+    std::vector<geometry::Box2> boxes_;
+    std::vector<double> extents_;
+};
+
+}  // namespace abut

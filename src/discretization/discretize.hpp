@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part on its grid, as geometry and as what the solver is told of it.
+#pragma once
+#include <string>
+
+#include "geometry/cells/elements.hpp"
+#include "geometry/quadrature/quadrature.hpp"
+#include "solver/assembly/assembly.hpp"
+#include "src/discretization/frame.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+struct PartOnGrid {
+    int part;               ///< index into Scene::parts
+    bool is_rigid = false;  ///< one cell of bilinear functions, which hold its motions; no stiffness
+    Frame frame;
+    geometry::Part local;  ///< in the grid's frame; edges and parameters as in the scene's part
+    geometry::CutCells cells;
+    geometry::Elements elements;
+    double area = 0;    ///< of the part
+    double size = 0;    ///< its diagonal
+    Vec2 center{0, 0};  ///< its centroid, local
+    solver::PartInput input;
+};
+
+/// angle: of the grid's frame, radians.
+Frame frame_for(const geometry::Part& part, double angle);
+
+/// Throws InputError where the grid misses a part of the part. A basis that cannot be made is left in input.space.failure.
+PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const geometry::Grid& grid, std::array<int, 2> degree);
+
+/// The element of a cell that holds a point of it, or is nearest to it.
+int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local);
+
+/// Sample points for the stress fit in the cut cells, each with its element: inside the part, or on its boundary.
+std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid);
+
+}  // namespace abut

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses the grid lines of a part: cell sizes wanted at places, grown away from them, integrated to lines in each direction.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "geometry/cells/cut_cells.hpp"
+#include "src/discretization/frame.hpp"
+
+namespace abut {
+
+/// How much cells may grow per distance from where the shape wants a size.
+inline constexpr double size_growth = 0.45;
+
+/// A cell size wanted over a box of the part's local frame; it may grow with the distance from it.
+struct SizeFeature {
+    geometry::Box2 box;
+    double size;
+    double growth = size_growth;  ///< per distance
+};
+
+/// Lines from low to high whose spacing follows min over features (size + growth * distance), at most `largest`; axis 0 is
+/// x.
+std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);
+
+/// Sizes that the shape itself asks for: cells across every wall, cells along every arc, re-entrant corners.
+/// coarseness scales them all (1: standard).
+std::vector<SizeFeature> shape_features(const geometry::Part& local, double coarseness);
+
+/// Smallest radius of curvature of the re-entrant boundary that passes the box; infinite where none does.
+double reentrant_radius(const geometry::Part& local, const geometry::Box2& near);
+
+/// Largest cell of each direction: a fraction of the part's extent and of its diagonal.
+std::array<double, 2> largest_cells(const geometry::Part& local, double coarseness);
+
+}  // namespace abut

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/discretization/part_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut {
+
+namespace {
+
+/// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
+constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// More cells than this in one part are a slip of the pen, not a wish.
+constexpr double most_cells = 4e6;
+
+void refuse_too_many(double columns, double rows, const std::string& where) {
+    if (columns * rows > most_cells)
+        throw InputError(where, "this asks for a grid of about " + std::to_string(static_cast<long>(columns * rows)) + " cells",
+                         "at most " + std::to_string(static_cast<long>(most_cells)) + " are possible for one part");
+}
+
+/// Grid lines from the scene's explicit grid, in the part's local frame.
+geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& local, const Frame& frame) {
+    refuse_too_many(std::max<double>(options.cells[0], static_cast<double>(options.x.size())),
+                    std::max<double>(options.cells[1], static_cast<double>(options.y.size())), options.where);
+    geometry::Grid grid{options.x, options.y};
+    const geometry::Box2 box = bounding_box(local);
+    for (int axis : {0, 1}) {
+        std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
+        for (double& v : lines) v -= frame.shift[axis];
+        if (!lines.empty()) continue;
+        // a shifted grid of so many cells over the part needs one more cell to cover it
+        const int n = options.cells[static_cast<std::size_t>(axis)];
+        const double h = box.size()[axis] / n;
+        double begin = std::fmod(options.offset[axis], h);
+        if (begin > 0) begin -= h;
+        const int cells = begin < 0 ? n + 1 : n;
+        for (int k = 0; k <= cells; ++k) lines.push_back(box.min[axis] + begin + k * h);
+        if (begin == 0) lines.back() = box.max[axis];
+    }
+    return grid;
+}
+
+std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, const Frame& frame) {
+    std::vector<SizeFeature> features;
+    for (const WantedSize& w : wanted) {
+        SizeFeature f{{}, w.size, w.growth};
+        for (const Vec2& p : w.points) f.box.extend(frame.to_local(p));
+        features.push_back(f);
+    }
+    return features;
+}
+
+geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
+                             const std::vector<WantedSize>& wanted, double coarseness, double refinement, double budget,
+                             bool& limited) {
+    const geometry::Box2 box = bounding_box(local);
+    if (scene.accuracy.cell_size)
+        refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size,
+                        "/accuracy/cell_size");
+    std::array<double, 2> largest = largest_cells(local, coarseness);
+    std::vector<SizeFeature> features;
+    if (scene.accuracy.cell_size)
+        largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
+    else
+        features = shape_features(local, coarseness);
+    if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) {
+        const auto more = local_features(wanted, frame);
+        features.insert(features.end(), more.begin(), more.end());
+    }
+    for (const Refinement& r : scene.accuracy.refine) {
+        geometry::Box2 around;
+        around.extend(Vec2(frame.to_local(r.near) - Vec2::Constant(r.radius)));
+        around.extend(Vec2(frame.to_local(r.near) + Vec2::Constant(r.radius)));
+        features.push_back({around, r.cell_size});
+    }
+    for (SizeFeature& f : features) f.size *= refinement;
+    for (;;) {
+        geometry::Grid grid{graded_lines(box.min.x(), box.max.x(), 0, refinement * largest[0], features),
+                            graded_lines(box.min.y(), box.max.y(), 1, refinement * largest[1], features)};
+        if (static_cast<double>(grid.columns()) * grid.rows() <= budget || scene.accuracy.cell_size) return grid;
+        limited = true;
+        for (SizeFeature& f : features) f.size *= budget_coarsening;
+        for (double& h : largest) h *= std::sqrt(budget_coarsening);
+    }
+}
+
+}  // namespace
+
+PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
+                      double refinement) {
+    const ScenePart& source = scene.parts[at(part)];
+    const auto given = scene.accuracy.grids.find(source.name);
+    PartGrid result;
+    result.given = given != scene.accuracy.grids.end();
+    result.frame = frame_for(source.part, result.given ? given->second.angle : 0);
+    result.local = transformed(source.part, result.frame.c, -result.frame.s, -result.frame.shift);
+    result.degree = {scene.accuracy.degree, scene.accuracy.degree};
+    if (result.given) {
+        result.grid = explicit_grid(given->second, result.local, result.frame);
+        result.degree = given->second.degree.value_or(result.degree);
+        return result;
+    }
+    const double budget =
+        std::max(least_cells_of_part, standard_cells / coarseness / coarseness / static_cast<double>(scene.parts.size()));
+    result.grid = designed_grid(scene, result.local, result.frame, wanted, coarseness, refinement, budget, result.limited);
+    return result;
+}
+
+}  // namespace abut

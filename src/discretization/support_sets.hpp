@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scene's supports as what the solver takes, in the frame of a part's grid.
+#pragma once
+#include <vector>
+
+#include "solver/contact/assembly_solve.hpp"
+#include "src/discretization/discretize.hpp"
+#include "src/plan/boundary_conditions.hpp"
+
+namespace abut {
+
+/// Supports of one part along its boundary and in its points. SupportSet::tag is the index of the scene's support. What a
+/// part's structure holds (on_grid.input.structure, solution_structure.hpp) comes as sets that say so.
+std::vector<solver::SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions,
+                                             const PartOnGrid& on_grid);
+
+/// Elastic foundations of one part; tags as above.
+std::vector<solver::SpringSet> spring_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
+
+/// Mean constraints of one part ("rigid" supports); `part` is the index among the solver's parts.
+std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const PartOnGrid& on_grid, int part);
+
+}  // namespace abut

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Weight functions out of the edges and points that hold a component, and blends of what is prescribed there.
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "geometry/implicit/implicit.hpp"
+#include "geometry/implicit/jet.hpp"
+#include "solver/terms/solution_structure.hpp"
+
+namespace abut {
+
+/// A function of the plane with its derivatives; only first ones are meant.
+using JetField = std::function<geometry::Jet(const geometry::Vec2&)>;
+
+/// A function that vanishes on edges or points, dimensionless: 1 stands for the part's size.
+struct WeightField {
+    JetField field;
+    bool is_linear = false;
+};
+
+/// Of whole edges: all collinear ones whose line leaves the part on one side, and touches it nowhere else, as one linear field;
+/// each other one as geometry::edge_field. Cost of making it O(edges^2).
+std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size);
+WeightField point_weight(const std::vector<geometry::Vec2>& points, double size);
+
+/// R-conjunction (alpha = 0), neighbours first; linear only if it is one field.
+WeightField conjoined(const std::vector<WeightField>& fields);
+
+/// What one support prescribes for a component, and the function that vanishes where it does.
+struct PrescribedField {
+    WeightField distance;
+    JetField value;
+};
+/// Transfinite interpolation: sum of g_k / d_k^2 over sum of 1 / d_k^2 [Grishin10, eq 3.8; Rvachev et al. 2001].
+JetField blended(const std::vector<PrescribedField>& fields);
+
+/// As the solver takes it. Where the derivatives do not exist (corners) it takes those a little farther towards `inside`:
+/// inward_step of the way.
+solver::ScalarField scalar_field(const JetField& field, const geometry::Vec2& inside);
+inline constexpr double inward_step = 1e-7;
+
+}  // namespace abut

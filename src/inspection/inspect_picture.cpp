@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first picture of `inspect`: parts, names and directions of their edges, a scale, numbered marks at repairs and problems,
+// and a legend.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+#include "src/inspection/inspect.hpp"
+#include "src/inspection/inspect_page.hpp"
+#include "src/report/label_placement.hpp"
+#include "src/report/svg.hpp"
+#include "src/results/result_units.hpp"
+
+namespace abut {
+
+namespace {
+
+using namespace inspect;
+
+// Pixels.
+constexpr double name_size = 15, edge_size = 10;
+constexpr double arrow_length = 9, arrow_width = 6;  ///< of the heads that tell an edge's direction
+constexpr double mark_radius = 8;
+constexpr double shortest_labelled = 7;  ///< an edge below is seen as a dot
+constexpr std::size_t n_marks = 12;      ///< of each kind; more cannot be told apart
+
+struct Mark {
+    Vec2 at;
+    std::string text;
+    bool is_problem;
+};
+
+Box2 box_of(const Inspection& inspection, const std::vector<Mark>& marks) {
+    Box2 box = box_of_parts(inspection.scene);
+    for (const geometry::Curve& curve : inspection.loose) box.extend(bounding_box(curve));
+    for (const Mark& mark : marks) box.extend(mark.at);
+    return box;
+}
+
+// ---- parts ----
+
+std::string part_shapes(const Inspection& inspection, const View& view) {
+    std::string svg;
+    for (std::size_t i = 0; i < inspection.scene.parts.size(); ++i)
+        svg += path_element(path_data(inspection.scene.parts[i].part, view), "part",
+                            " fill=\"" + part_color(static_cast<int>(i)) + "\"");
+    for (const geometry::Curve& curve : inspection.loose) svg += path_element(path_data(curve, 0, 1, view), "loose");
+    return svg;
+}
+
+double clearance(const geometry::Part& part, const Vec2& p) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const geometry::Edge& edge : part.edges)
+        smallest = std::min(smallest, (point(edge.curve, closest_parameter(edge.curve, p)) - p).norm());
+    return smallest;
+}
+
+Box2 name_box(const ScenePart& part, const Vec2& middle) {
+    constexpr double bold = 1.2;  // wider letters, and some air
+    return text_box(part.name, bold * name_size, middle);
+}
+
+/// The point of a lattice over the part that is deepest inside it and where the name fits; where it fits nowhere, none.
+std::optional<Vec2> place_for_name(const ScenePart& part, const View& view, const LabelPlacement& labels) {
+    constexpr int n = 24;
+    const Box2 box = bounding_box(part.part);
+    std::optional<Vec2> best;
+    double deepest = 0;
+    for (int i = 1; i < n; ++i)
+        for (int j = 1; j < n; ++j) {
+            const Vec2 p = box.min + box.size().cwiseProduct(Vec2(i, j)) / n;
+            if (!labels.is_free(name_box(part, view(p)), true) || !contains(part.part, p)) continue;
+            const double depth = clearance(part.part, p);
+            if (depth <= deepest) continue;
+            deepest = depth;
+            best = p;
+        }
+    return best;
+}
+
+std::string part_names(const Inspection& inspection, const View& view, LabelPlacement& labels) {
+    std::string svg;
+    for (std::size_t i = 0; i < inspection.scene.parts.size(); ++i) {
+        const ScenePart& part = inspection.scene.parts[i];
+        const auto at = place_for_name(part, view, labels);
+        if (!at) continue;
+        const Vec2 p = view(*at);
+        labels.take(name_box(part, p));
+        svg += text_element({p.x(), p.y() + 0.35 * name_size}, "name", "middle", part.name, ink_of(static_cast<int>(i)));
+    }
+    return svg;
+}
+
+// ---- edges: direction, names ----
+
+/// A head on the edge, pointing the way the edge runs: the material is on its left. Not in the middle, where symmetric parts
+/// touch.
+std::string direction_head(const geometry::Curve& curve, const View& view) {
+    const double t = parameter_at_length(curve, length(curve) / 3);
+    const Vec2 tangent = unit_tangent(curve, t), along(tangent.x(), -tangent.y());
+    const Vec2 across = 0.5 * arrow_width * geometry::left_of(along), middle = view(point(curve, t));
+    const Vec2 tip = middle + 0.5 * arrow_length * along, tail = middle - 0.5 * arrow_length * along;
+    std::string data = "M";
+    for (const Vec2& p : {tip, Vec2(tail + across), Vec2(tail - across)})
+        data += (data.size() > 1 ? "L" : "") + coordinate_text(p.x()) + " " + coordinate_text(p.y());
+    return path_element(data + "Z", "way");
+}
+
+std::string edge_directions(const Inspection& inspection, const View& view) {
+    std::string svg;
+    for (const ScenePart& part : inspection.scene.parts)
+        for (const geometry::Edge& edge : part.part.edges)
+            if (length(edge.curve) * view.scale > 2 * arrow_length) svg += direction_head(edge.curve, view);
+    return svg;
+}
+
+struct EdgeLabel {
+    const geometry::Edge* edge;
+    int part;
+    double length;  ///< pixels
+};
+
+/// Longest first: where there is no room for all, the large features keep their names.
+std::vector<EdgeLabel> edge_labels(const Inspection& inspection, const View& view) {
+    std::vector<EdgeLabel> labels;
+    for (std::size_t i = 0; i < inspection.scene.parts.size(); ++i)
+        for (const geometry::Edge& edge : inspection.scene.parts[i].part.edges)
+            labels.push_back({&edge, static_cast<int>(i), length(edge.curve) * view.scale});
+    std::erase_if(labels, [](const EdgeLabel& label) { return label.length < shortest_labelled; });
+    std::stable_sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.length > b.length; });
+    return labels;
+}
+
+/// Centre of the label's box when it stands beside the point on the given side (unit vector, picture coordinates).
+Vec2 beside(const Vec2& p, const Vec2& side, const std::string& text) {
+    constexpr double clear_of_line = 4;
+    const Box2 box = text_box(text, edge_size, {0, 0});
+    return p + (side.cwiseAbs().dot(box.max) + clear_of_line) * side;
+}
+
+/// On the outside of the edge's middle if there is room, else of other places on it, else on its inside; none where all are
+/// taken.
+std::optional<Vec2> place_for_edge(const EdgeLabel& label, const View& view, const LabelPlacement& labels) {
+    for (double side : {1.0, -1.0})
+        for (double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8}) {
+            const Vec2 normal = outward_normal(label.edge->curve, t);
+            const Vec2 seen(side * normal.x(), -side * normal.y());
+            const Vec2 at = beside(view(point(label.edge->curve, t)), seen, label.edge->name);
+            if (labels.is_free(text_box(label.edge->name, edge_size, at), true)) return at;
+        }
+    return std::nullopt;
+}
+
+std::string edge_names(const Inspection& inspection, const View& view, LabelPlacement& labels) {
+    std::string svg;
+    for (const EdgeLabel& label : edge_labels(inspection, view)) {
+        const auto at = place_for_edge(label, view, labels);
+        if (!at) continue;
+        labels.take(text_box(label.edge->name, edge_size, *at));
+        svg += text_element({at->x(), at->y() + 0.35 * edge_size}, "edge", "middle", label.edge->name, ink_of(label.part));
+    }
+    return svg;
+}
+
+// ---- marks and legend ----
+
+/// Problems first, then the largest repairs: those are worth a look.
+std::vector<Mark> marks_of(const Inspection& inspection) {
+    std::vector<Mark> marks;
+    for (const geometry::SketchProblem& p : inspection.problems)
+        marks.push_back({p.at, p.what + (p.line > 0 ? " (line " + std::to_string(p.line) + ")" : ""), true});
+    std::vector<geometry::Repair> repairs = all_repairs(inspection);
+    std::stable_sort(repairs.begin(), repairs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
+    for (const geometry::Repair& r : repairs) marks.push_back({r.at, r.what + ", " + number_text(r.size, 3), false});
+    return marks;
+}
+
+std::vector<Mark> shown(const std::vector<Mark>& marks) {
+    std::vector<Mark> some;
+    for (bool problems : {true, false}) {
+        std::size_t n = 0;
+        for (const Mark& mark : marks)
+            if (mark.is_problem == problems && n++ < n_marks) some.push_back(mark);
+    }
+    return some;
+}
+
+Vec2 place_for_mark(const Vec2& p, LabelPlacement& labels) {
+    for (double distance : {18.0, 30.0, 44.0})
+        for (int k = 0; k < 12; ++k) {
+            const double angle = (k + 0.5) * std::numbers::pi / 6;
+            const Vec2 at = p + distance * Vec2(std::cos(angle), -std::sin(angle));
+            Box2 box;
+            box.extend(Vec2(at - Vec2(mark_radius, mark_radius)));
+            box.extend(Vec2(at + Vec2(mark_radius, mark_radius)));
+            if (!labels.is_free(box, distance < 40)) continue;
+            labels.take(box);
+            return at;
+        }
+    return p;
+}
+
+std::string number_disc(const Vec2& at, std::size_t number, bool is_problem) {
+    return "<circle" + attribute("cx", at.x()) + attribute("cy", at.y()) + attribute("r", mark_radius) + " class=\"" +
+           (is_problem ? "problem" : "repair") + "\"/>\n" +
+           text_element({at.x(), at.y() + 3.5}, "number", "middle", std::to_string(number));
+}
+
+std::string mark_elements(const std::vector<Mark>& marks, const View& view, LabelPlacement& labels) {
+    std::string svg;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        const Vec2 p = view(marks[i].at), at = place_for_mark(p, labels);
+        svg += line_element(p, at, "leader") + "<circle" + attribute("cx", p.x()) + attribute("cy", p.y()) +
+               " r=\"2\" fill=\"#000\"/>\n" + number_disc(at, i + 1, marks[i].is_problem);
+    }
+    return svg;
+}
+
+struct LegendLine {
+    std::size_t number;  ///< 0: none
+    bool is_problem;
+    std::string text;
+};
+
+std::vector<LegendLine> legend_lines(const std::vector<Mark>& all, const std::vector<Mark>& some) {
+    std::vector<LegendLine> lines;
+    for (bool problems : {true, false}) {
+        const auto of_kind = [&](const Mark& mark) { return mark.is_problem == problems; };
+        for (std::size_t i = 0; i < some.size(); ++i)
+            if (of_kind(some[i])) lines.push_back({i + 1, problems, (problems ? "problem: " : "repair: ") + some[i].text});
+        const auto n_left = std::count_if(all.begin(), all.end(), of_kind) - std::count_if(some.begin(), some.end(), of_kind);
+        if (n_left > 0)
+            lines.push_back(
+                {0, problems, "and " + counted(static_cast<std::size_t>(n_left), problems ? "more problem" : "more repair")});
+    }
+    return lines;
+}
+
+std::string legend(const std::vector<LegendLine>& lines, double top) {
+    std::string svg;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double y = top + legend_step * static_cast<double>(i);
+        if (lines[i].number > 0) svg += number_disc({page_margin - axis_distance, y - 4}, lines[i].number, lines[i].is_problem);
+        svg += text_element({page_margin - axis_distance + 16, y}, "legend", "start", lines[i].text);
+    }
+    return svg;
+}
+
+std::string style() {
+    return ".part{stroke:#222;stroke-width:1.2;fill-opacity:.55;fill-rule:evenodd}.loose{fill:none;stroke:#b00020;stroke-width:"
+           "1.5;stroke-dasharray:5 3}"
+           ".name{font-size:" +
+           coordinate_text(name_size) + "px;font-weight:bold}.edge{font-size:" + coordinate_text(edge_size) +
+           "px}.way{fill:#222}.number{font-size:10px;font-weight:bold;fill:#fff}"
+           ".leader{stroke:#000;stroke-width:.8}.problem{fill:#b00020}.repair{fill:#9a6700}";
+}
+
+}  // namespace
+
+std::string inspection_svg(const Inspection& inspection) {
+    const std::vector<Mark> all = marks_of(inspection), some = shown(all);
+    const View view = page_view(box_of(inspection, all));
+    const double left = page_margin - axis_distance, bottom = view(view.box.min).y() + axis_distance;
+    LabelPlacement labels({Vec2(left + 4, 30), Vec2(page_width - 4, bottom - 4)});
+    for (const ScenePart& part : inspection.scene.parts)
+        for (const geometry::Edge& edge : part.part.edges) labels.add_line(edge.curve, view);
+    for (const geometry::Curve& curve : inspection.loose) labels.add_line(curve, view);
+
+    const std::vector<LegendLine> lines = legend_lines(all, some);
+    const double legend_top = view.height + 14;
+    const double height = lines.empty() ? view.height : legend_top + legend_step * static_cast<double>(lines.size());
+    std::string svg = page_opening(height, std::filesystem::path(inspection.file).filename().string(), style()) +
+                      page_axes(view, inspection.unit) + part_shapes(inspection, view) + edge_directions(inspection, view);
+    // What is placed first finds room first.
+    const std::string names = part_names(inspection, view, labels), marks = mark_elements(some, view, labels);
+    return svg + edge_names(inspection, view, labels) + names + marks + legend(lines, legend_top) + "</svg>\n";
+}
+
+}  // namespace abut

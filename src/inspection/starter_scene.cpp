@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/inspection/starter_scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "src/report/svg.hpp"
+#include "src/results/result_units.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Edges listed per part; `abut inspect` lists them all.
+constexpr std::size_t most_edges = 60;
+
+/// Force unit and Young's modulus of steel that go with a length unit.
+struct Steel {
+    const char *length, *force, *stress;
+    double E, density;
+};
+constexpr Steel steels[] = {{"mm", "N", "MPa", 210000, 7.85e-9},   {"m", "N", "Pa", 2.1e11, 7850},
+                            {"cm", "N", "N/cm^2", 2.1e7, 7.85e-5}, {"um", "uN", "MPa", 210000, 7.85e-21},
+                            {"in", "lbf", "psi", 3.05e7, 7.35e-4}, {"ft", "lbf", "psf", 4.39e9, 15.2}};
+
+/// Of millimetres where the file states no unit, or one without an entry.
+const Steel& steel_for(const std::string& length_unit) {
+    const auto found =
+        std::find_if(std::begin(steels), std::end(steels), [&](const Steel& s) { return length_unit == s.length; });
+    return found == std::end(steels) ? steels[0] : *found;
+}
+
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Names come out of files: nothing in them may end a comment's line.
+std::string for_comment(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+    return text;
+}
+
+std::string number(double value) {
+    return number_text(value, 6);
+}
+
+std::string edge_line(const ScenePart& part, const geometry::Edge& edge) {
+    std::ostringstream line;
+    line << part.name << "/" << edge.name << "  " << kind_name(edge.curve) << " " << pair_text(point(edge.curve, 0), 6)
+         << " to " << pair_text(point(edge.curve, 1), 6) << ", length " << number(length(edge.curve));
+    return for_comment(line.str());
+}
+
+void write_parts(std::ostream& out, const Scene& scene) {
+    out << "    \"parts\": {\n";
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const ScenePart& part = scene.parts[i];
+        const auto box = bounding_box(part.part);
+        out << "      " << quoted(part.name) << ": {\"material\": \"steel\"}" << (i + 1 < scene.parts.size() ? "," : "")
+            << "  // " << number(box.size().x()) << " x " << number(box.size().y()) << ", area " << number(area(part.part))
+            << ", " << counted(part.part.edges.size(), "edge") << "\n";
+    }
+    out << "    }\n";
+}
+
+void write_edges(std::ostream& out, const Scene& scene) {
+    out << "  // Edges, for \"on\" below; \"part/*\" takes all of a part, {\"part\": P, \"near\": [x, y]} the closest one.\n";
+    for (const ScenePart& part : scene.parts) {
+        const std::size_t n = part.part.edges.size();
+        for (std::size_t e = 0; e < std::min(n, most_edges); ++e)
+            out << "  //   " << edge_line(part, part.part.edges[e]) << "\n";
+        if (n > most_edges)
+            out << "  //   ... and " << n - most_edges << " more of " << for_comment(part.name)
+                << " (abut inspect lists them)\n";
+    }
+}
+
+void write_contacts(std::ostream& out, const Scene& scene, const Detection& contacts) {
+    if (scene.parts.size() < 2) return;
+    out << "  // Contacts are found by themselves:" << (contacts.pairs.empty() ? " none as drawn" : "") << "\n";
+    for (const DetectedPair& pair : contacts.pairs)
+        out << "  //   " << for_comment(pair.between[0] + " and " + pair.between[1]) << ": " << pair.interface << ", "
+            << pair.status << ", gap " << number(pair.gap_min) << "\n";
+}
+
+/// The edge whose middle lies lowest, or highest: where assemblies often stand, or are pressed.
+std::string extreme_edge(const Scene& scene, double sign) {
+    std::string name;
+    double best = 0;
+    for (const ScenePart& part : scene.parts)
+        for (const geometry::Edge& edge : part.part.edges) {
+            const double height = sign * point(edge.curve, 0.5).y();
+            if (!name.empty() && height <= best) continue;
+            best = height;
+            name = part.name + "/" + edge.name;
+        }
+    return name;
+}
+
+/// Lengths are converted where file and scene state different units, so none is stated where another one than the file's is
+/// meant.
+std::string units_line(const geometry::Drawing& drawing, const Steel& steel) {
+    const std::string force = "\"force\": \"" + std::string(steel.force) + "\"";
+    if (!drawing.replaced_unit.empty())
+        return "{" + force + "},  // lengths in " + for_comment(drawing.unit) + ", though the file states " +
+               drawing.replaced_unit + ": stated here they would be converted";
+    const bool is_known = !drawing.unit.empty();
+    return "{\"length\": " + quoted(is_known ? drawing.unit : steel.length) + ", " + force + "}," +
+           (is_known ? "" : "  // the file states no unit of length: millimetres are assumed, check the sizes below");
+}
+
+/// What the file was read with, so that the scene reads it the same way.
+void write_import(std::ostream& out, const SketchReading& reading, const ImportOptions& options) {
+    constexpr const char* axes[] = {"x", "y", "z"};
+    out << "    \"file\": " << quoted(reading.scene.file) << ",  // relative to this scene's folder\n"
+        << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
+    if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
+    if (!options.recognise_arcs) out << "    \"recognise_arcs\": false,\n";
+    nlohmann::ordered_json section;
+    if (options.section_axis >= 0) section["axis"] = axes[options.section_axis];
+    if (options.section_at) section["at"] = *options.section_at;
+    if (!section.empty()) out << "    \"section\": " << section.dump() << ",\n";
+}
+
+/// A list of one entry that lacks its edge.
+void write_to_fill_in(std::ostream& out, const std::string& key, const std::string& what, const std::string& rest,
+                      const std::string& example) {
+    out << "  \"" << key << "\": [\n    {\"on\": \"FILL IN an edge to " << what << "\", " << rest
+        << "}  // for instance \"on\": " << for_comment(quoted(example)) << "\n  ]";
+}
+
+}  // namespace
+
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts) {
+    const Scene& scene = reading.scene;
+    const Steel& steel = steel_for(scene.length_unit);
+    std::ostringstream out;
+    out << "// Begun by abut init. Fill in a support and a load, at the end, then run: abut analyze THIS_FILE\n{\n"
+        << "  \"abut\": 1,\n  \"title\": " << quoted(std::filesystem::path(scene.file).stem().string()) << ",\n"
+        << "  \"units\": " << units_line(reading.drawing, steel) << "\n"
+        << "  \"analysis\": \"plane_stress\",  // or \"plane_strain\"\n  \"thickness\": 1,\n"
+        << "  \"materials\": {\"steel\": {\"E\": " << nlohmann::json(steel.E).dump()
+        << ", \"nu\": 0.3, \"density\": " << nlohmann::json(steel.density).dump() << "}},  // E in " << steel.stress << "\n"
+        << "  \"assembly\": {\n";
+    write_import(out, reading, options);
+    write_parts(out, scene);
+    out << "  },\n";
+    write_edges(out, scene);
+    write_contacts(out, scene, contacts);
+    write_to_fill_in(out, "supports", "hold", "\"fix\": [\"x\", \"y\"]", extreme_edge(scene, -1));
+    out << ",\n";
+    write_to_fill_in(out, "loads", "load", "\"force\": [0, -100]", extreme_edge(scene, 1));
+    out << "\n}\n";
+    return out.str();
+}
+
+}  // namespace abut

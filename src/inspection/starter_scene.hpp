@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scene to begin with, for a drawing or mesh: `abut init`.
+#pragma once
+#include <string>
+
+#include "src/contact/detect.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// The text of a scene that imports the file as `options` read it, with its parts and, in comments, their edges and the
+/// contacts found between them. A support and a load stand there with a text in place of their edges that says what to fill in,
+/// and an edge of the model as an example: until that is done, reading the scene gives an error for each of the two that
+/// repeats the text. The material is steel in the consistent stress unit of the file's length unit.
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts);
+
+}  // namespace abut

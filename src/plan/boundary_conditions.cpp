@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/plan/boundary_conditions.hpp"
+
+#include <algorithm>
+
+#include "src/discretization/load_vector.hpp"
+#include "src/plan/axisymmetric.hpp"
+
+namespace abut {
+
+namespace {
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// Value that a support prescribes for component c, where it is one number.
+std::optional<double> constant_value(const Support& s, int c) {
+    if ((s.kind != Support::Kind::fix && s.kind != Support::Kind::displacement) || !(c == 0 ? s.x : s.y)) return std::nullopt;
+    if (s.kind == Support::Kind::fix) return 0.0;
+    const Expression& e = s.value[static_cast<std::size_t>(c)];
+    return e.is_constant() ? std::optional<double>(e.constant()) : std::nullopt;
+}
+
+/// Two supports that prescribe different values of one component on the same stretch of an edge.
+void append_contradictions(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions,
+                           std::vector<Problem>& problems) {
+    const auto meet = [&](std::size_t i, std::size_t j) -> const EdgePortion* {
+        for (const EdgePortion& a : portions[i])
+            for (const EdgePortion& b : portions[j])
+                if (a.part == b.part && a.edge == b.edge && std::max(a.t0, b.t0) < std::min(a.t1, b.t1)) return &a;
+        return nullptr;
+    };
+    for (std::size_t i = 0; i < portions.size(); ++i)
+        for (std::size_t j = i + 1; j < portions.size(); ++j)
+            for (int c : {0, 1}) {
+                const auto a = constant_value(scene.supports[i], c), b = constant_value(scene.supports[j], c);
+                const EdgePortion* shared = a && b && *a != *b ? meet(i, j) : nullptr;
+                if (!shared) continue;
+                const ScenePart& part = scene.parts[at(shared->part)];
+                problems.push_back({scene.supports[j].where,
+                                    "supports " + std::to_string(i) + " and " + std::to_string(j) + " prescribe different " +
+                                        (c == 0 ? "x" : "y") + " displacements on " + part.name + "/" +
+                                        part.part.edges[at(shared->edge)].name,
+                                    "take one of them away"});
+            }
+}
+
+/// Held points must lie in their part, and the part's mean motion must not be held as well: weighted functions do not know it.
+void append_wrong_points(const Scene& scene, std::vector<Problem>& problems) {
+    for (const Support& s : scene.supports) {
+        if (s.kind != Support::Kind::points) continue;
+        for (const Support& other : scene.supports)
+            if (other.kind == Support::Kind::rigid && other.part == s.part)
+                problems.push_back({s.where, "part " + s.part + " has a rigid support, too", "take one of them away"});
+        for (const ScenePart& part : scene.parts) {
+            if (part.name != s.part) continue;
+            for (const Vec2& p : s.at)
+                if (!contains(part.part, p))
+                    problems.push_back({s.where,
+                                        "the point (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
+                                            ") lies outside part " + part.name,
+                                        "hold points inside the part"});
+        }
+    }
+}
+
+}  // namespace
+
+ResolvedConditions resolve_conditions(const Scene& scene) {
+    ResolvedConditions r;
+    std::vector<Problem> problems;
+    const auto resolve = [&](const Selection& on) {
+        try {
+            return on.empty() ? std::vector<EdgePortion>{} : select(scene, on);
+        } catch (const InputError& error) {
+            problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+            return std::vector<EdgePortion>{};
+        }
+    };
+    for (const Support& s : scene.supports) r.supports.push_back(resolve(s.on));
+    for (const Load& l : scene.loads) r.loads.push_back(resolve(l.on));
+    append_contradictions(scene, r.supports, problems);
+    append_wrong_points(scene, problems);
+    append_axisymmetric_problems(scene, r, problems);
+    if (!problems.empty()) throw InputError(problems);
+    return r;
+}
+
+bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int part) {
+    const auto on_part = [&](const std::vector<EdgePortion>& portions) {
+        return std::any_of(portions.begin(), portions.end(), [&](const EdgePortion& p) { return p.part == part; });
+    };
+    for (std::size_t i = 0; i < scene.loads.size(); ++i)
+        if (on_part(conditions.loads[i]) || acts_on_volume_of(scene, scene.loads[i], part)) return true;
+    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+        const Support& s = scene.supports[i];
+        const auto is_zero = [](const Expression& e) { return e.is_constant() && e.constant() == 0; };
+        if (s.kind == Support::Kind::displacement && on_part(conditions.supports[i]) &&
+            ((s.x && !is_zero(s.value[0])) || (s.y && !is_zero(s.value[1]))))
+            return true;
+        if (s.kind == Support::Kind::rigid && s.part == scene.parts[at(part)].name &&
+            (s.rigid_x.value_or(0) != 0 || s.rigid_y.value_or(0) != 0 || s.rigid_rotation.value_or(0) != 0))
+            return true;
+    }
+    return false;
+}
+
+std::string support_label(const Scene& scene, int support) {
+    const Support& s = scene.supports[at(support)];
+    std::string what;
+    if (s.kind == Support::Kind::symmetry)
+        what = "symmetry";
+    else if (s.kind == Support::Kind::rigid)
+        return "rigid hold of " + s.part;
+    else if (s.kind == Support::Kind::spring)
+        what = "spring";
+    else {
+        what = s.kind == Support::Kind::displacement ? "displacement " : "fix ";
+        what += s.x && s.y ? "x, y" : (s.x ? "x" : "y");
+    }
+    if (s.kind == Support::Kind::points)
+        return what + " at " + std::to_string(s.at.size()) + (s.at.size() == 1 ? " point of " : " points of ") + s.part;
+    std::string on;
+    for (const Selector& selector : s.on)
+        on += (on.empty() ? "" : ", ") + (selector.pattern.empty() ? selector.part + " (selected)" : selector.pattern);
+    return what + " on " + on;
+}
+
+}  // namespace abut

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a support of edges holds, component by component.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "src/discretization/discretize.hpp"
+#include "src/scene/selection.hpp"
+
+namespace abut {
+
+/// One held component of a support: its direction (none: the boundary's normal) and value in the assembly's frame.
+struct HeldComponent {
+    std::optional<Vec2> direction;
+    const Expression* value = nullptr;  ///< null: 0
+};
+
+/// None for rigid supports and springs.
+std::vector<HeldComponent> components_of(const Support& support);
+
+/// The axis of the grid that a unit vector is parallel to, but for rounding.
+std::optional<int> grid_axis(const Vec2& local);
+
+/// Quadrature points of a portion of an edge, fit for loads and supports; around an axis weights carry the radius.
+std::vector<geometry::BoundaryPoint> boundary_points(const PartOnGrid& on_grid, const EdgePortion& portion);
+
+}  // namespace abut

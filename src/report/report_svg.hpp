@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements of the report's pictures, in picture coordinates (pixels, y down).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/report/svg.hpp"
+
+namespace abut::report {
+
+/// Opens a picture that scales with the page; label is what a screen reader says.
+std::string open_svg(double width, double height, const std::string& label);
+
+std::string line(const Vec2& a, const Vec2& b, const std::string& attributes);
+std::string polyline(const std::vector<Vec2>& points, const std::string& attributes);
+std::string polygon(const std::vector<Vec2>& points, const std::string& attributes);
+std::string circle(const Vec2& center, double radius, const std::string& attributes);
+std::string rectangle(const Vec2& corner, const Vec2& size, const std::string& attributes);
+std::string path(const std::string& data, const std::string& attributes);
+/// Text (escaped here) at its baseline; anchor: "start", "middle", "end".
+std::string text(const Vec2& at, const std::string& anchor, const std::string& words, const std::string& attributes = "");
+/// Width of a text in pixels, estimated generously: there are no font metrics here.
+double text_pixels(const std::string& words, double font_size);
+
+/// An arrow from tail to tip with a filled head.
+std::string arrow(const Vec2& tail, const Vec2& tip, const std::string& color);
+
+/// View of a model with room for the axes of model_axes, for tick labels, and for the marks around the model.
+View model_view(const Box2& box, double width, double max_height);
+/// The assembly's coordinate axes, below and left of the model.
+std::string model_axes(const View& view, const std::string& length_unit);
+
+/// What a colour bar says: the scale runs from 0 to top; note: a sentence below it, may be empty.
+struct ColorBar {
+    double top;
+    std::string title, note;
+};
+/// A horizontal bar as a picture of its own.
+std::string color_bar(const ColorBar& bar, double width);
+
+/// A picture (svg elements) under its caption, as wide as given where the page allows it. The caption is HTML.
+std::string figure(const std::string& svg, const std::string& caption, double width);
+
+/// A clip path of the data (fill rule even-odd) under the id.
+std::string clip_path(const std::string& id, const std::string& data);
+
+}  // namespace abut::report

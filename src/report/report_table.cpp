@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/report/report_table.hpp"
+
+#include "src/report/svg.hpp"
+
+namespace abut::report {
+
+namespace {
+
+std::string cell(const std::string& tag, bool number, const std::string& words) {
+    return "<" + tag + (number ? " class=\"n\"" : "") + ">" + escape_xml(words) + "</" + tag + ">";
+}
+
+}  // namespace
+
+std::string html_table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows) {
+    std::string html = "<div class=\"table\"><table>\n<thead><tr>";
+    for (const Column& column : columns) html += cell("th", column.number, column.heading);
+    html += "</tr></thead>\n<tbody>\n";
+    for (const auto& row : rows) {
+        html += "<tr>";
+        for (std::size_t i = 0; i < columns.size(); ++i) html += cell("td", columns[i].number, i < row.size() ? row[i] : "");
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table></div>\n";
+}
+
+}  // namespace abut::report

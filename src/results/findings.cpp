@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/results/findings.hpp"
+
+#include <algorithm>
+
+namespace abut {
+
+std::string first_few(const std::vector<std::string>& names) {
+    constexpr std::size_t named = 4;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(named, names.size()); ++k) text += (k == 0 ? "" : ", ") + names[k];
+    return names.size() > named ? text + " and " + std::to_string(names.size() - named) + " more" : text;
+}
+
+std::vector<Finding> values_of(const std::map<std::string, Finding>& findings) {
+    std::vector<Finding> list;
+    for (const auto& [subject, finding] : findings) list.push_back(finding);
+    return list;
+}
+
+void tell(std::vector<Finding> findings, const std::string& kind, Result& result) {
+    if (findings.empty()) return;
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.measure > b.measure; });
+    const Finding& worst = findings.front();
+    std::vector<std::string> others;
+    for (std::size_t k = 1; k < findings.size(); ++k) others.push_back(findings[k].subject);
+    const std::string count = others.size() == 1 ? "1 other" : std::to_string(others.size()) + " others";
+    result.warnings.push_back(worst.warning + (others.empty() ? "" : "; the same of " + count + ": " + first_few(others)));
+    if (!worst.reason.empty()) result.reasons.push_back({kind, worst.reason + (others.empty() ? "" : " (and " + count + ")")});
+}
+
+}  // namespace abut

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is found wrong with one part or contact after the other is said once.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/results/result.hpp"
+
+namespace abut {
+
+/// The same found of one part or contact.
+struct Finding {
+    double measure;        ///< how bad it is: the worst is told in full, the others by name
+    std::string subject;   ///< its name: "strap", "contact 2"
+    std::string warning;   ///< a whole sentence
+    std::string reason{};  ///< the same as a clause of the verdict; empty: it says nothing against the answer
+};
+
+/// One warning and, where the worst has a reason, one reason of this kind, however many findings there are; nothing for none.
+void tell(std::vector<Finding> findings, const std::string& kind, Result& result);
+
+/// Those of a map that holds each subject once.
+std::vector<Finding> values_of(const std::map<std::string, Finding>& findings);
+
+/// "a, b, c, d and 7 more"
+std::string first_few(const std::vector<std::string>& names);
+
+}  // namespace abut

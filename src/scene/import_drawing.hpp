@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Drawings that a scene refers to: found relative to the scene's folder, brought to the scene's length unit, sorted into parts.
+#pragma once
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/sketch/sketch.hpp"
+#include "src/scene/scene.hpp"
+#include "src/scene/scene_fields.hpp"
+
+namespace abut {
+
+/// A drawing in the scene's length unit.
+struct ImportedDrawing {
+    geometry::Drawing drawing;
+    double factor = 1;  ///< from the file's unit to the scene's
+};
+
+/// What the imports of one scene share.
+struct Imports {
+    std::string length_unit;                          ///< the scene's, may be empty
+    std::map<std::string, ImportedDrawing> drawings;  ///< by name in the scene and section plane: each is read once
+    std::vector<ImportRecord> records;
+};
+
+/// Reads the drawing or mesh that `file` (a text, relative to the scene's folder) names; nothing where it cannot be read
+/// (reported there). tolerance and section of the options matter for meshes only.
+const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
+                                      const ImportOptions& options);
+
+/// The keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf` or `mesh` node, those that are there.
+ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
+
+/// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.
+std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports& imports, const ImportedDrawing& import,
+                                                  const JsonValue& at, const ImportOptions& options,
+                                                  const std::function<bool(const geometry::SketchEntity&)>& wanted);
+
+/// The one part that a `dxf` node stands for; the same of a `mesh` node.
+std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
+std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node);
+
+/// The layers that have entities, in order of first appearance.
+std::vector<std::string> layers_of(const geometry::Drawing& drawing);
+
+/// What was read, repaired and left out.
+ImportRecord import_record(const geometry::Drawing& drawing, double factor, std::vector<geometry::Repair> repairs);
+
+}  // namespace abut

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_accuracy.hpp"
+
+#include "src/report/svg.hpp"
+#include "src/scene/accuracy_goal.hpp"
+#include "src/scene/scene_words.hpp"
+
+namespace abut {
+
+namespace {
+
+std::optional<Refinement> read_refinement(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"near", "radius", "cell_size"}, {}})) return std::nullopt;
+    const auto near = required_member(reading, value, "near", read_vector);
+    const auto radius = required_member(reading, value, "radius", read_positive);
+    const auto cell_size = required_member(reading, value, "cell_size", read_positive);
+    if (!near || !radius || !cell_size) return std::nullopt;
+    return Refinement{*near, *radius, *cell_size};
+}
+
+std::vector<Refinement> read_refinements(SceneReading& reading, const JsonValue& value) {
+    std::vector<Refinement> refinements;
+    if (!check_list(reading, value, 0, "refinements")) return refinements;
+    for (const JsonValue& item : value.items) {
+        if (const auto refinement = read_refinement(reading, item)) refinements.push_back(*refinement);
+    }
+    return refinements;
+}
+
+std::optional<double> read_target(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> target = read_number(reading, value);
+    if (!target || is_target(*target)) return target;
+    report(reading, value,
+           "a relative error to aim at is from " + number_text(least_target, 1) + " to " + number_text(most_target, 1),
+           "0.01 is one percent");
+    return std::nullopt;
+}
+
+std::string word_or(SceneReading& reading, const JsonValue& object, const char* key, const std::string& otherwise,
+                    const Words& words) {
+    const JsonValue* value = find_member(object, key);
+    return value ? read_word(reading, *value, words).value_or(otherwise) : otherwise;
+}
+
+}  // namespace
+
+Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
+    Accuracy result;
+    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {}};
+    if (!check_object(reading, accuracy, keys)) return result;
+    result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
+    if (find_member(accuracy, "level") && find_member(accuracy, "target"))
+        report(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own", "take 'level' away");
+    if (const JsonValue* target = find_member(accuracy, "target")) result.target = read_target(reading, *target);
+    if (const JsonValue* degree = find_member(accuracy, "degree")) {
+        result.degree = read_integer(reading, *degree, least_degree, most_degree).value_or(result.degree);
+    }
+    if (const JsonValue* size = find_member(accuracy, "cell_size")) result.cell_size = read_positive(reading, *size);
+    if (const JsonValue* refine = find_member(accuracy, "refine")) result.refine = read_refinements(reading, *refine);
+    result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
+    result.dirichlet =
+        word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
+    if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);
+    if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);
+    return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/scene/scene.hpp"
+#include "src/scene/scene_fields.hpp"
+
+namespace abut {
+
+ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts);
+
+}  // namespace abut

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_drawing.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "geometry/brep/input_error.hpp"
+
+namespace abut {
+
+namespace {
+
+using geometry::PartsBy;
+
+bool is_dxf_file(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension == ".dxf";
+}
+
+geometry::SectionPlane plane_of(const geometry::MeshFile& mesh, const ImportOptions& options) {
+    if (options.section_axis < 0) {
+        geometry::SectionPlane plane = geometry::default_plane(mesh.bodies);
+        if (options.section_at) plane.at = *options.section_at;
+        return plane;
+    }
+    geometry::SectionPlane plane{options.section_axis, 0};
+    if (options.section_at) {
+        plane.at = *options.section_at;
+        return plane;
+    }
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const geometry::Mesh& body : mesh.bodies)
+        for (const geometry::Vec3& v : body.vertices) {
+            low = std::min(low, v[plane.axis]);
+            high = std::max(high, v[plane.axis]);
+        }
+    plane.at = 0.5 * (low + high);
+    return plane;
+}
+
+}  // namespace
+
+bool is_importable(const std::string& path) {
+    return is_dxf_file(path) || geometry::is_mesh_file(path);
+}
+
+std::string importable_kinds() {
+    return "a drawing (.dxf) or a mesh (.stl, .obj, .3mf, .ply, .gltf, .glb, .dae)";
+}
+
+geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options) {
+    geometry::Drawing drawing;
+    if (geometry::is_mesh_file(path)) {
+        const geometry::MeshFile mesh = geometry::read_mesh_file(path);
+        geometry::Section section =
+            geometry::cut(mesh, plane_of(mesh, options), geometry::SectionOptions{options.tolerance, options.recognise_arcs});
+        drawing = std::move(section.drawing);
+        drawing.repairs = std::move(section.repairs);
+    } else if (is_dxf_file(path)) {
+        drawing = geometry::read_dxf(path);
+    } else {
+        const std::string extension = std::filesystem::path(path).extension().string();
+        throw InputError(
+            path, extension.empty() ? "the name has no extension" : "files of the kind '" + extension + "' cannot be read",
+            "give " + importable_kinds());
+    }
+    if (!options.units.empty()) {
+        if (drawing.unit != options.units) drawing.replaced_unit = drawing.unit;
+        drawing.unit = options.units;
+    }
+    return drawing;
+}
+
+std::string parts_by_name(PartsBy parts_by) {
+    switch (parts_by) {
+        case PartsBy::layer:
+            return "layer";
+        case PartsBy::block:
+            return "block";
+        case PartsBy::loop:
+            return "loop";
+        case PartsBy::color:
+            return "color";
+        case PartsBy::automatic:
+            break;
+    }
+    return "auto";
+}
+
+std::optional<PartsBy> parts_by_of(const std::string& name) {
+    if (name == "node") return PartsBy::layer;
+    for (const PartsBy way : {PartsBy::automatic, PartsBy::layer, PartsBy::block, PartsBy::loop, PartsBy::color})
+        if (name == parts_by_name(way)) return way;
+    return std::nullopt;
+}
+
+}  // namespace abut

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files that parts can be imported from, whatever their format: drawings (DXF) and meshes (STL, OBJ, 3MF, ...), which are cut
+// by a plane into one.
+#pragma once
+#include <optional>
+#include <string>
+
+#include "geometry/mesh/section.hpp"
+#include "geometry/sketch/sketch.hpp"
+
+namespace abut {
+
+/// What a scene's keys, or a command's options, say about an import.
+struct ImportOptions {
+    double tolerance = 0;  ///< joining and recognising, 0: the default
+    std::string units;     ///< overrides or supplies the file's unit; empty: the file's own
+    geometry::PartsBy parts_by = geometry::PartsBy::automatic;
+    int section_axis = -1;             ///< 0 x, 1 y, 2 z; -1: the thinnest direction
+    std::optional<double> section_at;  ///< unset: the middle
+    bool recognise_arcs = true;        ///< facets and splines that are arcs, or stand for a curve, become arcs
+};
+
+/// Is the file one that read_drawing takes, by its ending?
+bool is_importable(const std::string& path);
+/// "a drawing (.dxf) or a mesh (.stl, ...)", for messages.
+std::string importable_kinds();
+
+/// Throws InputError where nothing can be read; problems of single entities or bodies are in the drawing.
+geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options);
+
+/// "layer", "block", "loop", "color"; "auto" for automatic.
+std::string parts_by_name(geometry::PartsBy parts_by);
+/// "node" stands for a mesh's bodies, which are its drawing's layers. Unset for other words.
+std::optional<geometry::PartsBy> parts_by_of(const std::string& name);
+
+}  // namespace abut

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "src/scene/read_selection.hpp"
+#include "src/scene/read_supports_loads.hpp"
+
+namespace abut {
+
+namespace {
+
+/// A total force: its components do not vary.
+std::optional<std::array<Expression, 2>> read_total(SceneReading& reading, const JsonValue& value) {
+    const std::optional<Vec2> force = read_vector(reading, value);
+    if (!force) return std::nullopt;
+    return std::array<Expression, 2>{Expression(force->x()), Expression(force->y())};
+}
+
+/// One field: a pressure, a temperature.
+std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const JsonValue& value) {
+    const std::optional<Expression> field = read_field(reading, value);
+    if (!field) return std::nullopt;
+    return std::array<Expression, 2>{*field, Expression()};
+}
+
+/// A spin: checked here, its numbers are read by read_spin_numbers.
+std::optional<std::array<Expression, 2>> read_spin(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"about", "omega"}, {}})) return std::nullopt;
+    return std::array<Expression, 2>{};
+}
+
+void read_spin_numbers(SceneReading& reading, const JsonValue& value, Load& load) {
+    load.omega = required_member(reading, value, "omega", read_number).value_or(0);
+    load.about = member_or(reading, value, "about", Vec2(0, 0), read_vector);  // whether it has to be there: read_scene
+}
+
+/// The part of a body force, where "*" stands for all parts.
+std::optional<std::string> read_part_or_all(SceneReading& reading, const JsonValue& value) {
+    if (value.kind == JsonValue::Kind::string && value.text == "*") return value.text;
+    return read_part_name(reading, value);
+}
+
+/// What a kind of load says, and what it acts on.
+struct LoadKind {
+    const char* key;
+    Load::Kind kind;
+    std::optional<std::array<Expression, 2>> (*read)(SceneReading&, const JsonValue&);
+    enum class Acts { on_edges, on_part, on_part_or_all, everywhere } acts;
+};
+constexpr LoadKind load_kinds[] = {
+    {"pressure", Load::Kind::pressure, read_one, LoadKind::Acts::on_edges},
+    {"traction", Load::Kind::traction, read_vector_field, LoadKind::Acts::on_edges},
+    {"force", Load::Kind::edge_force, read_total, LoadKind::Acts::on_edges},
+    {"force", Load::Kind::part_force, read_total, LoadKind::Acts::on_part},
+    {"body_force", Load::Kind::body_force, read_vector_field, LoadKind::Acts::on_part_or_all},
+    {"gravity", Load::Kind::gravity, read_total, LoadKind::Acts::everywhere},
+    {"spin", Load::Kind::spin, read_spin, LoadKind::Acts::on_part},
+    {"temperature", Load::Kind::temperature, read_one, LoadKind::Acts::on_part},
+};
+
+/// "force" means one thing with "on" and another with "part".
+const LoadKind& kind_of(const std::string& key, bool has_part) {
+    const LoadKind* found = nullptr;
+    for (const LoadKind& kind : load_kinds) {
+        if (kind.key == key && (!found || has_part)) found = &kind;
+    }
+    return *found;
+}
+
+void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& kind, Load& load) {
+    const bool on_edges = kind.acts == LoadKind::Acts::on_edges;
+    const std::string wanted = on_edges ? "on" : kind.acts == LoadKind::Acts::everywhere ? "" : "part";
+    for (const char* key : {"on", "part"}) {
+        const JsonValue* other = find_member(value, key);
+        if (!other || key == wanted) continue;
+        report(reading, *other, "'" + other->key + "' does not go with '" + kind.key + "'",
+               wanted.empty() ? "it acts on all parts" : "give '" + wanted + "' alone");
+        return;
+    }
+    if (on_edges) load.on = required_member(reading, value, "on", read_selection).value_or(Selection{});
+    if (wanted != "part") return;
+    const auto read = kind.acts == LoadKind::Acts::on_part ? read_part_name : read_part_or_all;
+    load.part = required_member(reading, value, "part", read).value_or("");
+}
+
+std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
+    const std::size_t before = reading.problems.size();
+    const Words keys{{"on", "pressure", "traction", "force", "part", "body_force", "gravity", "spin", "temperature"}, {"at"}};
+    if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
+    const JsonValue* what =
+        exactly_one(reading, value, {"pressure", "traction", "force", "body_force", "gravity", "spin", "temperature"});
+    if (!what) return std::nullopt;
+    const LoadKind& kind = kind_of(what->key, find_member(value, "part") != nullptr);
+    Load load;
+    load.kind = kind.kind;
+    load.where = value.pointer;
+    load.value = kind.read(reading, *what).value_or(std::array<Expression, 2>{});
+    if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
+    read_target(reading, value, kind, load);
+    if (reading.problems.size() > before) return std::nullopt;
+    return load;
+}
+
+}  // namespace
+
+std::vector<Load> read_loads(SceneReading& reading, const JsonValue& loads) {
+    std::vector<Load> result;
+    if (!check_list(reading, loads, 0, "loads")) return result;
+    for (const JsonValue& item : loads.items) {
+        if (auto load = read_load(reading, item)) result.push_back(std::move(*load));
+    }
+    return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_output.hpp"
+
+#include <algorithm>
+
+namespace abut {
+
+namespace {
+
+std::optional<Probe> read_probe(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"part", "at"}, {}})) return std::nullopt;
+    const auto part = required_member(reading, value, "part", read_part_name);
+    const auto at = required_member(reading, value, "at", read_vector);
+    if (!part || !at) return std::nullopt;
+    return Probe{*part, *at, value.pointer};
+}
+
+std::vector<std::string> read_formats(SceneReading& reading, const JsonValue& value) {
+    std::vector<std::string> formats;
+    if (!check_list(reading, value, 1, "formats")) return formats;
+    for (const JsonValue& item : value.items) {
+        const auto format = read_word(reading, item, {{"json", "csv", "html"}, {"vtu", "svg", "png"}});
+        if (format && std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
+    }
+    return formats;
+}
+
+}  // namespace
+
+Output read_output(SceneReading& reading, const JsonValue& output) {
+    Output result;
+    if (!check_object(reading, output, {{"probes", "formats"}, {}})) return result;
+    if (const JsonValue* formats = find_member(output, "formats")) result.formats = read_formats(reading, *formats);
+    const JsonValue* probes = find_member(output, "probes");
+    if (!probes || !check_list(reading, *probes, 0, "probes")) return result;
+    for (const JsonValue& item : probes->items) {
+        if (const auto probe = read_probe(reading, item)) result.probes.push_back(*probe);
+    }
+    return result;
+}
+
+}  // namespace abut

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/scene/scene.hpp"
+#include "src/scene/scene_fields.hpp"
+
+namespace abut {
+
+Output read_output(SceneReading& reading, const JsonValue& output);
+
+}  // namespace abut

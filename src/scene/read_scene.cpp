@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+#include <algorithm>
+#include <utility>
+
+#include "src/io/json_document.hpp"
+#include "src/io/nearest_name.hpp"
+#include "src/plan/axisymmetric.hpp"
+#include "src/scene/read_accuracy.hpp"
+#include "src/scene/read_contacts.hpp"
+#include "src/scene/read_materials.hpp"
+#include "src/scene/read_output.hpp"
+#include "src/scene/read_parts.hpp"
+#include "src/scene/read_selection.hpp"
+#include "src/scene/read_supports_loads.hpp"
+#include "src/scene/scene.hpp"
+#include "src/scene/scene_fields.hpp"
+
+namespace abut {
+
+namespace {
+
+/// Problems beyond this number are counted, not printed.
+constexpr std::size_t reported_problems = 20;
+
+void read_version(SceneReading& reading) {
+    const JsonValue* version = find_member(reading.root, "abut");
+    if (!version) {
+        report(reading, reading.root, "the key 'abut' is missing", "a scene states its format version: \"abut\": 1");
+    } else if (version->kind != JsonValue::Kind::number || version->number != 1) {
+        report(reading, *version, "this format version is not known", "write \"abut\": 1");
+    }
+}
+
+void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
+    if (!check_object(reading, units, {{"length", "force"}, {}})) return;
+    scene.length_unit = member_or(reading, units, "length", std::string(), read_text);
+    scene.force_unit = member_or(reading, units, "force", std::string(), read_text);
+}
+
+void read_general(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    const JsonValue* title = find_member(root, "title");
+    if (title && title->kind != JsonValue::Kind::string) report(reading, *title, "expected a text, found " + described(*title));
+    if (title) scene.title = title->text;
+    if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
+    if (const JsonValue* analysis = find_member(root, "analysis")) {
+        const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain", "axisymmetric"}, {}});
+        if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
+        if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
+    }
+    if (const JsonValue* symmetry = find_member(root, "symmetry"))
+        scene.fold_symmetry = read_word(reading, *symmetry, {{"off", "auto"}, {}}) == "auto";
+}
+
+void read_all_parts(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    const JsonValue* parts = find_member(root, "parts");
+    const JsonValue* assembly = find_member(root, "assembly");
+    if (!parts && !assembly) {
+        report(reading, root, "the scene has no parts", "give 'parts' or 'assembly'");
+        reading.all_parts_named = false;
+    }
+    Imports imports;
+    imports.length_unit = scene.length_unit;
+    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive);
+    if (parts) read_parts(reading, imports, *parts, thickness, scene);
+    if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
+    scene.imports = std::move(imports.records);
+}
+
+void read_sections(SceneReading& reading, Scene& scene) {
+    const JsonValue& root = reading.root;
+    if (const JsonValue* supports = find_member(root, "supports")) scene.supports = read_supports(reading, *supports);
+    if (const JsonValue* loads = find_member(root, "loads")) scene.loads = read_loads(reading, *loads);
+    if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
+    if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
+    if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
+}
+
+/// Thicknesses have no meaning around an axis; the full circle takes their place.
+void check_thickness(SceneReading& reading, Scene& scene) {
+    if (scene.analysis != Analysis::axisymmetric) return;
+    const auto refuse = [&](const JsonValue& in) {
+        if (in.kind != JsonValue::Kind::object) return;
+        if (const JsonValue* thickness = find_member(in, "thickness"))
+            report(reading, *thickness, "parts around an axis have no thickness", "forces are totals over the full circle");
+    };
+    refuse(reading.root);
+    if (const JsonValue* parts = find_member(reading.root, "parts"))
+        for (const JsonValue& part : parts->items) refuse(part);
+    const JsonValue* assembly = find_member(reading.root, "assembly");
+    if (const JsonValue* rules = assembly ? find_member(*assembly, "parts") : nullptr)
+        for (const JsonValue& rule : rules->items) refuse(rule);
+    for (ScenePart& part : scene.parts) part.thickness = full_circle;
+}
+
+/// A plane part spins about a point, a part around an axis about that.
+void check_spin_about(SceneReading& reading, const Scene& scene, const Load& load) {
+    const JsonValue& spin = *find_member(*find_pointer(reading.root, load.where), "spin");
+    const JsonValue* about = find_member(spin, "about");
+    const bool is_ring = scene.analysis == Analysis::axisymmetric;
+    if (about && is_ring) report(reading, *about, "axisymmetric parts spin about the axis x = 0 alone", "leave 'about' out");
+    if (!about && !is_ring)
+        report(reading, spin, "the key 'about' is missing", "give the point [x, y] that the part spins about");
+}
+
+/// What a load needs of the materials of the parts that it acts on (which may be given as 0).
+void check_needed(SceneReading& reading, const Scene& scene, const Load& load, const std::string& effect,
+                  const std::string& key, bool (*has)(const Material&)) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        bool used = false;
+        for (const ScenePart& part : scene.parts)
+            used |= part.material == static_cast<int>(m) && (load.part.empty() || load.part == part.name);
+        if (!used || has(scene.materials[m])) continue;
+        report(reading, *find_pointer(reading.root, load.where),
+               effect + " needs the '" + key + "' of the material '" + scene.materials[m].name + "'",
+               "give the material " + std::string(key == "density" ? "a" : "an") + " '" + key + "', or 0 for no effect on it");
+    }
+}
+
+void check_materials_of_loads(SceneReading& reading, const Scene& scene) {
+    const auto has_density = [](const Material& m) { return m.has_density; };
+    const auto has_expansion = [](const Material& m) { return m.expansion.has_value(); };
+    const Load* gravity = nullptr;
+    for (const Load& load : scene.loads) {
+        if (load.kind == Load::Kind::gravity) gravity = &load;
+        if (load.kind == Load::Kind::spin) check_spin_about(reading, scene, load);
+        if (load.kind == Load::Kind::spin) check_needed(reading, scene, load, "spin", "density", has_density);
+        if (load.kind == Load::Kind::temperature) check_needed(reading, scene, load, "temperature", "expansion", has_expansion);
+    }
+    if (gravity) check_needed(reading, scene, *gravity, "gravity", "density", has_density);
+}
+
+/// Parameters given from outside must be the scene's own.
+void check_replaced(SceneReading& reading) {
+    std::vector<std::string> known;
+    for (const auto& [name, value] : reading.parameters) known.push_back(name);
+    for (const auto& [name, value] : reading.replaced)
+        if (!reading.parameters.contains(name))
+            report(reading, reading.root, "there is no parameter '" + shortened(name) + "'", nearest_name_hint(name, known));
+}
+
+[[noreturn]] void throw_problems(std::vector<Problem> problems) {
+    const std::size_t n = problems.size();
+    if (n > reported_problems) {
+        problems.resize(reported_problems);
+        problems.push_back({"", "and " + std::to_string(n - reported_problems) + " more problems", ""});
+    }
+    throw InputError(std::move(problems));
+}
+
+Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced, const std::string& given_file = {}) {
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced,
+                         given_file};
+    Scene scene;
+    scene.file = document.file;
+    const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
+                      "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+                     {}};
+    if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
+    read_version(reading);
+    if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
+    check_replaced(reading);
+    read_general(reading, scene);
+    if (const JsonValue* materials = find_member(reading.root, "materials")) {
+        scene.materials = read_materials(reading, *materials, scene.analysis);
+    }
+    scene.materials.push_back(built_in_rigid());
+    read_all_parts(reading, scene);
+    const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
+    if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
+    check_thickness(reading, scene);
+    read_sections(reading, scene);
+    // Edges can be looked up only where every part has its geometry.
+    if (scene.parts.size() == reading.part_names.size() && reading.all_parts_named) check_selections(reading, scene);
+    check_materials_of_loads(reading, scene);
+    if (!reading.problems.empty()) throw_problems(std::move(reading.problems));
+    return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& path) {
+    return scene_of(read_json(path), {});
+}
+
+Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters) {
+    return scene_of(read_json(path), parameters);
+}
+
+Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters, const std::string& file) {
+    return scene_of(read_json(path), parameters, file);
+}
+
+Scene read_scene_text(const std::string& text, const std::string& file) {
+    return scene_of(parse_json(text, file), {});
+}
+
+}  // namespace abut

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_selection.hpp"
+
+#include <utility>
+
+#include "src/scene/selection.hpp"
+
+namespace abut {
+
+namespace {
+
+std::optional<double> read_half_angle(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> angle = read_number(reading, value);
+    if (!angle || (*angle >= 0 && *angle <= 180)) return angle;
+    report(reading, value, "'within' must lie between 0 and 180 degrees");
+    return std::nullopt;
+}
+
+std::optional<std::array<Vec2, 2>> read_box(SceneReading& reading, const JsonValue& value) {
+    if (value.kind != JsonValue::Kind::array || value.items.size() != 2) {
+        report(reading, value, "expected two corners [[x0, y0], [x1, y1]], found " + described(value));
+        return std::nullopt;
+    }
+    const std::optional<Vec2> a = read_vector(reading, value.items[0]), b = read_vector(reading, value.items[1]);
+    if (!a || !b) return std::nullopt;
+    return std::array<Vec2, 2>{a->cwiseMin(*b), a->cwiseMax(*b)};
+}
+
+void check_selector(SceneReading& reading, const Scene& scene, const Selector& selector) {
+    const JsonValue* at = find_pointer(reading.root, selector.where);
+    try {
+        select(scene, {selector});
+    } catch (const InputError& error) {
+        for (const Problem& problem : error.problems()) report(reading, at ? *at : reading.root, problem.what, problem.hint);
+    }
+}
+
+}  // namespace
+
+std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& value) {
+    Selector selector;
+    selector.where = value.pointer;
+    if (value.kind == JsonValue::Kind::string) {
+        const auto pattern = read_text(reading, value);
+        selector.pattern = pattern.value_or("");
+        return pattern ? std::optional(selector) : std::nullopt;
+    }
+    if (value.kind != JsonValue::Kind::object) {
+        report(reading, value, "expected an edge, found " + described(value),
+               "write \"part/edge\" or an object with 'part' and 'near', 'box' or 'facing'");
+        return std::nullopt;
+    }
+    const std::size_t before = reading.problems.size();
+    check_object(reading, value, {{"part", "near", "box", "facing", "within"}, {}});
+    const auto part = required_member(reading, value, "part", read_part_name);
+    const JsonValue* way = exactly_one(reading, value, {"near", "box", "facing"});
+    if (part) selector.part = *part;
+    if (way && way->key == "near") selector.near = read_vector(reading, *way);
+    if (way && way->key == "box") selector.box = read_box(reading, *way);
+    if (way && way->key == "facing") selector.facing = read_direction(reading, *way);
+    const JsonValue* within = find_member(value, "within");
+    if (within && way && way->key != "facing") report(reading, *within, "'within' belongs to 'facing'", "remove it");
+    selector.within = member_or(reading, value, "within", selector.within, read_half_angle);
+    if (!part || reading.problems.size() > before) return std::nullopt;
+    return selector;
+}
+
+std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value) {
+    Selection selection;
+    if (value.kind != JsonValue::Kind::array) {
+        if (auto selector = read_selector(reading, value)) selection.push_back(std::move(*selector));
+    } else if (check_list(reading, value, 1, "edges")) {
+        for (const JsonValue& item : value.items) {
+            if (auto selector = read_selector(reading, item)) selection.push_back(std::move(*selector));
+        }
+    }
+    if (selection.empty()) return std::nullopt;
+    return selection;
+}
+
+void check_selections(SceneReading& reading, const Scene& scene) {
+    for (const Support& support : scene.supports) {
+        for (const Selector& selector : support.on) check_selector(reading, scene, selector);
+    }
+    for (const Load& load : scene.loads) {
+        for (const Selector& selector : load.on) check_selector(reading, scene, selector);
+    }
+    for (const PairRule& pair : scene.contacts.pairs) {
+        for (const Selector& selector : pair.between) check_selector(reading, scene, selector);
+    }
+}
+
+}  // namespace abut

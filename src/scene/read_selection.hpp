@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Selections of edges, as the scene file writes them.
+#pragma once
+#include <optional>
+
+#include "src/scene/scene.hpp"
+#include "src/scene/scene_fields.hpp"
+
+namespace abut {
+
+/// One text or one object.
+std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& value);
+
+/// The value of "on": one selector or a list of them. Empty where it is wrong (reported).
+std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value);
+
+/// Reports every selector that matches no edge of the scene's parts.
+void check_selections(SceneReading& reading, const Scene& scene);
+
+}  // namespace abut

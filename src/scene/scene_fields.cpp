@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/scene_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/io/nearest_name.hpp"
+
+namespace abut {
+
+namespace {
+
+using Kind = JsonValue::Kind;
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::string quoted_list(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "\"" : ", \"") + word + "\"";
+    return text;
+}
+
+/// Parses an expression; a fault of it is reported at the place of the value.
+std::optional<Expression> read_expression(SceneReading& reading, const JsonValue& value, bool field) {
+    if (value.kind == Kind::number) return Expression(value.number);
+    if (value.kind != Kind::string) {
+        report(reading, value, "expected a number, found " + described(value),
+               "write a number or an expression like \"2*R+gap\"");
+        return std::nullopt;
+    }
+    try {
+        return parse_expression(value.text, reading.parameters, field);
+    } catch (const InputError& error) {
+        for (const Problem& problem : error.problems()) report(reading, value, problem.what, problem.hint);
+        return std::nullopt;
+    }
+}
+
+bool check_pair(SceneReading& reading, const JsonValue& value) {
+    if (value.kind == Kind::array && value.items.size() == 2) return true;
+    report(reading, value, "expected two numbers [x, y], found " + described(value));
+    return false;
+}
+
+}  // namespace
+
+void report(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint) {
+    reading.problems.push_back({place_of(reading.file, at), what, hint});
+}
+
+bool check_object(SceneReading& reading, const JsonValue& value, const Words& keys) {
+    if (value.kind != Kind::object) {
+        report(reading, value, "expected an object, found " + described(value), "its keys are " + listed(keys.known));
+        return false;
+    }
+    for (const JsonValue& item : value.items) {
+        if (has(keys.known, item.key)) continue;
+        if (has(keys.later, item.key)) {
+            report(reading, item, "'" + item.key + "' is not supported yet");
+        } else {
+            report(reading, item, "unknown key '" + shortened(item.key) + "'", nearest_name_hint(item.key, keys.known));
+        }
+    }
+    return true;
+}
+
+bool check_list(SceneReading& reading, const JsonValue& value, std::size_t least, const std::string& of_what) {
+    if (value.kind != Kind::array) {
+        report(reading, value, "expected a list of " + of_what + ", found " + described(value));
+        return false;
+    }
+    if (value.items.size() >= least) return true;
+    report(reading, value,
+           value.items.empty() ? "this list of " + of_what + " is empty"
+                               : "this list has " + std::to_string(value.items.size()) + " " + of_what,
+           "give at least " + std::to_string(least));
+    return false;
+}
+
+const JsonValue* required(SceneReading& reading, const JsonValue& object, std::string_view key) {
+    const JsonValue* value = find_member(object, key);
+    if (!value) report(reading, object, "the key '" + std::string(key) + "' is missing");
+    return value;
+}
+
+const JsonValue* exactly_one(SceneReading& reading, const JsonValue& object, const std::vector<std::string>& keys) {
+    const JsonValue* found = nullptr;
+    for (const JsonValue& item : object.items) {
+        if (!has(keys, item.key)) continue;
+        if (found) {
+            report(reading, item, "'" + item.key + "' cannot be combined with '" + found->key + "'", "make two entries of it");
+            return nullptr;
+        }
+        found = &item;
+    }
+    if (!found) report(reading, object, "nothing says what this is", "give one of the keys " + listed(keys));
+    return found;
+}
+
+std::optional<double> read_number(SceneReading& reading, const JsonValue& value) {
+    const std::optional<Expression> expression = read_expression(reading, value, false);
+    return expression ? std::optional(expression->constant()) : std::nullopt;
+}
+
+std::optional<double> read_positive(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> number = read_number(reading, value);
+    if (!number || *number > 0) return number;
+    report(reading, value, (value.key.empty() ? "this" : "'" + value.key + "'") + " must be greater than 0");
+    return std::nullopt;
+}
+
+std::optional<int> read_integer(SceneReading& reading, const JsonValue& value, int least, int most) {
+    const std::optional<double> number = read_number(reading, value);
+    if (!number) return std::nullopt;
+    if (*number >= least && *number <= most && *number == std::floor(*number)) return static_cast<int>(*number);
+    report(reading, value, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return std::nullopt;
+}
+
+std::optional<bool> read_flag(SceneReading& reading, const JsonValue& value) {
+    if (value.kind == Kind::boolean) return value.boolean;
+    report(reading, value, "expected true or false, found " + described(value));
+    return std::nullopt;
+}
+
+std::optional<std::string> read_text(SceneReading& reading, const JsonValue& value) {
+    if (value.kind == Kind::string && !value.text.empty()) return value.text;
+    report(reading, value, value.kind == Kind::string ? "this text is empty" : "expected a text, found " + described(value));
+    return std::nullopt;
+}
+
+std::optional<std::string> read_word(SceneReading& reading, const JsonValue& value, const Words& words) {
+    const std::string word = value.kind == Kind::string ? value.text : "";
+    if (has(words.known, word)) return word;
+    if (has(words.later, word)) {
+        report(reading, value, "'" + word + "' is not supported yet", "one of " + quoted_list(words.known));
+    } else {
+        report(reading, value, "expected one of " + quoted_list(words.known) + ", found " + described(value),
+               word.empty() ? "" : "did you mean \"" + nearest_name(word, words.known) + "\"?");
+    }
+    return std::nullopt;
+}
+
+std::optional<Vec2> read_vector(SceneReading& reading, const JsonValue& value) {
+    if (!check_pair(reading, value)) return std::nullopt;
+    const std::optional<double> x = read_number(reading, value.items[0]), y = read_number(reading, value.items[1]);
+    if (!x || !y) return std::nullopt;
+    return Vec2(*x, *y);
+}
+
+std::optional<Vec2> read_direction(SceneReading& reading, const JsonValue& value) {
+    const std::optional<Vec2> vector = read_vector(reading, value);
+    if (!vector || !vector->isZero(0)) return vector;
+    report(reading, value, "a direction cannot be [0, 0]");
+    return std::nullopt;
+}
+
+std::optional<Expression> read_field(SceneReading& reading, const JsonValue& value) {
+    return read_expression(reading, value, true);
+}
+
+std::optional<std::array<Expression, 2>> read_vector_field(SceneReading& reading, const JsonValue& value) {
+    if (!check_pair(reading, value)) return std::nullopt;
+    const std::optional<Expression> x = read_field(reading, value.items[0]), y = read_field(reading, value.items[1]);
+    if (!x || !y) return std::nullopt;
+    return std::array<Expression, 2>{*x, *y};
+}
+
+bool check_part_name(SceneReading& reading, const JsonValue& at, const std::string& name) {
+    if (has(reading.part_names, name)) return true;
+    // A part whose own entry is faulty may be the one that is meant: no second complaint about it.
+    if (reading.all_parts_named) {
+        report(reading, at, "there is no part '" + shortened(name) + "'", nearest_name_hint(name, reading.part_names));
+    }
+    return false;
+}
+
+std::optional<std::string> read_part_name(SceneReading& reading, const JsonValue& value) {
+    const std::optional<std::string> name = read_text(reading, value);
+    return name && check_part_name(reading, value, *name) ? name : std::nullopt;
+}
+
+}  // namespace abut

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Turns the scene's selections into portions of edges.
+#pragma once
+#include <vector>
+
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// A portion of a part's boundary.
+struct EdgePortion {
+    int part;       ///< index into Scene::parts
+    int edge;       ///< index into Part::edges
+    double t0, t1;  ///< parameters of the edge's curve, t0 < t1
+};
+
+/// Portions selected, by part, edge and parameter, without overlaps. Throws InputError (JSON pointer of the selector) where a
+/// selector matches nothing: the message lists the part's edges, or the known parts where the part is unknown.
+std::vector<EdgePortion> select(const Scene& scene, const Selection& selection);
+
+}  // namespace abut

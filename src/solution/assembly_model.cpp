@@ -1,0 +1,472 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/solution/assembly_model.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "solver/contact/independent_groups.hpp"
+#include "solver/contact/mirrored_solution.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
+#include "solver/parts/fold.hpp"
+#include "solver/terms/dilatation.hpp"
+#include "src/discretization/load_vector.hpp"
+#include "src/discretization/part_grid.hpp"
+#include "src/discretization/solution_structure.hpp"
+#include "src/discretization/support_sets.hpp"
+#include "src/plan/rigid_parts.hpp"
+#include "src/report/svg.hpp"
+#include "src/solution/mirrored_grids.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int max_wall_refinements = 5;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+class Timed {
+public:
+    Timed(Stopwatches& seconds, std::string stage) : seconds_(seconds), stage_(std::move(stage)) {}
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+    ~Timed() { seconds_[stage_] += seconds(); }
+    double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }
+
+private:
+    Stopwatches& seconds_;
+    std::string stage_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// The part's image, if that is on a grid that the part's can be the image of.
+const PartOnGrid* image_on_grid(const Scene& scene, int part, const std::optional<MirrorLine>& mirror,
+                                const SolvedAssembly& solved) {
+    if (!mirror || mirror->image[at(part)] >= part) return nullptr;
+    const int image = mirror->image[at(part)];
+    const auto is_given = [&](int p) { return scene.accuracy.grids.contains(scene.parts[at(p)].name); };
+    if (is_given(part) || is_given(image)) return nullptr;
+    const int k = solved.solver_part[at(image)];
+    return k < 0 ? nullptr : &solved.grids[at(k)];
+}
+
+PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
+                       const std::optional<MirrorLine>& mirror, SolvedAssembly& solved) {
+    if (!why_rigid(scene, part).empty()) return put_rigid_part(scene, part);
+    if (const PartOnGrid* image = image_on_grid(scene, part, mirror, solved)) {
+        const PartGrid grid = mirrored_grid(scene, part, *image, *mirror);
+        return discretize(scene, part, grid.frame, grid.grid, grid.degree);
+    }
+    bool limited = false;
+    double refinement = 1;
+    for (int attempt = 0;; ++attempt, refinement *= 0.5) {
+        PartGrid chosen = grid_of_part(scene, part, wanted, coarseness, refinement);
+        if (mirror && mirror->image[at(part)] == part && !chosen.given) make_symmetric(*mirror, chosen);
+        limited = limited || chosen.limited;
+        PartOnGrid g = discretize(scene, part, chosen.frame, chosen.grid, chosen.degree);
+        const bool is_final = chosen.given || attempt == max_wall_refinements || scene.accuracy.cell_size;
+        if (!is_final && !g.input.space.failure.empty()) continue;
+        if (attempt > 0) ++solved.refined_for_walls;
+        if (limited) ++solved.limited_grids;
+        return g;
+    }
+}
+
+struct LoadedSystem {
+    solver::PartSystem system;
+    double load_scale = 0;
+    EffectUses uses{};
+};
+LoadedSystem make_rigid(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
+    PartLoad load = load_vector(scene, conditions, g);
+    LoadedSystem made{{}, load.scale, std::move(load.uses)};
+    MeteredCall call(made.uses, "rigid parts");
+    made.system = rigid_system(scene, conditions, g, load);
+    call.count(1);
+    return made;
+}
+
+LoadedSystem make_system(const Scene& scene, const ResolvedConditions& conditions, PartOnGrid& g) {
+    if (g.is_rigid) return make_rigid(scene, conditions, g);
+    g.input.structure = make_structure(scene, conditions, g);
+    if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
+    g.input.free_strain = free_strain(scene, g);
+    PartLoad load = load_vector(scene, conditions, g);
+    return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
+                                     spring_sets(scene, conditions, g), load.weighted),
+            load.scale, std::move(load.uses)};
+}
+
+/// With dirichlet "aligned" every support of edges has to be imposed that way.
+void require_aligned(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
+    for (const solver::SupportRecord& record : system.supports)
+        if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
+            throw InputError(scene.supports[at(record.set.tag)].where,
+                             "this support cannot be imposed by dropping functions: on part " + scene.parts[at(g.part)].name +
+                                 " it " + record.why,
+                             "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
+}
+
+/// Part, place and meaning of a system that cannot be solved.
+std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
+    std::string where;
+    if (system.failed_at) {
+        const Vec2 x = g.frame.to_global(system.failed_at->at);
+        where = ", near (" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
+    }
+    return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
+}
+
+/// What the system's own code spent on its effects.
+EffectUses uses_of(const solver::PartSystem& system) {
+    EffectUses uses;
+    if (system.body) return uses;
+    const auto& s = system.seconds;
+    uses["elasticity"] = {s.all - s.springs - s.dilatation, 1, 2L * system.n()};
+    long points = 0;
+    for (const solver::SpringSet& set : system.springs) points += static_cast<long>(set.points.size());
+    if (points > 0) uses["springs"] = {s.springs, static_cast<long>(system.springs.size()), points};
+    if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, 1, system.input.dilatation->space.n_functions};
+    return uses;
+}
+
+/// Rigid supports of one part.
+void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& solved) {
+    const auto is_held = [&](const Support& s) {
+        return s.kind == Support::Kind::rigid && s.part == scene.parts[at(solved.grids[part].part)].name;
+    };
+    if (solved.grids[part].is_rigid || std::none_of(scene.supports.begin(), scene.supports.end(), is_held)) return;
+    MeteredCall call(solved.uses, "rigid supports");
+    for (solver::MeanConstraint& c : mean_constraints(scene, solved.grids[part], static_cast<int>(part))) {
+        solved.problem.constraints.push_back(std::move(c));
+        call.count(1);
+    }
+}
+
+/// Parts are made side by side, each on its share of the threads; in turn, on all threads each, where the largest part would
+/// keep the others waiting.
+struct SharedThreads {
+    int side_by_side, each;
+};
+
+SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) {
+    constexpr double much_more = 1.25;  // than a thread's share: what threads within a part lose
+    double largest = 0, all = 0;
+    for (const PartOnGrid& g : grids) {
+        const double size = g.is_rigid ? 0 : g.input.space.n_functions;
+        largest = std::max(largest, size);
+        all += size;
+    }
+    if (largest * threads > much_more * all) return {1, threads};
+    return {threads, std::max(1, threads / std::max(1, static_cast<int>(grids.size())))};
+}
+
+/// Solver's input, supports and loads of every part on its grid.
+void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
+    std::vector<LoadedSystem> made(solved.grids.size());
+    const SharedThreads shared = shared_threads(solved.grids, threads);
+    for (PartOnGrid& g : solved.grids) g.input.threads = shared.each;
+    solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side,
+                         [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        PartOnGrid& g = solved.grids[i];
+        solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
+        solved.problem.part_load.push_back(made[i].load_scale);
+        solved.problem.parts.push_back(std::move(made[i].system));
+        const solver::PartSystem& system = solved.problem.parts.back();
+        add_uses(solved.uses, made[i].uses);
+        add_uses(solved.uses, uses_of(system));
+        g.input.dilatation = system.input.dilatation;
+        require_aligned(scene, g, system);
+        if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
+        append_constraints(scene, i, solved);
+    }
+}
+
+/// Wall time of the factorisations: where parts were made side by side, their share of what all of it took.
+double factorisation_seconds(const SolvedAssembly& solved, double wall) {
+    double all = 0, factorisation = 0;
+    for (const solver::PartSystem& system : solved.problem.parts) {
+        all += system.seconds.all;
+        factorisation += system.seconds.factorisation;
+    }
+    return all > wall ? factorisation * wall / all : factorisation;
+}
+
+void add_steps(const solver::SolveSeconds& steps, Stopwatches& seconds) {
+    seconds["rows"] += steps.rows;
+    seconds["condensation"] += steps.condensation;
+    seconds["contact iterations"] += steps.contact;
+    seconds["displacements"] += steps.displacements;
+}
+
+/// Index of the solver's new interface.
+int append_interface(const ContactInterface& contact, SolvedAssembly& solved) {
+    solved.problem.interfaces.push_back(contact.face);
+    solved.problem.foundation.push_back(contact.foundation);
+    solved.problem.own_normals.push_back(contact.own_normals);
+    return static_cast<int>(solved.problem.interfaces.size()) - 1;
+}
+
+/// Held as drawn, across the interface.
+void bond(ContactInterface& contact) {
+    contact.face.bilateral = true;
+    for (solver::InterfacePoint& p : contact.face.points) p.gap = 0;
+}
+
+/// The same points held along the interface.
+ContactInterface turned_along(ContactInterface contact) {
+    for (solver::InterfacePoint& p : contact.face.points)
+        for (Vec2& n : p.normal) n = geometry::left_of(n);
+    for (auto& pair : contact.own_normals)
+        for (Vec2& n : pair) n = geometry::left_of(n);
+    return contact;
+}
+
+/// Is the gap closed by an interference, or by a drawn overlap that counts as one?
+bool closes(const Scene& scene, const Candidate& c) {
+    return !c.bonded && (c.closing != 0 || (scene.contacts.overlap == "press_fit" && c.zone.gap_min < 0));
+}
+
+/// Rigid parts have no pressure between them, and nothing to hold them together by: the pair is looked at after the solution.
+bool are_rigid(const Scene& scene, const Candidate& c, const PartOnGrid& first, const PartOnGrid& second) {
+    if (!first.is_rigid || !second.is_rigid) return false;
+    if (!c.bonded) return true;
+    throw InputError(scene.contacts.pairs[at(c.rule)].where,
+                     "parts " + scene.parts[at(c.first)].name + " and " + scene.parts[at(c.second)].name +
+                         " are both rigid: they cannot be bonded",
+                     "draw them as one part, or make one of them elastic");
+}
+
+void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
+    for (const Candidate& c : candidates) {
+        const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
+        solved.interface_of.push_back(-1);
+        solved.shear_of.push_back(-1);
+        solved.contacts.emplace_back();
+        solved.contacts.back().part = {c.first, c.second};
+        if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
+        MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
+        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b});
+        ContactInterface& contact = solved.contacts.back();
+        if (contact.face.points.empty()) continue;
+        call.count(contact.face.points.size());
+        if (closes(scene, c)) solved.uses["interference"].items += static_cast<long>(contact.face.points.size());
+        if (c.bonded) bond(contact);
+        solved.interface_of.back() = append_interface(contact, solved);
+        if (c.bonded) solved.shear_of.back() = append_interface(turned_along(contact), solved);
+    }
+}
+
+/// Tells the parts where their interfaces are.
+void note_contact_elements(SolvedAssembly& solved) {
+    for (const solver::Interface& face : solved.problem.interfaces)
+        for (std::size_t side = 0; side < 2; ++side) {
+            std::vector<int>& elements = solved.grids[at(face.part[side])].input.contact_elements;
+            for (const solver::InterfacePoint& p : face.points)
+                if (elements.empty() || elements.back() != p.element[side]) elements.push_back(p.element[side]);
+        }
+}
+
+/// Of the loads: contact forces below are their rounding.
+constexpr double open_force_fraction = 1e-10;
+
+bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
+    const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
+    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
+}
+
+/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
+/// fewer points apart than two cells have are one.
+std::vector<ContactRun> without_flicker(std::vector<ContactRun> runs, const solver::KnotVector& points, int points_per_cell) {
+    std::vector<ContactRun> joined;
+    for (const ContactRun& run : runs) {
+        const auto between = [&](double s) { return !joined.empty() && s > joined.back().end && s < run.begin; };
+        const auto n = std::count_if(points.breakpoints.begin(), points.breakpoints.end(), between);
+        if (joined.empty() || n >= 2 * points_per_cell) {
+            joined.push_back(run);
+        } else {
+            joined.back().end = run.end;
+            joined.back().to_end = run.to_end;
+            joined.back().at_end = run.at_end;
+        }
+    }
+    return joined;
+}
+
+/// Bonded edges hold wherever they face each other.
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    if (!face.bilateral && is_rounding(solved, contact)) return {};
+    if (!face.bilateral) {
+        std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
+        if (face.penalty.empty()) return runs;
+        const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
+        return without_flicker(std::move(runs), face.pressure, std::max(space.x.degree, space.y.degree) + 1);
+    }
+    return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
+}
+
+/// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
+void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
+    long contact = 0, bonding = 0;
+    for (const solver::Interface& face : solved.problem.interfaces)
+        (face.bilateral ? bonding : contact) += solver::n_rows(face);
+    const auto rigid = static_cast<long>(solved.problem.constraints.size()), rows = contact + bonding + rigid;
+    const double on_rows = s.rows + s.condensation + s.contact;
+    const auto add = [&](const std::string& effect, long n) {
+        if (n == 0) return;
+        EffectUse& use = solved.uses[effect];
+        ++use.calls;
+        use.items += n;
+        use.seconds += on_rows * static_cast<double>(n) / static_cast<double>(rows);
+    };
+    add("contact", contact);
+    add("bonding", bonding);
+    add("rigid supports", rigid);
+    solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
+}
+
+/// Items: unknowns that were not solved for.
+void add_symmetry_use(double seconds, SolvedAssembly& solved) {
+    EffectUse& use = solved.uses["symmetry"];
+    use.seconds += seconds;
+    ++use.calls;
+    for (const solver::PartSystem& s : solved.problem.parts) use.items += 2L * s.n() - s.n_kept;
+}
+
+/// True: something is not symmetric, and noted.
+bool note_failure(const Scene& scene, const solver::MirrorFailure& failure, SolvedAssembly& solved) {
+    if (failure.what.empty()) return false;
+    const auto name = [&](int part) { return scene.parts[at(solved.grids[at(part)].part)].name; };
+    solved.not_folded = "part " + name(failure.part) + ": " +
+                        (failure.other_part < 0 ? "" : "its contact with " + name(failure.other_part) + " ") + failure.what;
+    return true;
+}
+
+/// On the half where the systems are folded. False: the interfaces are not symmetric.
+bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
+    if (!solved.is_folded) {
+        solved.solution = solve_groups(solved.problem, threads);
+        return true;
+    }
+    solver::MirroredSolution half = solve_mirrored(solved.problem, threads);
+    if (note_failure(scene, half.failure, solved)) return false;
+    solved.solution = std::move(half.solution);
+    add_symmetry_use(half.seconds, solved);
+    return true;
+}
+
+/// Systems of all unknowns.
+void unfold(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, int threads,
+            SolvedAssembly& solved) {
+    const Timed timed(seconds, "assembly");
+    solved.is_folded = false;
+    for (PartOnGrid& g : solved.grids) g.input.mirror.reset();
+    solved.problem.parts.clear();
+    solved.problem.part_load.clear();
+    solved.problem.constraints.clear();
+    // what the systems are made of is counted anew
+    std::erase_if(solved.uses, [](const auto& use) {
+        return use.first != "contact" && use.first != "bonding" && use.first != "interference";
+    });
+    make_systems(scene, conditions, threads, solved);
+    seconds["factorisation"] += factorisation_seconds(solved, timed.seconds());
+}
+
+/// Displacements, pressures and stretches of contact, on systems that are factorised.
+void solve_contacts(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved, Stopwatches& seconds,
+                    int threads) {
+    bool is_done = false;
+    {
+        const Timed timed(seconds, "solve");
+        is_done = solve_systems(scene, solved, threads);
+    }
+    if (!is_done) {
+        unfold(scene, conditions, seconds, threads, solved);
+        if (!solved.failure.empty()) return;
+        const Timed timed(seconds, "solve");
+        solve_systems(scene, solved, threads);
+    }
+    add_steps(solved.solution.seconds, seconds);
+    add_solution_uses(solved.solution.seconds, solved);
+    solved.runs.assign(solved.contacts.size(), {});
+    if (!solved.solution.mechanism.empty()) return;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
+}
+
+}  // namespace
+
+SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                          Stopwatches& seconds, int threads) {
+    SolvedAssembly solved;
+    solved.solver_part.assign(scene.parts.size(), -1);
+    {
+        const Timed timed(seconds, "geometry");
+        for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+            if (!solve_part[i]) continue;
+            solved.solver_part[i] = static_cast<int>(solved.grids.size());
+            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, conditions.mirror, solved));
+            if (!solved.grids.back().input.space.failure.empty())
+                solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
+        }
+    }
+    if (!solved.failure.empty()) return solved;
+    if (conditions.mirror) {
+        solved.not_folded = set_mirrors(scene, *conditions.mirror, solved);
+        solved.is_folded = solved.not_folded.empty();
+    }
+    {
+        const Timed timed(seconds, "assembly");
+        make_interfaces(scene, candidates, solved);
+        note_contact_elements(solved);
+        const double before = timed.seconds();
+        make_systems(scene, conditions, threads, solved);
+        seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
+        if (!solved.failure.empty()) return solved;
+    }
+    if (solved.is_folded && note_failure(scene, asymmetry_of_parts(solved.problem), solved)) {
+        unfold(scene, conditions, seconds, threads, solved);
+        if (!solved.failure.empty()) return solved;
+    }
+    solve_contacts(scene, conditions, solved, seconds, threads);
+    return solved;
+}
+
+void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+    {
+        const Timed timed(seconds, "assembly");
+        solved.contacts.clear();
+        solved.interface_of.clear();
+        solved.shear_of.clear();
+        solved.problem.interfaces.clear();
+        solved.problem.foundation.clear();
+        solved.problem.own_normals.clear();
+        make_interfaces(scene, candidates, solved);
+    }
+    solve_contacts(scene, conditions, solved, seconds, threads);
+}
+
+double largest_condition(const SolvedAssembly& solved, int threads) {
+    const std::vector<solver::PartSystem>& parts = solved.problem.parts;
+    std::vector<double> condition(parts.size(), 0);
+    solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
+        const solver::PartSystem& system = parts[at(i)];
+        if (!system.body && !solver::is_follower(system.input) && system.failure.empty())
+            condition[at(i)] = condition_estimate(system);
+    });
+    return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
+}
+
+const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {
+    return solved.solution.pressure[at(solved.interface_of[contact])];
+}
+
+}  // namespace abut

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/solution/contact_measures.hpp"
+
+#include <algorithm>
+
+namespace abut {
+
+double energy_of(const SolvedAssembly& s) {
+    double sum = 0;
+    for (std::size_t i = 0; i < s.problem.parts.size(); ++i)
+        sum += strain_energy(s.problem.parts[i], s.solution.displacement[i]);
+    return sum;
+}
+
+double energy_rounding_of(const SolvedAssembly& s) {
+    constexpr double rounding = 1e-9;  // of sums over stiffness matrices, the penalties of supports in them included
+    double sum = 0;
+    for (std::size_t i = 0; i < s.grids.size(); ++i) {
+        const double moved = s.solution.displacement[i].cwiseAbs().maxCoeff();
+        sum += rounding * s.grids[i].input.elasticity.d11 * s.grids[i].input.thickness * moved * moved;
+    }
+    return sum;
+}
+
+double peak_of(const SolvedAssembly& s, std::size_t contact) {
+    if (s.interface_of[contact] < 0) return 0;
+    const solver::KnotVector& k = s.contacts[contact].face.pressure;
+    double peak = 0;
+    for (int i = 0; i < k.n_intervals(); ++i)
+        for (int q = 0; q < 4; ++q) {
+            const double a = k.breakpoints[static_cast<std::size_t>(i)], b = k.breakpoints[static_cast<std::size_t>(i) + 1];
+            peak = std::max(peak, solver::pressure_at(k, pressure_of(s, contact), a + (b - a) * q / 3));
+        }
+    return peak;
+}
+
+namespace {
+
+void add_force(const solver::Interface& face, const Eigen::VectorXd& pressure, const Frame& frame, ContactForce& total) {
+    for (const solver::InterfacePoint& p : face.points) {
+        const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
+        const Vec2 force = -f * frame.vector_to_global(p.normal[0]);
+        total.force += force;
+        total.moment += geometry::cross(frame.to_global(p.x[0]), force);
+    }
+}
+
+}  // namespace
+
+ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact) {
+    ContactForce total;
+    const ContactInterface& c = solved.contacts[contact];
+    const PartOnGrid& grid = solved.grids[static_cast<std::size_t>(c.face.part[0])];
+    add_force(c.face, pressure_of(solved, contact), grid.frame, total);
+    if (const int shear = solved.shear_of[contact]; shear >= 0)
+        add_force(solved.problem.interfaces[static_cast<std::size_t>(shear)],
+                  solved.solution.pressure[static_cast<std::size_t>(shear)], grid.frame, total);
+    if (grid.input.axis) total.moment = 0;  // moments of a ring's forces balance by themselves
+    return total;
+}
+
+double half_plane_compliance(const PartOnGrid& g, double thickness) {
+    const solver::Elasticity& d = g.input.elasticity;
+    return g.is_rigid ? 0 : d.d11 / (d.d11 * d.d11 - d.d12 * d.d12) * thickness / g.input.thickness;
+}
+
+double compliance_of(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    double sum = 0;
+    for (int part : c.face.part) sum += half_plane_compliance(solved.grids[static_cast<std::size_t>(part)], c.face.thickness);
+    return sum;
+}
+
+double penetration_share(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    if (c.face.penalty.empty() || solved.runs[contact].empty()) return 0;
+    const double softest = *std::min_element(c.face.penalty.begin(), c.face.penalty.end());
+    double half_width = 0;
+    for (const ContactRun& run : solved.runs[contact]) half_width = std::max(half_width, 0.5 * (run.end - run.begin));
+    return 1 / (compliance_of(solved, contact) * softest * half_width);
+}
+
+bool any_run(const SolvedAssembly& s) {
+    return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
+}
+
+}  // namespace abut

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "solver/splines/bspline.hpp"
+
+namespace abut {
+
+/// An end of a stretch of contact.
+struct RunEnd {
+    enum class Kind {
+        free,    ///< the gap opens: the pressure ends like the root of the distance
+        corner,  ///< the interface ends and the pressure rises towards it: it may have no limit there
+        plain    ///< the interface ends, and nothing happens: a symmetry plane
+    };
+    Kind kind = Kind::plain;
+    double reach = 0;  ///< how far into the contact the end's own error counts apart from the rest: free ends and corners
+    double error = 0;  ///< free ends: L2 distance within the reach between the spline and the root that is fitted to the force
+};
+
+/// Knot spacings beside a free end in which its error counts.
+inline constexpr double error_reach = 3;
+
+/// A stretch of an interface's middle curve under pressure.
+struct ContactRun {
+    double begin, end;        ///< arc lengths
+    bool from_start, to_end;  ///< reaches the interface's own ends
+    RunEnd at_begin{}, at_end{};
+};
+
+/// By contact.
+using ContactRuns = std::vector<std::vector<ContactRun>>;
+
+/// Stretches where the pressure spline is positive. Ends inside the interface by fitting the force near them: pressures
+/// end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
+std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
+
+}  // namespace abut

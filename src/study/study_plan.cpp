@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/study/study_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace abut {
+
+namespace {
+
+constexpr double reference_refinement = 0.7;  ///< of the smallest size
+
+/// Time over unknowns, where it is not known: a little steeper than the factorisations measured (1.1 to 1.2).
+constexpr double assumed_exponent = 1.25;
+
+using Kind = StudySetting::Kind;
+
+bool is_family_mate(const StudySetting& a, const StudySetting& b) {
+    return a.kind == b.kind && a.degree == b.degree && a.basis == b.basis && a.threads == b.threads;
+}
+
+}  // namespace
+
+std::vector<StudySetting> level_settings(const Scene& scene) {
+    const Accuracy& accuracy = scene.accuracy;
+    const std::string basis = accuracy.basis == "auto" ? "web" : accuracy.basis;
+    std::vector<StudySetting> settings;
+    const bool is_given = (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
+    const std::vector<const char*> levels = is_given ? std::vector{level_as_given} : std::vector{"standard", "draft", "fine"};
+    for (const char* level : levels) settings.push_back({Kind::level, level, accuracy.degree, basis, 1});
+    return settings;
+}
+
+std::vector<StudySetting> threaded_settings(const Scene& scene, int threads) {
+    if (threads < 2) return {};
+    std::vector<StudySetting> settings = level_settings(scene);
+    for (StudySetting& setting : settings) setting.threads = threads;
+    return settings;
+}
+
+std::vector<StudySetting> grid_settings(const StudyOptions& options) {
+    std::vector<StudySetting> settings;
+    for (double size : options.sizes) {
+        for (const char* basis : {"web", "normalized"})
+            for (int degree : options.degrees) settings.push_back({Kind::graded, "", degree, basis, size});
+        settings.push_back({Kind::uniform, "", 2, "web", size});
+    }
+    return settings;
+}
+
+StudySetting reference_setting(const StudyOptions& options) {
+    return {Kind::graded, "", 2, "web", reference_refinement * options.sizes.back()};
+}
+
+std::optional<double> predicted_seconds(const std::vector<StudyRun>& runs, const StudySetting& setting) {
+    std::optional<double> seconds;
+    double size = 0;
+    for (const StudyRun& run : runs) {
+        if (!is_family_mate(run.setting, setting) || run.status != StudyRun::Status::ok) continue;
+        if (run.setting.size <= setting.size || (seconds && run.setting.size >= size)) continue;
+        size = run.setting.size;
+        seconds = run.seconds * std::pow(size / setting.size, 2 * assumed_exponent);
+    }
+    return seconds;
+}
+
+double equal_cell_size(const Scene& scene, const std::vector<StudyGrid>& grids) {
+    double area = 0, cells = 0;
+    for (const ScenePart& p : scene.parts) {
+        const auto grid = std::find_if(grids.begin(), grids.end(), [&](const StudyGrid& g) { return g.part == p.name; });
+        if (grid == grids.end()) continue;
+        const auto size = bounding_box(p.part).size();
+        area += size.x() * size.y();
+        cells += static_cast<double>((grid->x.size() - 1) * (grid->y.size() - 1));
+    }
+    return std::sqrt(area / cells);
+}
+
+}  // namespace abut

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is left out of a drawing, and how entities look by layer.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/geometry/dxf/dxf_text.hpp"
+
+namespace abut::geometry {
+namespace {
+
+TEST(DxfIgnored, CountsWhatIsLeftOutAndSaysWhy) {
+    const std::string layers = dxf_section("TABLES",
+                                           "0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nOff\n62\n-7\n0\nLAYER\n2\nFrozen\n70\n1\n"
+                                           "0\nLAYER\n2\nAxes\n6\nCENTER2\n0\nENDTAB\n");
+    const Drawing drawing = read_drawing(dxf_file(
+        dxf_line("1", "A", 0, 0, 1, 0) + dxf_line("2", "OFF", 0, 0, 1, 0) + dxf_line("3", "Frozen", 0, 0, 1, 0) +
+            dxf_line("4", "Axes", 0, 0, 1, 0) + dxf_record("REGION", "5", "A", {}) + dxf_record("REGION", "6", "A", {}) +
+            dxf_record("TEXT", "7", "A", {}) + dxf_record("LINE", "8", "A", {{67, 1}, {10, 0}, {20, 0}, {11, 1}, {21, 1}}) +
+            dxf_record("CIRCLE", "9", "A", {{60, 1}, {10, 0}, {20, 0}, {40, 1}}),
+        layers));
+    const auto why = [&](const std::string& what) {
+        for (const Ignored& ignored : drawing.ignored)
+            if (ignored.what == what) return std::to_string(ignored.count) + " " + ignored.why;
+        return std::string("not ignored");
+    };
+    EXPECT_EQ(drawing.entities.size(), 1u);
+    EXPECT_EQ(why("LINE on layer OFF"), "1 layer is off");
+    EXPECT_EQ(why("LINE on layer Frozen"), "1 layer is frozen");
+    EXPECT_EQ(why("REGION"), "2 a solid or surface in a closed format (ACIS)");
+    EXPECT_EQ(why("TEXT"), "1 annotation");
+    EXPECT_EQ(why("CIRCLE"), "1 invisible");
+    EXPECT_TRUE(std::any_of(drawing.ignored.begin(), drawing.ignored.end(),
+                            [](const Ignored& i) { return i.why == "line type CENTER2"; }));
+    EXPECT_TRUE(std::any_of(drawing.ignored.begin(), drawing.ignored.end(),
+                            [](const Ignored& i) { return i.why == "in paper space"; }));
+    EXPECT_EQ(drawing.counts.at("LINE").read, 4);  // the one in paper space is not of this drawing
+    int read = 0;
+    for (const auto& [type, count] : drawing.counts) {
+        EXPECT_EQ(count.read, count.used + count.ignored) << type;
+        read += count.read;
+    }
+    EXPECT_EQ(read, 8);
+}
+
+/// What is listed as ignored of one entity that is no outline.
+std::vector<Ignored> ignored_of(const std::string& record, const std::string& before = "") {
+    return read_drawing(dxf_file(dxf_line("1", "A", 0, 0, 1, 0) + record, before)).ignored;
+}
+
+TEST(DxfIgnored, ListsEveryKindThatItDoesNotRead) {
+    for (const char* type :
+         {"TEXT",    "MTEXT", "DIMENSION", "LEADER",    "MULTILEADER", "POINT",   "XLINE",      "RAY",    "HATCH",
+          "WIPEOUT", "SOLID", "TRACE",     "3DFACE",    "MESH",        "3DSOLID", "REGION",     "BODY",   "MLINE",
+          "HELIX",   "IMAGE", "LIGHT",     "OLE2FRAME", "VIEWPORT",    "SHAPE",   "ACAD_TABLE", "NO_SUCH"}) {
+        const std::vector<Ignored> ignored = ignored_of(dxf_record(type, "2", "A", {{10, 0}, {20, 0}}));
+        ASSERT_EQ(ignored.size(), 1u) << type;
+        EXPECT_EQ(ignored[0].what, type);
+        EXPECT_EQ(ignored[0].count, 1);
+        EXPECT_EQ(ignored[0].why == "not read by this version", type == std::string("NO_SUCH")) << ignored[0].why;
+    }
+}
+
+TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
+    for (const char* name :
+         {"CENTER", "Center2", "CENTERX2", "ACAD_ISO04W100", "SLD-Center", "HIDDEN", "phantom", "DASHDOT", "DASHED2"}) {
+        const std::string typed = std::string("0\nLINE\n8\nA\n6\n") + name + "\n10\n0\n20\n0\n11\n1\n21\n1\n";
+        EXPECT_EQ(ignored_of(typed).size(), 1u) << name;
+    }
+    for (const char* name : {"CONTINUOUS", "Continuous", "BYLAYER", "ByBlock", "SLD-Solid"}) {
+        const std::string typed = std::string("0\nLINE\n8\nA\n6\n") + name + "\n10\n0\n20\n0\n11\n1\n21\n1\n";
+        EXPECT_TRUE(ignored_of(typed).empty()) << name;
+    }
+    for (const char* name : {"centerlines", "Center Line", "CENTRE_LINE", "Construction-Lines", "DIMS", "xref|Hidden",
+                             "Mittellinien", "Verdeckt", "Title Block", "BORDER", "Bema\xC3\x9Fung", "notes"})
+        EXPECT_EQ(ignored_of(dxf_line("2", name, 0, 0, 1, 1)).size(), 1u) << name;
+    for (const char* name : {"0", "CENTERPIECE", "HIDDENLATCH", "DIMPLE", "FRAME", "AXIS", "HATCH", "BORDERPLATE"})
+        EXPECT_TRUE(ignored_of(dxf_line("2", name, 0, 0, 1, 1)).empty()) << name;
+}
+
+TEST(DxfIgnored, GivesColoursByLayer) {
+    const std::string layers = dxf_section("TABLES", "0\nLAYER\n2\nA\n62\n3\n0\nLAYER\n2\nB\n62\n99999\n");
+    const auto color = [&](const char* layer, std::initializer_list<std::pair<int, double>> more) {
+        std::string record = dxf_line("1", layer, 0, 0, 1, 1);
+        for (const auto& [code, value] : more)
+            record += std::to_string(code) + "\n" + std::to_string(static_cast<int>(value)) + "\n";
+        return read_drawing(dxf_file(record, layers)).entities.at(0).color;
+    };
+    EXPECT_EQ(color("A", {}), 3);
+    EXPECT_EQ(color("a", {{62, 256}}), 3);
+    EXPECT_EQ(color("A", {{62, 5}}), 5);
+    EXPECT_EQ(color("A", {{62, 0}}), 7);  // by block, and there is none
+    EXPECT_EQ(color("B", {}), 7);
+    EXPECT_EQ(color("C", {}), 7);
+}
+
+}  // namespace
+}  // namespace abut::geometry

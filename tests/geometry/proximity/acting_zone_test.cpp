@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The lines that contact forces act on: what a body's own shape lets slide does no work.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/geometry/cells/random_grids.hpp"
+#include "tests/geometry/proximity/facing_checks.hpp"
+
+namespace abut::geometry {
+namespace {
+
+constexpr double exact = 1e-11;
+
+Part polygon(const std::vector<Vec2>& p) {
+    Part part;
+    test::add_loop(part, test::closed(p));
+    return part;
+}
+
+Part block(double x0, double y0, double x1, double y1) {
+    return polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+Part disc(const Vec2& center, double radius) {
+    Part part;
+    test::add_loop(part, {Arc{center, radius, 0.3, 2 * std::numbers::pi}});
+    return part;
+}
+
+/// A bar with a half circle below; its flat part joins the arcs of small fillets.
+Part filleted(double half, double r) {
+    constexpr double quarter = 0.5 * std::numbers::pi;
+    Part part;
+    test::add_loop(part, {Segment{{-half, 0}, {half, 0}}, Arc{{half, r}, r, -quarter, quarter},
+                          Segment{{half + r, r}, {half + r, 3}}, Segment{{half + r, 3}, {-half - r, 3}},
+                          Segment{{-half - r, 3}, {-half - r, r}}, Arc{{-half, r}, r, 2 * quarter, quarter}});
+    return part;
+}
+
+std::vector<FacingZone> acting_zones(const Part& a, const Part& b, double distance) {
+    std::vector<FacingZone> zones;
+    for (const FacingZone& zone : find_facing_zones(a, b, distance)) zones.push_back(acting_zone(a, b, zone));
+    return zones;
+}
+
+/// Largest deviation of the pairs' normals from a direction, and of their lines from it.
+double deviation(const Part& a, const Part& b, const FacingZone& zone, const Vec2& direction) {
+    double worst = 0;
+    for (const FacingPair& p : test::walk(a, b, zone, 40)) {
+        EXPECT_TRUE(p.found);
+        worst = std::max({worst, (p.normal - direction).norm(), std::abs(cross(p.on2.x - p.on1.x, p.normal))});
+    }
+    return worst;
+}
+
+TEST(ActingZone, AFlatLendsItsNormalToWhateverIsCurved) {
+    const Part base = block(-5, -1, 5, 0);
+    for (const Part& other : {disc({0.3, 1.02}, 1), test::turned(filleted(0.5, 0.2), 0, {0.1, 0.01})}) {
+        const std::vector<FacingZone> below = acting_zones(base, other, 0.1), above = acting_zones(other, base, 0.1);
+        ASSERT_EQ(below.size(), 1u);
+        ASSERT_EQ(above.size(), 1u);
+        EXPECT_LT(deviation(base, other, below[0], {0, 1}), exact);
+        EXPECT_LT(deviation(other, base, above[0], {0, -1}), exact);
+    }
+}
+
+TEST(ActingZone, CirclesActAlongTheLineOfCentres) {
+    // R1 n1 - R2 n2 is the way between the centres less that between the pair, which lies along it
+    const Part small = disc({0, 0}, 1), large = disc({0.6, 2.8}, 2 - 0.15);
+    const FacingZone zone = acting_zones(small, large, 0.4).at(0);
+    EXPECT_LT(deviation(small, large, zone, Vec2(0.6, 2.8).normalized()), exact);
+}
+
+TEST(ActingZone, ACornerTakesTheNormalOfWhatItStandsOn) {
+    const Part base = block(-5, -1, 5, 0), round = disc({0, -3}, 3);
+    for (double tilt : {1e-7, 1e-3, 0.02, 0.3}) {
+        const Part top = test::turned(block(0, 0, 2, 1), tilt, {0, 0});
+        for (const FacingZone& zone : acting_zones(base, top, 0.1)) EXPECT_LT(deviation(base, top, zone, {0, 1}), exact);
+        for (const FacingZone& zone : acting_zones(top, base, 0.1)) EXPECT_LT(deviation(top, base, zone, {0, -1}), exact);
+        EXPECT_NEAR(acting_zones(top, base, 0.1).at(0).begin1, 0, exact);  // the corner itself is in the zone
+        // the same on a round part: along its radius
+        for (const FacingZone& zone : acting_zones(top, round, 0.1))
+            for (const FacingPair& p : test::walk(top, round, zone, 20))
+                EXPECT_LT((p.normal + (p.on2.x - Vec2(0, -3)).normalized()).norm(), 1e-9);
+    }
+}
+
+TEST(ActingZone, ExchangingThePartsGivesTheSamePairs) {
+    const Part a = test::turned(filleted(0.7, 0.15), 0.01, {0, 0.02}), b = disc({0.1, -2}, 1.98);
+    const FacingZone there = acting_zones(a, b, 0.05).at(0), back = acting_zones(b, a, 0.05).at(0);
+    for (const FacingPair& p : test::walk(a, b, there, 30)) {
+        const FacingPair q = pair_from_first(b, a, back, p.s2, p.s1);
+        ASSERT_TRUE(q.found);
+        EXPECT_NEAR(q.gap, p.gap, 1e-10);
+        EXPECT_LT((q.normal + p.normal).norm(), 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace abut::geometry

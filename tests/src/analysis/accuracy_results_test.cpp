@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/accuracy_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace abut {
+namespace {
+
+/// Two passes with one contact: no estimate, then this one.
+Outcome outcome(double pressure, double peak, PathEnd end) {
+    Outcome out;
+    out.target = 0.01;
+    out.end = end;
+    out.passes = {{{ContactRecord{}}, 1, 1000, 10, 0.1}, {{ContactRecord{}}, 1, 2000, 20, 0.3}};
+    ErrorEstimate error;
+    error.contacts = {ContactError{pressure, pressure, 0, 0, peak, 0.001, 1, 1, false}};
+    error.contact_pressure = pressure;
+    error.peak = peak;
+    error.energy = 4e-4;
+    error.stress = 0.02;
+    out.errors = {ErrorEstimate{{std::nullopt}, {}, {}, {}, {}, {}}, error};
+    return out;
+}
+
+Result filled(const Outcome& out) {
+    Result result;
+    result.contacts.emplace_back();
+    result.contacts[0].max_pressure.value = 100;
+    fill_errors(out, result);
+    return result;
+}
+
+bool is_warned(const Result& result, const std::string& words) {
+    return std::any_of(result.warnings.begin(), result.warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
+}
+
+Result solved_in(double first_error, double last_error, double seconds) {
+    Result result;
+    result.accuracy.target = 0.01;
+    result.accuracy.estimate = last_error;
+    result.error_estimate.contact_pressure = last_error;
+    result.passes = {
+        {1000, 0, 0.1 * seconds, std::nullopt}, {2000, 0, 0.4 * seconds, first_error}, {4000, 0, seconds, last_error}};
+    return result;
+}
+
+}  // namespace
+
+TEST(AccuracyResults, ForcesErrLikeTheEnergyWithinWhatTheirChangeSays) {
+    Outcome out = outcome(0.008, 0.002, PathEnd::reached);  // 0.001 by the change
+    for (const auto& [energy, force] : {std::pair(4e-4, 0.001), std::pair(0.003, 0.003), std::pair(1.0, 0.016)}) {
+        out.errors.back().energy = energy;
+        EXPECT_DOUBLE_EQ(filled(out).contacts[0].errors->force, force);
+    }
+}
+
+TEST(AccuracyResults, ReachedTargetsWarnOfNothing) {
+    const Result result = filled(outcome(0.008, 0.002, PathEnd::reached));
+    EXPECT_TRUE(result.warnings.empty());
+    EXPECT_TRUE(result.reasons.empty());
+    EXPECT_TRUE(result.accuracy.reached);
+    EXPECT_EQ(result.accuracy.of, "contact pressure");
+    EXPECT_EQ(result.accuracy.target, 0.01);
+    EXPECT_EQ(result.accuracy.estimate, 0.008);
+    EXPECT_EQ(result.accuracy.why, "");
+    ASSERT_TRUE(result.contacts[0].errors);
+    EXPECT_EQ(result.contacts[0].errors->pressure, 0.008);
+    EXPECT_EQ(result.contacts[0].errors->peak, 0.002);
+    EXPECT_EQ(result.contacts[0].errors->force, 0.001);
+    EXPECT_EQ(result.error_estimate.stress, 0.02);
+    ASSERT_EQ(result.passes.size(), 2u);
+    EXPECT_FALSE(result.passes[0].estimated_error);
+    EXPECT_EQ(result.passes[1].estimated_error, 0.008);
+    EXPECT_EQ(result.passes[1].unknowns, 2000);
+}
+
+TEST(AccuracyResults, ThePeakCountsWhereItIsWorse) {
+    const Result result = filled(outcome(0.008, 0.03, PathEnd::out_of_cells));
+    EXPECT_EQ(result.accuracy.estimate, 0.03);
+    EXPECT_FALSE(result.accuracy.reached);
+}
+
+TEST(AccuracyResults, MissedTargetsSayWhy) {
+    for (const auto& [end, words] : {std::pair{PathEnd::out_of_cells, "as many cells"},
+                                     {PathEnd::out_of_passes, "do not bring it down"},
+                                     {PathEnd::out_of_digits, "rounding"},
+                                     {PathEnd::fixed_grids, "adapt"}}) {
+        const Result result = filled(outcome(0.03, 0.002, end));
+        EXPECT_FALSE(result.accuracy.reached);
+        EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;
+        EXPECT_TRUE(is_warned(result, "above the 1 % aimed at"));
+        ASSERT_EQ(result.reasons.size(), 1u);
+        EXPECT_EQ(result.reasons[0].kind, "accuracy");
+        EXPECT_EQ(result.reasons[0].text, "contact pressures known to 3 %, not to 1 %");
+    }
+}
+
+TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
+    EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
+    Outcome corner = outcome(0.005, 0, PathEnd::reached);
+    corner.errors.back().contacts[0]->at_corner = true;
+    corner.errors.back().contacts[0]->peak = 0.2;
+    EXPECT_TRUE(is_warned(filled(corner), "sharp corner"));
+    EXPECT_FALSE(is_warned(filled(corner), "uncertain"));
+    ASSERT_EQ(filled(corner).reasons.size(), 1u);
+    EXPECT_EQ(filled(corner).reasons[0].kind, "corner");
+}
+
+TEST(AccuracyResults, ManyPeaksAtCornersAreOneWarningThatNamesTheLargest) {
+    Outcome out = outcome(0.005, 0.2, PathEnd::reached);
+    std::vector<std::optional<ContactError>>& errors = out.errors.back().contacts;
+    errors[0]->at_corner = true;
+    errors.resize(3, errors[0]);
+    Result result;
+    for (const double pressure : {100, 300, 200}) result.contacts.emplace_back().max_pressure.value = pressure;
+    fill_errors(out, result);
+    ASSERT_EQ(result.warnings.size(), 1u);
+    EXPECT_EQ(result.warnings[0].find("the largest pressure of contact 2 stands at a sharp corner"), 0u);
+    EXPECT_NE(result.warnings[0].find("the same of 2 others: contact 3, contact 1"), std::string::npos) << result.warnings[0];
+    EXPECT_EQ(result.reasons.size(), 1u);
+}
+
+TEST(AccuracyResults, DoubtfulPeaksAreReasonsWhereNothingWasAimedAt) {
+    const Result result = filled(outcome(0.005, 0.2, PathEnd::no_need));
+    ASSERT_EQ(result.reasons.size(), 1u);
+    EXPECT_EQ(result.reasons[0].text, "the largest pressure of contact 1 known to 20 %");
+}
+
+TEST(AccuracyResults, WithoutContactItIsOfStress) {
+    Outcome out = outcome(0, 0, PathEnd::no_need);
+    out.errors.back().contacts = {};
+    out.errors.back().contact_pressure.reset();
+    out.errors.back().peak.reset();
+    const Result result = filled(out);
+    EXPECT_EQ(result.accuracy.of, "stress in the energy norm");
+    EXPECT_EQ(result.accuracy.estimate, 0.02);
+    EXPECT_FALSE(result.contacts[0].errors);
+}
+
+TEST(NextLevel, IsTheNextFinerOne) {
+    const auto next_of = [](double target) {
+        Result result = solved_in(0.02, 0.008, 1);
+        result.accuracy.target = target;
+        predict_next_level(result);
+        return result.next_level;
+    };
+    ASSERT_TRUE(next_of(0.05) && next_of(0.03) && next_of(0.01) && next_of(0.002));
+    EXPECT_EQ(next_of(0.05)->accuracy, "standard");
+    EXPECT_EQ(next_of(0.03)->accuracy, "standard");
+    EXPECT_EQ(next_of(0.01)->accuracy, "fine");
+    EXPECT_EQ(next_of(0.002)->accuracy, "0.0004");
+    EXPECT_DOUBLE_EQ(next_of(0.002)->target, 0.0004);
+}
+
+TEST(NextLevel, CostsMoreThanThisOneAndGrowsWithIt) {
+    for (double seconds : {0.01, 1.0, 100.0}) {
+        Result result = solved_in(0.03, 0.008, seconds);
+        predict_next_level(result);
+        ASSERT_TRUE(result.next_level);
+        EXPECT_GT(result.next_level->seconds, seconds);
+        EXPECT_LT(result.next_level->seconds, 50 * seconds);
+        Result slower = solved_in(0.03, 0.008, 2 * seconds);
+        predict_next_level(slower);
+        EXPECT_NEAR(slower.next_level->seconds, 2 * result.next_level->seconds, 1e-12 * seconds);
+        Result worse = solved_in(0.03, 0.02, seconds);
+        predict_next_level(worse);
+        EXPECT_GT(worse.next_level->seconds, result.next_level->seconds);
+    }
+}
+
+TEST(NextLevel, NothingToGoByIsNoPrediction) {
+    Result none;
+    predict_next_level(none);
+    EXPECT_FALSE(none.next_level);
+    Result exact = solved_in(0.02, 0, 1);
+    predict_next_level(exact);
+    EXPECT_FALSE(exact.next_level);
+    Result missed = solved_in(0.03, 0.02, 1);
+    missed.accuracy.why = "too many cells";
+    predict_next_level(missed);
+    EXPECT_FALSE(missed.next_level);
+}
+
+}  // namespace abut

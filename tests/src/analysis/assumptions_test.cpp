@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Warnings where the answer leaves what was assumed: they name part, place and size.
+#include "src/analysis/assumptions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/verification/scene_answers.hpp"
+
+namespace abut {
+namespace {
+
+/// A slender arm clamped on the left, E = 1000, with a load at its right end.
+Result arm(const std::string& load, const std::string& yield = "") {
+    return test::answer(
+        R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3)" + (yield.empty() ? "" : R"(, "yield": )" + yield) +
+        R"(}}, "parts": [{"name": "arm", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+        "supports": [{"on": "arm/left", "fix": ["x", "y"]}], "loads": [)" +
+        load + R"(], "accuracy": {"cell_size": 0.25}})");
+}
+
+std::string warning(const Result& r, const std::string& begin) {
+    const auto found =
+        std::find_if(r.warnings.begin(), r.warnings.end(), [&](const std::string& w) { return w.starts_with(begin); });
+    return found == r.warnings.end() ? "" : *found;
+}
+
+bool has_reason(const Result& r, const std::string& kind, const std::string& begin) {
+    return std::any_of(r.reasons.begin(), r.reasons.end(),
+                       [&](const Reason& reason) { return reason.kind == kind && reason.text.starts_with(begin); });
+}
+
+/// Bars side by side, each pulled by its right end with a traction of its own.
+Result bars(const std::vector<double>& tractions) {
+    std::string parts, names, loads;
+    for (std::size_t k = 0; k < tractions.size(); ++k) {
+        const std::string name = "bar_" + std::to_string(k), y = test::number(10 * static_cast<double>(k));
+        parts += (k == 0 ? "" : ", ") +
+                 (R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [0, )") + y +
+                 R"(], "max": [4, )" + test::number(10 * static_cast<double>(k) + 1) + "]}}}";
+        names += (k == 0 ? "" : ", ") + ("\"" + name + "/left\", \"" + name + "/bottom\"");
+        loads +=
+            (k == 0 ? "" : ", ") + (R"({"on": ")" + name + R"(/right", "traction": [)") + test::number(tractions[k]) + ", 0]}";
+    }
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3, "yield": 1}}, "parts": [)" + parts +
+                        R"(], "supports": [{"on": [)" + names + R"(], "symmetry": true}], "loads": [)" + loads +
+                        R"(], "accuracy": {"cell_size": 0.5}})");
+}
+
+TEST(Assumptions, TheSameOfManyPartsIsOneLineThatNamesTheWorst) {
+    const Result r = bars({2, 60, 3, 70, 0.5, 80, 4, 5});
+    for (const char* begin : {"yield exceeded", "large strain", "large displacement would matter"})
+        EXPECT_EQ(
+            std::count_if(r.warnings.begin(), r.warnings.end(), [&](const std::string& w) { return w.starts_with(begin); }), 1)
+            << begin;
+    const std::string yield = warning(r, "yield exceeded: part bar_5 reaches a von Mises stress of 80 ");
+    EXPECT_TRUE(yield.ends_with("; the same of 6 others: bar_3, bar_1, bar_7, bar_6 and 2 more")) << yield;
+    EXPECT_TRUE(has_reason(r, "yield", "bar_5 at 80 times its yield (and 6 others)"));
+    const std::string strain = warning(r, "large strain: part bar_5 strains by up to 8");
+    EXPECT_TRUE(strain.ends_with("; the same of 2 others: bar_3, bar_1")) << strain;
+    EXPECT_TRUE(bars({0.5, 0.7}).reasons.empty());
+}
+
+TEST(Assumptions, LargeRotationsAreSaidWithPartPlaceAndSize) {
+    // the end turns by P L^2 / (2 E I): 0.12 for P = 0.2
+    const Result r = arm(R"({"on": "arm/right", "force": [0, -0.2]})");
+    const std::string w = warning(r, "large displacement would matter: rotation 6.9");
+    EXPECT_NE(w.find(" degrees at part arm, near (10, "), std::string::npos) << w;
+    EXPECT_FALSE(warning(r, "large displacement would matter: part arm moves by").empty());
+    EXPECT_TRUE(has_reason(r, "rotation", "arm turns by 6.9 degrees"));
+    EXPECT_TRUE(has_reason(r, "displacement", "arm moves by 8"));
+    EXPECT_TRUE(warning(arm(R"({"on": "arm/right", "force": [0, -0.02]})"), "large displacement").empty());
+}
+
+TEST(Assumptions, LargeStrainsAreSaid) {
+    const std::string w =
+        warning(arm(R"({"on": "arm/right", "traction": [60, 0]})"), "large strain: part arm strains by up to ");
+    EXPECT_NE(w.find(" % near (0, "), std::string::npos) << w;  // at the clamp's corners
+    EXPECT_TRUE(warning(arm(R"({"on": "arm/right", "traction": [1, 0]})"), "large strain").empty());
+}
+
+TEST(Assumptions, YieldIsComparedWhereItIsGiven) {
+    const std::string load = R"({"on": "arm/right", "traction": [1, 0]})";
+    const Result r = arm(load, "0.9");
+    const std::string w = warning(r, "yield exceeded: part arm reaches a von Mises stress of ");
+    EXPECT_NE(w.find("times the yield of m (0.9)"), std::string::npos) << w;
+    EXPECT_TRUE(has_reason(r, "yield", "arm at "));
+    EXPECT_FALSE(has_reason(arm(load, "5"), "yield", ""));
+    EXPECT_TRUE(warning(arm(load, "5"), "yield").empty());
+    EXPECT_TRUE(warning(arm(load), "yield").empty());
+}
+
+/// Two halves of a bar, bonded.
+Result bar(double traction) {
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [
+        {"name": "a", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [2, 1]}}},
+        {"name": "b", "material": "m", "geometry": {"rectangle": {"min": [2, 0], "max": [4, 1]}}}],
+        "contacts": {"pairs": [{"between": ["a/right", "b/left"], "kind": "bonded"}]},
+        "supports": [{"on": ["a/left", "a/bottom", "b/bottom"], "symmetry": true}],
+        "loads": [{"on": "b/right", "traction": [)" +
+                        test::number(traction) + R"(, 0]}], "accuracy": {"cell_size": 0.25}})");
+}
+
+TEST(Assumptions, BondsInTensionAreSaid) {
+    const std::string w = warning(bar(3), "bonded pair in tension: a/right and b/left are pulled apart with up to 3 at (2, ");
+    EXPECT_NE(w.find("contacts.pairs"), std::string::npos) << w;
+    EXPECT_TRUE(warning(bar(-3), "bonded pair").empty());
+}
+
+}  // namespace
+}  // namespace abut

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bonded edges: two parts that hold together as one, in tension and in shear.
+#include <gtest/gtest.h>
+
+#include "geometry/brep/input_error.hpp"
+#include "src/analysis/analysis.hpp"
+
+namespace abut {
+namespace {
+
+std::string block(const std::string& name, const std::string& min, const std::string& max) {
+    return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": )" + min + R"(, "max": )" + max +
+           "}}}";
+}
+
+Result analyzed(const std::string& parts, const std::string& rest) {
+    return analyze(
+        read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [)" + parts + "], " + rest + "}",
+                        "scene.json"),
+        {});
+}
+
+/// Two halves of a bar, bonded in the middle, on grids that do not match.
+const std::string halves = block("a", "[0, 0]", "[2, 1]") + "," + block("b", "[2, 0]", "[4, 1]");
+const std::string bonded = R"("contacts": {"pairs": [{"between": ["a/right", "b/left"], "kind": "bonded"}]})";
+const std::string grids =
+    R"("accuracy": {"grids": {"a": {"cells": [8, 5]}, "b": {"cells": [7, 4], "offset": [0.05, 0.03], "angle": 12}}})";
+
+}  // namespace
+
+TEST(Bonded, CarriesTensionExactly) {
+    const Result r = analyzed(halves, bonded + "," + grids + R"(, "supports": [{"on": "a/left", "symmetry": true},
+        {"part": "a", "rigid": {"translation": [null, 0], "rotation": null}}],
+        "loads": [{"on": "b/right", "traction": [10, 0]}], "output": {"probes": [{"part": "b", "at": [4, 0.5]}]})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.contacts.size(), 1U);
+    const ContactResult& c = r.contacts[0];
+    EXPECT_EQ(c.kind, "bonded");
+    EXPECT_EQ(c.status, "closed");
+    EXPECT_LT((c.force - Vec2(10, 0)).norm(), 1e-7);  // b pulls a to the right
+    for (const double p : c.profile.pressure) EXPECT_NEAR(p, -10, 1e-6);
+    ASSERT_EQ(c.profile.shear.size(), c.profile.pressure.size());
+    for (const double t : c.profile.shear) EXPECT_NEAR(t, 0, 1e-6);
+    EXPECT_NEAR(r.probes[0].displacement.x(), 10.0 * 4 / 1000, 1e-9);
+    EXPECT_LT(r.equilibrium.relative_residual, 1e-9);
+    ASSERT_EQ(r.warnings.size(), 1U);  // a contact would open there
+    EXPECT_EQ(r.warnings[0].find("bonded pair in tension: a/right and b/left are pulled apart with up to 10 at (2, "), 0U)
+        << r.warnings[0];
+}
+
+TEST(Bonded, BendsAsOnePiece) {
+    const std::string held = R"("supports": [{"on": "a/left", "fix": ["x", "y"]}], "loads": [{"on": ")";
+    const Result whole =
+        analyzed(block("a", "[0, 0]", "[4, 1]"),
+                 held + R"(a/right", "traction": [0, -1]}], "output": {"probes": [{"part": "a", "at": [4, 0.5]}]})");
+    const Result two =
+        analyzed(halves, bonded + "," + grids + "," + held +
+                             R"(b/right", "traction": [0, -1]}], "output": {"probes": [{"part": "b", "at": [4, 0.5]}]})");
+    ASSERT_EQ(two.status, "ok") << two.message;
+    const double expected = whole.probes[0].displacement.y();
+    EXPECT_NEAR(two.probes[0].displacement.y(), expected, 0.005 * std::abs(expected));
+    EXPECT_LT((two.contacts[0].force - Vec2(0, -1)).norm(), 1e-6);
+    EXPECT_NEAR(two.contacts[0].moment, -4, 1e-5);  // of the load, about the origin
+    ASSERT_TRUE(two.under_load);
+    EXPECT_EQ(two.under_load->degrees_of_freedom, 0);
+    EXPECT_EQ(two.under_load->redundant, 0);
+}
+
+TEST(Bonded, WithoutItTheSamePartsFallApart) {
+    const Result r = analyzed(halves, grids + R"(, "supports": [{"on": "a/left", "fix": ["x", "y"]}],
+        "loads": [{"on": "b/right", "traction": [0, -1]}])");
+    EXPECT_EQ(r.status, "failed");
+    EXPECT_NE(r.message.find("b "), std::string::npos) << r.message;
+}
+
+TEST(Bonded, HasNoInterference) {
+    try {
+        analyzed(halves,
+                 R"("contacts": {"pairs": [{"between": ["a/right", "b/left"], "kind": "bonded", "interference": 0.1}]})");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("/contacts/pairs/0/interference"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace abut
