@@ -5,7 +5,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/io/nearest_name.hpp"
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/scene/scene_words.hpp"
 

@@ -20,6 +20,7 @@
 #include "src/batch/batch_run.hpp"
 #include "src/batch/batch_summary.hpp"
 #include "src/batch/batch_template.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -17,6 +17,7 @@
 #include "src/contact/detect.hpp"
 #include "src/contact/expected_pairs.hpp"
 #include "src/io/whole_file.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/scene.hpp"

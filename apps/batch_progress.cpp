@@ -7,7 +7,7 @@
 #include <iostream>
 
 #include "apps/print_text.hpp"
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 

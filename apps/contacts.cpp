@@ -10,6 +10,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
 #include "src/contact/detect.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 #include "src/scene/scene.hpp"
 

@@ -7,6 +7,7 @@
 #include "apps/drawing_problems.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -9,6 +9,7 @@
 #include "src/batch/batch_merge.hpp"
 #include "src/batch/batch_summary.hpp"
 #include "src/batch/job_store.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -11,6 +11,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -12,6 +12,7 @@
 #include "apps/progress_line.hpp"
 #include "apps/thread_option.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "src/io/write_file.hpp"
 
 namespace abut {
 

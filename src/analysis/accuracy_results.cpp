@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "src/analysis/missed_contacts.hpp"
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
 #include "src/scene/accuracy_goal.hpp"

@@ -26,7 +26,6 @@
 #include "src/plan/mirror_symmetry.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/verdict.hpp"
 #include "src/solution/contact_measures.hpp"

@@ -8,10 +8,10 @@
 
 #include "solver/assembly/ring.hpp"
 #include "src/answers/field_results.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/findings.hpp"
 #include "src/solution/contact_measures.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 
 namespace abut {

@@ -4,8 +4,9 @@
 #include <filesystem>
 
 #include "src/batch/batch_summary.hpp"
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
-#include "src/report/svg.hpp"
 
 namespace abut {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/brep/input_error.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -6,7 +6,8 @@
 
 #include "src/batch/job_store.hpp"
 #include "src/io/csv_field.hpp"
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/number_text.hpp"
 #include "src/report/svg.hpp"
 
 namespace abut {

@@ -9,7 +9,6 @@
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/contact/drawn_overlap.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "src/contact/detect.hpp"
+#include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

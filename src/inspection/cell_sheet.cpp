@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "src/inspection/inspect_page.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 

@@ -9,6 +9,8 @@
 #include "src/contact/detect.hpp"
 #include "src/inspection/cell_sheet.hpp"
 #include "src/inspection/inspect_page.hpp"
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/boxes_apart.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/results/result_units.hpp"

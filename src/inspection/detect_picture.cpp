@@ -4,6 +4,8 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "src/contact/detect.hpp"
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"

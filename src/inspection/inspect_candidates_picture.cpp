@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "src/inspection/inspect_stages.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/results/result_units.hpp"
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "src/inspection/inspect_stages.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut::inspect {
 

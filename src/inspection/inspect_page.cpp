@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
+
 namespace abut::inspect {
 
 namespace {

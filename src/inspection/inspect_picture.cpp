@@ -10,6 +10,7 @@
 
 #include "src/inspection/inspect.hpp"
 #include "src/inspection/inspect_page.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 
 namespace abut::inspect {

@@ -4,6 +4,8 @@
 
 #include "src/inspection/inspect.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/io/number_text.hpp"
+#include "src/io/utf8.hpp"
 #include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "src/results/result_units.hpp"
+#include "src/io/utf8.hpp"
 
 namespace abut {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/io/utf8.hpp"
 
+#include <algorithm>
+
 namespace abut {
 
 std::size_t utf8_length(const std::string& text, std::size_t at) {
@@ -39,6 +41,11 @@ void append_utf8(std::string& text, unsigned code) {
         put(0x80 | ((code >> 6) & 0x3F));
         put(0x80 | (code & 0x3F));
     }
+}
+
+std::size_t text_width(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace abut

@@ -11,4 +11,7 @@ std::size_t utf8_length(const std::string& text, std::size_t at);
 /// Appends the character with this code point (below 0x110000, no surrogate).
 void append_utf8(std::string& text, unsigned code);
 
+/// Characters as they are seen, of UTF-8 text.
+std::size_t text_width(const std::string& text);
+
 }  // namespace abut

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/io/write_file.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -6,7 +8,6 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/io/temporary_file.hpp"
-#include "src/results/result.hpp"
 
 namespace abut {
 

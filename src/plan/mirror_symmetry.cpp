@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "src/discretization/load_vector.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/support_components.hpp"
-#include "src/report/svg.hpp"
 
 namespace abut {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "src/io/number_text.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/report/svg.hpp"
 
 namespace abut {
 

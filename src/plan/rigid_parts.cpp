@@ -6,9 +6,9 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "src/discretization/load_vector.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/support_components.hpp"
-#include "src/report/svg.hpp"
 #include "src/scene/selection.hpp"
 #include "src/solution/contact_pairing.hpp"
 

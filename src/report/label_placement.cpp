@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/utf8.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What accuracy was aimed at and reached, grid by grid, and what more would cost.
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/results/result_units.hpp"

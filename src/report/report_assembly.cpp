@@ -2,6 +2,8 @@
 // The assembly as it was drawn: parts, contacts, supports and loads.
 #include <algorithm>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_marks.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"

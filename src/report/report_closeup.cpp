@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/brep/monotone.hpp"
+#include "src/io/escape_xml.hpp"
 #include "src/report/report_field_layer.hpp"
 #include "src/report/report_marks.hpp"
 #include "src/report/report_sections.hpp"

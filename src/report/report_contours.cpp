@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "src/io/number_text.hpp"
 #include "src/report/svg.hpp"
 
 namespace abut::report {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "src/io/number_text.hpp"
 #include "src/report/report_labels.hpp"
 #include "src/report/report_marks.hpp"
 #include "src/report/report_sections.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/number_text.hpp"
 #include "src/report/report_field_layer.hpp"
 #include "src/report/report_labels.hpp"
 #include "src/report/report_sections.hpp"

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
+#include "src/io/utf8.hpp"
 #include "src/report/report_contours.hpp"
 #include "src/results/result_units.hpp"
 

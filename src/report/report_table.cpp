@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/report/report_table.hpp"
 
-#include "src/report/svg.hpp"
+#include "src/io/escape_xml.hpp"
 
 namespace abut::report {
 

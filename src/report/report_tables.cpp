@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/results/result_units.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "geometry/curves/arc_spline.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 
 namespace {
 
-constexpr int coordinate_decimals = 2;    ///< a hundredth of a pixel: finer than any screen or printer shows
 constexpr double drawn_deviation = 0.05;  ///< pixels between a spline and the arcs that it is drawn as
 
 std::string text_of(const Vec2& p) {
@@ -68,18 +67,6 @@ std::string hex(const std::array<double, 3>& rgb) {
         text += digits[byte % 16];
     }
     return text;
-}
-
-std::string to_text(double value, std::chars_format format, int precision) {
-    std::array<char, 400> buffer{};  // the longest fixed text of a double has 309 digits before the point
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision).ptr;
-    return {buffer.data(), end};
-}
-
-void trim_zeros(std::string& text) {
-    if (text.find('.') == std::string::npos) return;
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
 }
 
 }  // namespace
@@ -167,51 +154,6 @@ std::string map_color(double t) {
     std::array<double, 3> rgb{};
     for (std::size_t c = 0; c < 3; ++c) rgb[c] = (1 - w) * table[i][c] + w * table[i + 1][c];
     return hex(rgb);
-}
-
-std::string escape_xml(const std::string& text) {
-    std::string safe;
-    for (char c : text) {
-        if (c == '&')
-            safe += "&amp;";
-        else if (c == '<')
-            safe += "&lt;";
-        else if (c == '>')
-            safe += "&gt;";
-        else if (c == '"')
-            safe += "&quot;";
-        else if (c == '\'')
-            safe += "&#39;";
-        else if (static_cast<unsigned char>(c) >= 32 || c == '\n' || c == '\t')
-            safe += c;  // other control characters are not XML
-    }
-    return safe;
-}
-
-std::string number_text(double value, int digits) {
-    if (!std::isfinite(value)) return "n/a";
-    if (value == 0) return "0";
-    digits = std::max(digits, 1);
-    // The exponent of the rounded value: 9.996 with three digits is 10.0, not 9.996's decade.
-    std::string scientific = to_text(value, std::chars_format::scientific, digits - 1);
-    const std::size_t e = scientific.find('e');
-    const int exponent = std::stoi(scientific.substr(e + 1));
-    if (exponent < -4 || exponent > 4) {
-        std::string mantissa = scientific.substr(0, e);
-        trim_zeros(mantissa);
-        return mantissa + scientific.substr(e);
-    }
-    const double rounded = std::stod(scientific);
-    std::string plain = to_text(rounded, std::chars_format::fixed, std::max(digits - 1 - exponent, 0));
-    trim_zeros(plain);
-    return plain;
-}
-
-std::string coordinate_text(double pixels) {
-    if (!std::isfinite(pixels)) return "0";
-    std::string text = to_text(pixels, std::chars_format::fixed, coordinate_decimals);
-    trim_zeros(text);
-    return text == "-0" ? "0" : text;
 }
 
 std::vector<double> nice_ticks(double low, double high, int n) {

@@ -34,12 +34,6 @@ std::string path_data(const std::vector<std::vector<Vec2>>& loops, const View& v
 std::string part_color(int i);
 /// Colour of a perceptually uniform sequential map (0..1), readable by the colour-blind and in grey print.
 std::string map_color(double t);
-/// Text safe inside XML.
-std::string escape_xml(const std::string& text);
-/// Shortest sensible decimal text with the given number of significant digits: "0.0115", "1.2e+05".
-std::string number_text(double value, int digits);
-/// A coordinate in an SVG attribute, to a hundredth of a pixel: "12.3".
-std::string coordinate_text(double pixels);
 /// Ticks at 1, 2, 5 x 10^k covering [low, high], about n of them: the first is at or below low, the last at or above high.
 std::vector<double> nice_ticks(double low, double high, int n);
 

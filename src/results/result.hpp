@@ -236,7 +236,4 @@ std::string report_html(const Result& result);
 /// The table that `analyze` prints.
 std::string result_table(const Result& result);
 
-/// Writes text to DIR/name by way of a temporary name; creates DIR. Throws InputError naming the file where it cannot.
-void write_file(const std::string& directory, const std::string& name, const std::string& text);
-
 }  // namespace abut

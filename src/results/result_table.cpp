@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/result.hpp"
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"

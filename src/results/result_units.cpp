@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 
@@ -78,7 +78,7 @@ std::string place_text(const Vec2& p, double model_size) {
 }
 
 double model_size(const Result& result) {
-    Box2 box;
+    geometry::Box2 box;
     for (const geometry::Part& part : result.geometry) box.extend(geometry::bounding_box(part));
     return box.diagonal();
 }
@@ -106,11 +106,6 @@ double stage_seconds(const Result& result, const std::string& stage) {
     for (const auto& [name, seconds] : result.timing)
         if (name == stage) return seconds;
     return 0;
-}
-
-std::size_t text_width(const std::string& text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace abut

@@ -41,7 +41,4 @@ std::string counted(std::size_t n, const std::string& singular);
 std::string seconds_text(double seconds);
 /// The time of a stage, 0 where it is not there.
 double stage_seconds(const Result& result, const std::string& stage);
-/// Characters as they are seen, of UTF-8 text.
-std::size_t text_width(const std::string& text);
-
 }  // namespace abut

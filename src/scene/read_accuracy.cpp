@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scene/read_accuracy.hpp"
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/scene/scene_words.hpp"
 

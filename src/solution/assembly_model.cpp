@@ -13,8 +13,8 @@
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/report/svg.hpp"
 #include "src/solution/mirrored_grids.hpp"
 
 namespace abut {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "solver/linear_algebra/blas_threads.hpp"
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/study/study_plan.hpp"
 #include "src/study/study_prices.hpp"
 #include "src/study/study_reference.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"

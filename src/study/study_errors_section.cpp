@@ -2,6 +2,8 @@
 // What errors cost, for each quantity. Which one is shown is the reader's choice, by radio buttons: no script.
 #include <algorithm>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/report/report_table.hpp"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time and memory against unknowns.
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/study/study_page.hpp"

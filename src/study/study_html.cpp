@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a study.
+#include "src/io/escape_xml.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/results/result_units.hpp"
 #include "src/study/study_page.hpp"

@@ -6,7 +6,6 @@
 #include <limits>
 #include <tuple>
 
-#include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -2,6 +2,7 @@
 // The list of all runs, of those that failed or were left out, too.
 #include <cmath>
 
+#include "src/io/escape_xml.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/study/study_page.hpp"

@@ -2,6 +2,7 @@
 // Families of runs as curves: their colours, marks and titles, the same in every chart.
 #include <array>
 
+#include "src/io/escape_xml.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/study/study_page.hpp"
 

@@ -2,6 +2,7 @@
 // Where the time goes: a bar of stages for each of the runs that tell most.
 #include <algorithm>
 
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/study/study_page.hpp"

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "src/io/text_table.hpp"
-#include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
 #include "src/study/study_prices.hpp"
 

@@ -2,7 +2,7 @@
 // Quantities of a study as short text.
 #include <cmath>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/study/study_prices.hpp"
 
 namespace abut {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
-#include "src/report/svg.hpp"
 
 namespace abut {
 

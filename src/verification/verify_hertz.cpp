@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "src/verification/verify_contact_answers.hpp"
 
 namespace abut {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
-#include "src/report/svg.hpp"
 #include "src/verification/verify.hpp"
 
 namespace abut {

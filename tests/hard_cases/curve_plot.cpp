@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_svg.hpp"
 
 namespace abut::test {

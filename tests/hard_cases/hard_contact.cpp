@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/io/number_text.hpp"
 #include "src/report/svg.hpp"
 #include "tests/hard_cases/curve_plot.hpp"
 #include "tests/hard_cases/pin_sweep.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "src/report/svg.hpp"
+#include "src/io/number_text.hpp"
 #include "tests/hard_cases/curve_plot.hpp"
 
 namespace abut::test {

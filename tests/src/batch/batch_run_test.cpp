@@ -11,6 +11,7 @@
 #include "src/batch/batch_merge.hpp"
 #include "src/batch/batch_summary.hpp"
 #include "src/io/whole_file.hpp"
+#include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 #include "tests/src/io/folder_test.hpp"
 

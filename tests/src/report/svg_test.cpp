@@ -10,6 +10,8 @@
 #include <sstream>
 
 #include "geometry/curves/spline_shape.hpp"
+#include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
 namespace abut {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "geometry/brep/input_error.hpp"
+#include "src/io/write_file.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
 namespace abut {

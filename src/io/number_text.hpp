@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers as people read them.
+#pragma once
+#include <string>
+
+namespace abut {
+
+/// Shortest sensible decimal text with the given number of significant digits: "0.0115", "1.2e+05".
+std::string number_text(double value, int digits);
+/// A coordinate in an SVG attribute, to a hundredth of a pixel: "12.3".
+std::string coordinate_text(double pixels);
+
+}  // namespace abut
