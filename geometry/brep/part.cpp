@@ -65,6 +65,12 @@ int count_holes(const Part& part) {
     }));
 }
 
+bool has_general_curves(const Part& part) {
+    return std::any_of(part.edges.begin(), part.edges.end(), [](const Edge& edge) {
+        return std::holds_alternative<EllipticArc>(edge.curve) || std::holds_alternative<Spline>(edge.curve);
+    });
+}
+
 bool contains(const Part& part, const Vec2& p) {
     return contains(monotone_pieces(part), p);
 }

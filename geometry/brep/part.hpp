@@ -37,6 +37,9 @@ double perimeter(const Part& part);
 /// Loops that run clockwise.
 int count_holes(const Part& part);
 
+/// Has the part edges that are ellipses or splines? Lines and circles have closed forms for everything.
+bool has_general_curves(const Part& part);
+
 /// Is p strictly inside? Winding number by crossings; points within rounding of the boundary may go either way.
 bool contains(const Part& part, const Vec2& p);
 

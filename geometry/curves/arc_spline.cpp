@@ -220,32 +220,4 @@ std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
     return result;
 }
 
-bool has_general_curves(const Part& part) {
-    return std::any_of(part.edges.begin(), part.edges.end(), [](const Edge& edge) {
-        return std::holds_alternative<EllipticArc>(edge.curve) || std::holds_alternative<Spline>(edge.curve);
-    });
-}
-
-ArcPart arc_part(const Part& part, double tolerance) {
-    ArcPart result;
-    result.part.name = part.name;
-    std::vector<std::vector<int>> pieces_of(part.edges.size());
-    for (std::size_t e = 0; e < part.edges.size(); ++e)
-        for (const ArcPiece& piece : arc_spline(part.edges[e].curve, tolerance)) {
-            pieces_of[e].push_back(static_cast<int>(result.edge.size()));
-            Edge edge = part.edges[e];
-            edge.curve = piece.curve;
-            result.part.edges.push_back(edge);
-            result.edge.push_back(static_cast<int>(e));
-            result.t0.push_back(piece.t0);
-            result.t1.push_back(piece.t1);
-        }
-    for (const Loop& loop : part.loops) {
-        Loop& arcs = result.part.loops.emplace_back();
-        for (const int e : loop.edges)
-            for (const int k : pieces_of[static_cast<std::size_t>(e)]) arcs.edges.push_back(k);
-    }
-    return result;
-}
-
 }  // namespace abut::geometry

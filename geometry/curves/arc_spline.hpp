@@ -5,7 +5,7 @@
 #pragma once
 #include <vector>
 
-#include "geometry/brep/part.hpp"
+#include "geometry/curves/curve.hpp"
 
 namespace abut::geometry {
 
@@ -30,15 +30,5 @@ inline constexpr double most_arc_kink = 1e-3;
 /// tolerance^(-1/3): a full ellipse takes about 100 at arc_spline_fraction, and hardly fewer at larger tolerances, where the
 /// kinks decide. Some 2 microseconds each.
 std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance);
-
-/// A part followed by arcs: each edge of `part` is one arc of the original's edge `edge[i]`, from t0[i] to t1[i].
-struct ArcPart {
-    Part part;
-    std::vector<int> edge;
-    std::vector<double> t0, t1;
-};
-/// Parts of lines and circles come back as they are.
-ArcPart arc_part(const Part& part, double tolerance);
-bool has_general_curves(const Part& part);
 
 }  // namespace abut::geometry

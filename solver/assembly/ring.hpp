@@ -10,7 +10,8 @@
 // On the axis u_x = 0: functions of the outermost grid line are dropped (make_part_system), what is left vanishes there like r,
 // and N N' / r is a polynomial.
 #pragma once
-#include "solver/terms/solution_structure.hpp"
+#include "solver/assembly/assembly.hpp"
+#include "solver/splines/displacement.hpp"
 
 namespace abut::solver {
 

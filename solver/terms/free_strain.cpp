@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "solver/assembly/ring.hpp"
+#include "solver/terms/solution_structure.hpp"
 
 namespace abut::solver {
 

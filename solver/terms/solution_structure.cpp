@@ -140,11 +140,6 @@ DisplacementBasis displacement_basis(const PartInput& input, int element, const 
     return b;
 }
 
-DisplacementAt displacement_at(const SplineSpace& space, const VectorXd& displacement, int element, const Vec2& x) {
-    const SplineAt<2> u = local_displacement(space, displacement, element).at(x);
-    return {u.value, u.gradient};
-}
-
 DisplacementAt displacement_at(const PartInput& input, const VectorXd& displacement, int element, const Vec2& x) {
     if (!input.structure) return displacement_at(input.space, displacement, element, x);
     const DisplacementBasis basis = displacement_basis(input, element, x);

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "solver/assembly/assembly.hpp"
-#include "solver/splines/local_spline.hpp"
+#include "solver/splines/displacement.hpp"
 
 namespace abut::solver {
 
@@ -21,12 +21,6 @@ struct ScalarAt {
     Vec2 gradient{0, 0};
 };
 using ScalarField = std::function<ScalarAt(const Vec2&)>;
-
-/// Displacement and its gradient (rows: components) at a point.
-struct DisplacementAt {
-    Vec2 value{0, 0};
-    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
-};
 
 struct SolutionStructure {
     std::array<ScalarField, 2> weight;  ///< w by component, between 0 and 1 on the part; empty: 1, the component is not held
@@ -46,13 +40,6 @@ struct DisplacementBasis {
 /// What everything that needs displacements at a point goes through.
 DisplacementBasis displacement_basis(const PartInput& input, int element, const Vec2& p);
 
-/// A displacement without a structure, on one element.
-inline LocalSpline<2> local_displacement(const SplineSpace& space, const Eigen::VectorXd& displacement, int element) {
-    return {space, element, [&](int function) { return displacement.segment<2>(2 * Eigen::Index{function}); }};
-}
-
-/// For spaces without a structure.
-DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 /// Displacement at a point of a part, with or without a structure.
 DisplacementAt displacement_at(const PartInput& input, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 

@@ -4,6 +4,7 @@
 #include "solver/assembly/ring.hpp"
 #include "solver/splines/local_spline.hpp"
 #include "solver/terms/dilatation.hpp"
+#include "solver/terms/solution_structure.hpp"
 
 namespace abut::solver {
 

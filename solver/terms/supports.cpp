@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solver/assembly/ring.hpp"
+#include "solver/terms/solution_structure.hpp"
 #include "solver/terms/stress.hpp"
 
 namespace abut::solver {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "solver/assembly/ring.hpp"
+#include "solver/terms/solution_structure.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"

@@ -244,33 +244,4 @@ TEST(ArcSpline, PortionsShareTheirCircles) {
     EXPECT_GE(shared + 3, inside);
 }
 
-TEST(ArcPart, KeepsAreaLoopsAndNames) {
-    Part part;
-    part.name = "ring";
-    part.edges = {{EllipticArc{{0, 0}, {2, 0}, {0, 1}, 0, pi}, "top", "top"},
-                  {Segment{{-2, 0}, {2, 0}}, "base", "base"},
-                  {EllipticArc{{0, 0.5}, {0.5, 0}, {0, 0.25}, 0, -2 * pi}, "hole", "hole"}};
-    part.loops = {{{0, 1}}, {{2}}};
-    EXPECT_TRUE(has_general_curves(part));
-    const double tolerance = 1e-6, expected = pi - 0.125 * pi;
-    const ArcPart arcs = arc_part(part, tolerance);
-    EXPECT_FALSE(has_general_curves(arcs.part));
-    ASSERT_EQ(arcs.part.loops.size(), 2u);
-    ASSERT_EQ(arcs.edge.size(), arcs.part.edges.size());
-    EXPECT_NEAR(area(part), expected, 1e-14);
-    EXPECT_NEAR(area(arcs.part), expected, tolerance * perimeter(part));
-    EXPECT_EQ(count_holes(arcs.part), 1);
-    for (const Loop& loop : arcs.part.loops)
-        for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-            const auto e = static_cast<std::size_t>(loop.edges[i]);
-            const auto next = static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()]);
-            EXPECT_LE((point(arcs.part.edges[e].curve, 1) - point(arcs.part.edges[next].curve, 0)).norm(), 1e-14);
-            const Curve& original = part.edges[static_cast<std::size_t>(arcs.edge[e])].curve;
-            EXPECT_LE((point(original, arcs.t0[e]) - point(arcs.part.edges[e].curve, 0)).norm(), 1e-14);
-            EXPECT_EQ(arcs.part.edges[e].name, part.edges[static_cast<std::size_t>(arcs.edge[e])].name);
-        }
-    const ArcPart again = arc_part(arcs.part, tolerance);
-    EXPECT_EQ(again.part.edges.size(), arcs.part.edges.size());
-}
-
 }  // namespace

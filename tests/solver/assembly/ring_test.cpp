@@ -10,6 +10,7 @@
 #include "solver/parts/hold_axis.hpp"
 #include "solver/recovery/recovery.hpp"
 #include "solver/terms/free_strain.hpp"
+#include "solver/terms/solution_structure.hpp"
 #include "solver/terms/stress.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
