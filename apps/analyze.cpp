@@ -18,6 +18,7 @@
 #include "src/plan/plan.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

@@ -20,6 +20,7 @@
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

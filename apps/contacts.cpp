@@ -12,6 +12,7 @@
 #include "src/contact/detect.hpp"
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

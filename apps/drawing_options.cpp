@@ -8,6 +8,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/read_drawing.hpp"
 #include "src/scene/scene_words.hpp"
 
 namespace abut {

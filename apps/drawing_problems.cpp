@@ -5,6 +5,7 @@
 
 #include "apps/drawing_options.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 

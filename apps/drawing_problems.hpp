@@ -5,6 +5,7 @@
 
 #include "apps/arguments.hpp"
 #include "geometry/sketch/sketch.hpp"
+#include "src/scene/read_sketch.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

@@ -7,6 +7,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "src/contact/detect.hpp"
 #include "src/inspection/starter_scene.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 

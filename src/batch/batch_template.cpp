@@ -5,6 +5,7 @@
 
 #include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

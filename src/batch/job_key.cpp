@@ -6,6 +6,7 @@
 
 #include "src/io/json_document.hpp"
 #include "src/io/whole_file.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

@@ -6,6 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "src/scene/read_scene.hpp"
+#include "src/scene/read_sketch.hpp"
+
 namespace abut {
 
 namespace {

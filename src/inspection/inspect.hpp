@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/scene/read_drawing.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

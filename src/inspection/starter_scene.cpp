@@ -8,6 +8,7 @@
 
 #include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/contact/detect.hpp"
+#include "src/scene/read_sketch.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "src/io/nearest_name.hpp"
+#include "src/scene/read_drawing.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene_words.hpp"
 
 namespace abut {

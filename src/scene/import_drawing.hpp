@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/sketch/sketch.hpp"
+#include "src/scene/read_drawing.hpp"
 #include "src/scene/scene.hpp"
 #include "src/scene/scene_fields.hpp"
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "src/io/nearest_name.hpp"
+#include "src/scene/read_drawing.hpp"
 #include "src/scene/read_materials.hpp"
 #include "src/scene/read_parts.hpp"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+#include "src/scene/read_scene.hpp"
+
 #include <algorithm>
 #include <utility>
 

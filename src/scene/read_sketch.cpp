@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_sketch.hpp"
+
 #include <utility>
 
 #include "src/scene/import_drawing.hpp"

@@ -12,8 +12,6 @@
 #include "geometry/csg/csg.hpp"
 #include "geometry/sketch/sketch.hpp"
 #include "src/scene/expression.hpp"
-#include "src/scene/read_drawing.hpp"
-#include "src/solution/contact_pairing.hpp"
 
 namespace abut {
 
@@ -82,6 +80,15 @@ struct PairRule {
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
     double interference = 0;
     std::string where;
+};
+
+/// Which point of the second body faces a point of the first, and along which normal their gap and pressure act.
+enum class Pairing {
+    middle,   ///< on the normal of the middle curve: no body preferred, no couple left over (geometry/proximity/facing.hpp)
+    master,   ///< along the first body's own normal n1 [Grishin10, eqs 4.28 and 4.34]; x2 is where that line meets the second
+              ///< body, not the point of the same x or y as in eq 4.34: no couple left over, no axis preferred
+    bisector  ///< x2 the closest point [Grishin10, eq 4.20], gap along the bisector of n1 and -n2: a couple is left over where
+              ///< there is a gap
 };
 
 /// The penalty formulation [Grishin10, section 4.5]: pressure = factor * E of the stiffer part / length * penetration.
@@ -164,25 +171,5 @@ struct Scene {
     std::vector<ImportRecord> imports;
     std::vector<std::string> warnings;
 };
-
-/// Reads and checks a scene; evaluates its geometry and imports. Throws InputError with every problem found, each with the
-/// file, the line and the JSON pointer.
-Scene read_scene(const std::string& path);
-/// The same with other values for some of the scene's parameters. One that the scene does not have is a problem, too.
-Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters);
-/// The same of a template: `file` is what its imports mean by the file name `any_file`; relative to the working folder.
-Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters, const std::string& file);
-/// The name of a file in a scene that stands for any file: the scene is a template.
-inline constexpr const char* any_file = "*";
-/// The same of a scene's text; `file` is its name in messages, and the files that it imports are relative to that one's folder.
-Scene read_scene_text(const std::string& text, const std::string& file);
-
-/// A scene's equivalent of a bare drawing or mesh: its parts, no loads (for `contacts`, `inspect` and `init`).
-struct SketchReading {
-    Scene scene;
-    geometry::Drawing drawing;
-    geometry::SketchParts sketch;
-};
-SketchReading read_sketch(const std::string& path, const ImportOptions& options);
 
 }  // namespace abut

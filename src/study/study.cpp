@@ -9,6 +9,7 @@
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/io/number_text.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/study/study_plan.hpp"
 #include "src/study/study_prices.hpp"
 #include "src/study/study_reference.hpp"

@@ -10,6 +10,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/study/study_child.hpp"
 #include "src/verification/verify.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/verification/verify.hpp"
 
 namespace abut {

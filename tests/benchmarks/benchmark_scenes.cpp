@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "src/scene/read_scene.hpp"
+
 namespace abut::benchmarks {
 
 Scene scene_file(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "src/io/json_document.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/fuzz/part_faults.hpp"
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "src/scene/read_scene.hpp"
 #include "tests/generated/estimate_table.hpp"
 #include "tests/generated/same_answer.hpp"
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/brep/input_error.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut::test {
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/verification/hertz_error.hpp"
 
 namespace abut::test {

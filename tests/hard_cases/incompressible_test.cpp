@@ -11,6 +11,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/hard_cases/curve_plot.hpp"
 #include "tests/hard_cases/part_problem.hpp"
 #include "tests/hard_cases/shapes.hpp"

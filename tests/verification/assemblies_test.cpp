@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "src/scene/read_scene.hpp"
 #include "tests/generated/same_answer.hpp"
 
 namespace abut {

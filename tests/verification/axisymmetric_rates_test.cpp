@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/read_scene.hpp"
 #include "src/verification/verify_errors.hpp"
 #include "tests/verification/scene_answers.hpp"
 

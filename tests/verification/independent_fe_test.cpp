@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 
 namespace abut {

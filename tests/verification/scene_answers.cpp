@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "src/scene/read_scene.hpp"
+
 namespace abut::test {
 
 Result answer(const std::string& json) {

@@ -7,6 +7,7 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "solver/terms/stress.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut::test {
 

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/results/verdict.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 
 namespace abut {

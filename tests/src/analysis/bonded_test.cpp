@@ -4,6 +4,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut {
 namespace {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "src/analysis/adaptive.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 #include "tests/verification/true_errors.hpp"
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {

@@ -6,6 +6,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/contact/detect.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut {
 namespace {

@@ -9,6 +9,7 @@
 #include "solver/parts/fold.hpp"
 #include "src/analysis/adaptive.hpp"
 #include "src/plan/mirror_symmetry.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/solution/mirrored_grids.hpp"
 #include "tests/verification/scene_answers.hpp"
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <string>
 
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut {
 namespace {

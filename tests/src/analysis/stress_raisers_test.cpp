@@ -7,6 +7,7 @@
 #include "src/analysis/error_estimate.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/selection.hpp"
 
 namespace abut {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut {
 namespace {

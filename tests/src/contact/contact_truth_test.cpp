@@ -11,6 +11,7 @@
 #include <set>
 
 #include "src/contact/detect.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "src/contact/detect.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 namespace {

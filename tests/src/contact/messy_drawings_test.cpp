@@ -14,6 +14,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/contact/detect.hpp"
+#include "src/scene/read_sketch.hpp"
 
 namespace abut {
 

@@ -10,6 +10,7 @@
 #include "src/contact/candidates.hpp"
 #include "src/contact/detect.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/read_scene.hpp"
 
 namespace abut {
 namespace {

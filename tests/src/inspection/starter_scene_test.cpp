@@ -8,6 +8,8 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
+#include "src/scene/read_sketch.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {

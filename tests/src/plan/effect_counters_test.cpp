@@ -8,6 +8,7 @@
 #include <map>
 
 #include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/src/analysis/plate_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 

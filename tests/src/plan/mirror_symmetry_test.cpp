@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "src/scene/read_scene.hpp"
+
 namespace abut {
 namespace {
 

@@ -10,6 +10,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
 #include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut {

@@ -2,6 +2,7 @@
 // One good scene, and what must be said about each way of spoiling it.
 #include <gtest/gtest.h>
 
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 

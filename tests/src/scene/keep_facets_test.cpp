@@ -7,6 +7,8 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/scene/read_drawing.hpp"
+#include "src/scene/read_scene.hpp"
+#include "src/scene/read_sketch.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"

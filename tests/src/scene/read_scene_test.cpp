@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/read_scene.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/read_sketch.hpp"
 #include "src/scene/scene.hpp"
 #include "src/scene/selection.hpp"
 #include "tests/src/io/temporary_folder.hpp"

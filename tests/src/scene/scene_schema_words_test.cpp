@@ -10,6 +10,7 @@
 #include <set>
 
 #include "src/scene/read_drawing.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "src/scene/scene_words.hpp"
 

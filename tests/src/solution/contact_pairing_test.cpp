@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <sstream>
 
+#include "src/scene/read_scene.hpp"
 #include "src/study/study_reference.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
