@@ -45,13 +45,6 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
     return factor;
 }
 
-void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone) {
-    zone.begin1 = pair.s1;
-    zone.end1 = pair.s1 + zone.chain1.length;
-    zone.begin2 = pair.s2;
-    zone.end2 = pair.s2 - zone.chain2.length;
-}
-
 void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ContactRun>& runs = s.runs[k];

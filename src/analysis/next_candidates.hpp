@@ -11,9 +11,6 @@ bool zone_too_short(const SolvedAssembly& solved);
 /// How far the search must reach, as a factor on the first search distance, for every pair that the displacements could close.
 double needed_search_factor(const Scene& scene, const SolvedAssembly& solved);
 
-/// A closed zone begins, and ends, at a pair.
-void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone);
-
 /// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the
 /// middle of its hole), the seam moves to the middle of the longest open stretch.
 void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);

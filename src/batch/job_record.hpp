@@ -7,14 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace abut {
+#include "src/contact/expected_pairs.hpp"
 
-/// Detected pairs against expected ones.
-struct ExpectationCount {
-    int expected = 0, expected_found = 0;     ///< recall is their ratio
-    int detected = 0, detected_expected = 0;  ///< precision is theirs
-    std::vector<std::string> differences;     ///< one line each
-};
+namespace abut {
 
 struct JobRecord {
     enum class Status {

@@ -72,6 +72,13 @@ bool ends_at_closest(const Scene& scene, const Meeting& m, const geometry::Facin
 
 }  // namespace
 
+void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone) {
+    zone.begin1 = pair.s1;
+    zone.end1 = pair.s1 + zone.chain1.length;
+    zone.begin2 = pair.s2;
+    zone.end2 = pair.s2 - zone.chain2.length;
+}
+
 double drawn_gap(const Scene& scene, const Meeting& m, const Candidate& c, double touching) {
     return ends_at_closest(scene, m, c.zone, touching) ? std::min(c.zone.gap_min, m.closest->distance) : c.zone.gap_min;
 }

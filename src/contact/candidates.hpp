@@ -43,6 +43,9 @@ using PartPairs = std::vector<std::pair<int, int>>;
 PartPairs touching_pairs(const std::vector<Candidate>& candidates);
 PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates);
 
+/// A closed zone begins, and ends, at a pair.
+void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone);
+
 /// What two parts have to do with each other as drawn.
 struct Meeting {
     int first, second;

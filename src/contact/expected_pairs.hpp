@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "src/batch/job_record.hpp"
 #include "src/contact/detect.hpp"
 
 namespace abut {
@@ -18,6 +17,13 @@ struct ExpectedPair {
 
 /// Pairs of parts, however many zones these have.
 int count_pairs(const Detection& detection);
+
+/// Detected pairs against expected ones.
+struct ExpectationCount {
+    int expected = 0, expected_found = 0;     ///< recall is their ratio
+    int detected = 0, detected_expected = 0;  ///< precision is theirs
+    std::vector<std::string> differences;     ///< one line each
+};
 
 /// Each expected pair is looked for, each detected one has to be expected; differences as lines, in that order. A pair whose
 /// status or interface is another than the expected one counts as neither found nor expected.

@@ -6,7 +6,6 @@
 
 #include "solver/parts/fold.hpp"
 #include "solver/parts/mirror.hpp"
-#include "src/analysis/next_candidates.hpp"
 
 namespace abut {
 
