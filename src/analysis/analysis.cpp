@@ -25,10 +25,10 @@
 #include "src/contact/candidate_faces.hpp"
 #include "src/plan/mirror_symmetry.hpp"
 #include "src/plan/plan.hpp"
-#include "src/plan/rigid_parts.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/verdict.hpp"
 #include "src/solution/contact_measures.hpp"
+#include "src/solution/rigid_pairs.hpp"
 
 namespace abut {
 
@@ -202,7 +202,7 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
         }
-        if (const std::string pressed = rigid_pair_failure(scene, out); !pressed.empty()) {
+        if (const std::string pressed = rigid_pair_failure(scene, out.candidates, out.solved); !pressed.empty()) {
             result.status = "failed";
             result.message = pressed;
         }

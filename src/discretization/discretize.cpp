@@ -7,7 +7,7 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/gauss.hpp"
-#include "src/plan/axisymmetric.hpp"
+#include "src/discretization/around_axis.hpp"
 #include "src/plan/plan.hpp"
 
 namespace abut {

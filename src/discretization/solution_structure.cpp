@@ -8,8 +8,8 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/transformed_gauss.hpp"
+#include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
-#include "src/plan/support_components.hpp"
 
 namespace abut {
 

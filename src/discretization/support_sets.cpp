@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "solver/assembly/ring.hpp"
+#include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/plan/support_components.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "src/discretization/load_vector.hpp"
 #include "src/plan/axisymmetric.hpp"
+#include "src/plan/loads.hpp"
 
 namespace abut {
 

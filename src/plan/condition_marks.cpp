@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/discretization/load_vector.hpp"
+#include "src/plan/loads.hpp"
 
 namespace abut {
 

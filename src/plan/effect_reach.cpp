@@ -4,7 +4,7 @@
 #include <set>
 
 #include "src/contact/candidates.hpp"
-#include "src/discretization/load_vector.hpp"
+#include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
 

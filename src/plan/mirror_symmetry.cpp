@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "src/discretization/load_vector.hpp"
 #include "src/io/number_text.hpp"
+#include "src/plan/loads.hpp"
 #include "src/plan/support_components.hpp"
 
 namespace abut {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "src/discretization/discretize.hpp"
 #include "src/scene/selection.hpp"
 
 namespace abut {
@@ -17,11 +16,5 @@ struct HeldComponent {
 
 /// None for rigid supports and springs.
 std::vector<HeldComponent> components_of(const Support& support);
-
-/// The axis of the grid that a unit vector is parallel to, but for rounding.
-std::optional<int> grid_axis(const Vec2& local);
-
-/// Quadrature points of a portion of an edge, fit for loads and supports; around an axis weights carry the radius.
-std::vector<geometry::BoundaryPoint> boundary_points(const PartOnGrid& on_grid, const EdgePortion& portion);
 
 }  // namespace abut

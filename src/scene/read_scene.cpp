@@ -7,7 +7,6 @@
 
 #include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
-#include "src/plan/axisymmetric.hpp"
 #include "src/scene/read_accuracy.hpp"
 #include "src/scene/read_contacts.hpp"
 #include "src/scene/read_materials.hpp"

@@ -29,12 +29,15 @@ struct Material {
     bool rigid = false;  ///< the built-in "rigid"
 };
 
+/// Around an axis forces are totals over the full circle: 2 pi is the thickness.
+inline constexpr double full_circle = 6.283185307179586;
+
 /// Where a part came from, and what it is made of.
 struct ScenePart {
     std::string name;
     geometry::Part part;                      ///< in assembly coordinates and the scene's length unit, named
     int material = -1;                        ///< index into Scene::materials
-    double thickness = 1;                     ///< axisymmetric: 2 pi, so that all forces are totals over the circle
+    double thickness = 1;                     ///< axisymmetric: the full circle
     std::string where;                        ///< JSON pointer
     std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports
 };

@@ -11,6 +11,7 @@
 #include "solver/terms/dilatation.hpp"
 #include "src/discretization/load_vector.hpp"
 #include "src/discretization/part_grid.hpp"
+#include "src/discretization/rigid_part.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
 #include "src/io/number_text.hpp"

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include "src/discretization/discretize.hpp"
+
+namespace abut {
+
+/// The part's axis, and the radius in the weights of its cut cells' rules. Throws InputError where the grid reaches over the
+/// axis, or is turned against it.
+void put_around_axis(const Scene& scene, PartOnGrid& on_grid);
+
+}  // namespace abut

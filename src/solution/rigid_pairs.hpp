@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// Rigid parts cannot be pressed against each other: no pressure follows. A pair whose faces overlap after the solution, in
+/// words; empty: none. Cost: that of some hundred pairs of points for each candidate between rigid parts.
+std::string rigid_pair_failure(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved);
+
+}  // namespace abut
