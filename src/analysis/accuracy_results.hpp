@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of the answer's accuracy: estimated errors, whether the target was reached, what the next level would cost.
 #pragma once
-#include "src/analysis/adaptive.hpp"
+#include "src/analysis/outcome.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -10,6 +10,7 @@
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/parts/fold.hpp"
 #include "src/analysis/extent_by_theory.hpp"
+#include "src/analysis/grading.hpp"
 #include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/next_candidates.hpp"
 #include "src/analysis/next_grids.hpp"

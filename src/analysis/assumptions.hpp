@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the answer does not bear out what was assumed: warnings.
 #pragma once
-#include "src/analysis/adaptive.hpp"
+#include "src/analysis/outcome.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

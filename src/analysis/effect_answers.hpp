@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The plan after the run: what each effect took, and the parts and contacts that it was about.
 #pragma once
-#include "src/analysis/adaptive.hpp"
+#include "src/analysis/outcome.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "src/analysis/plane_pressure.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cell sizes that contacts ask for: before a solution from the drawn gaps, after one from the contacts found.
+#include "src/analysis/grading.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Supports on edges that are also contacts: what presses there goes into the support, and the part behind it carries nothing.
 #pragma once
-#include "src/analysis/adaptive.hpp"
+#include "src/analysis/outcome.hpp"
+#include "src/plan/boundary_conditions.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

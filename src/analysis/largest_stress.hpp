@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "solver/recovery/recovery.hpp"
+#include "src/plan/boundary_conditions.hpp"
 #include "src/results/result.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

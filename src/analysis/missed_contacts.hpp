@@ -4,7 +4,7 @@
 #pragma once
 #include <vector>
 
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the next grids' candidates learn from a solution, and whether they must reach farther.
 #pragma once
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "src/analysis/error_estimate.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/analysis/grading.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

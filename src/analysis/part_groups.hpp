@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "src/analysis/adaptive.hpp"
+#include "src/analysis/outcome.hpp"
 
 namespace abut {
 

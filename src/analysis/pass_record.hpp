@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "src/analysis/plane_pressure.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

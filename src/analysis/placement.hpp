@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

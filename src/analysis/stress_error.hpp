@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver/recovery/recovery.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -5,7 +5,8 @@
 
 #include "solver/recovery/recovery.hpp"
 #include "src/analysis/largest_stress.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/discretization/grid_design.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "solver/recovery/recovery.hpp"
 #include "src/results/result.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -3,7 +3,8 @@
 #pragma once
 #include <vector>
 
-#include "src/analysis/adaptive.hpp"
+#include "src/contact/candidates.hpp"
+#include "src/plan/boundary_conditions.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {

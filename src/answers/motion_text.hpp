@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geometry/interfaces/screw.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -4,7 +4,7 @@
 
 #include "src/answers/field_results.hpp"
 #include "src/results/result.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

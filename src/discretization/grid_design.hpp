@@ -19,6 +19,14 @@ struct SizeFeature {
     double growth = size_growth;  ///< per distance
 };
 
+/// What is asked of the grids of a pass: features by scene part, in assembly coordinates.
+struct WantedSize {
+    std::vector<Vec2> points;  ///< the cells around all of them
+    double size;
+    double growth;  ///< of cells per distance from there
+};
+using WantedSizes = std::vector<std::vector<WantedSize>>;
+
 /// Lines from low to high whose spacing follows min over features (size + growth * distance), at most `largest`; axis 0 is
 /// x.
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);

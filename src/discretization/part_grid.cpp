@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/discretization/discretize.hpp"
+
 namespace abut {
 
 namespace {

@@ -4,7 +4,8 @@
 #pragma once
 #include <array>
 
-#include "src/solution/assembly_model.hpp"
+#include "src/discretization/grid_design.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "src/analysis/grading.hpp"
 #include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/plan/boundary_conditions.hpp"
 #include "src/plan/loads.hpp"
 
 namespace abut {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/solution/contact_pairing.hpp"
 #include "src/solution/penalty_interface.hpp"
 #include "src/solution/table.hpp"
 

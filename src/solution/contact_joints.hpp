@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "src/solution/assembly_model.hpp"
+#include "src/solution/contact_interface.hpp"
 
 namespace abut {
 

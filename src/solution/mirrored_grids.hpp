@@ -4,7 +4,8 @@
 #include <string>
 
 #include "src/discretization/part_grid.hpp"
-#include "src/solution/assembly_model.hpp"
+#include "src/plan/boundary_conditions.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/solution/contact_pairing.hpp"
 
 namespace abut {
 

@@ -2,6 +2,7 @@
 // Contact between parts that are factorised already: condensation to the multipliers, the quadratic program, the displacements.
 #include <benchmark/benchmark.h>
 
+#include "src/analysis/grading.hpp"
 #include "src/solution/assembly_model.hpp"
 #include "tests/benchmarks/benchmark_scenes.hpp"
 #include "tests/benchmarks/solve_again.hpp"

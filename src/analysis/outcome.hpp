@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the walk over grids ends with.
+#pragma once
+#include <vector>
+
+#include "solver/recovery/recovery.hpp"
+#include "src/analysis/error_estimate.hpp"
+#include "src/analysis/largest_stress.hpp"
+#include "src/contact/candidates.hpp"
+#include "src/solution/solved_assembly.hpp"
+
+namespace abut {
+
+/// Why there are no finer grids.
+enum class PathEnd {
+    no_need,        ///< grids are given and no target, or there is no error to bring down: one solution
+    fixed_grids,    ///< grids are given, and a target with them
+    reached,        ///< the estimated error is below the target
+    out_of_cells,   ///< the budget of cells is spent
+    out_of_passes,  ///< the errors do not fall: the pressure has no limit somewhere
+    out_of_digits   ///< rounding hides what finer grids would change
+};
+
+struct Outcome {
+    std::vector<Candidate> candidates;
+    SolvedAssembly solved;                    ///< on the last grids
+    std::vector<solver::StressField> stress;  ///< smoothed, of its parts; none where it is not solved
+    std::vector<LargestStress> largest;       ///< parallel to them
+    int factorizations = 0, iterations = 0;
+    EffectUses uses;  ///< of all passes and searches
+    PathEnd end = PathEnd::no_need;
+    double target = 0;                  ///< estimated relative error aimed at
+    bool search_too_short = false;      ///< contact reaches the end of what was searched
+    std::vector<PassRecord> passes;     ///< all of them
+    std::vector<ErrorEstimate> errors;  ///< parallel to passes
+};
+
+}  // namespace abut

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+#include <string>
+#include <vector>
+
+#include "solver/contact/assembly_solve.hpp"
+#include "src/plan/effect_meter.hpp"
+#include "src/solution/contact_interface.hpp"
+#include "src/solution/contact_runs.hpp"
+
+namespace abut {
+
+/// A solved pass.
+struct SolvedAssembly {
+    std::vector<PartOnGrid> grids;           ///< of the parts that are solved
+    std::vector<int> solver_part;            ///< by scene part: index into grids, or -1
+    std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
+    std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
+    std::vector<int> shear_of;               ///< the same of the tangential traction of bonded ones
+    solver::AssemblyProblem problem;
+    solver::AssemblySolution solution;
+    ContactRuns runs;
+    std::string failure;        ///< not empty: not solvable, and why
+    int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
+    EffectUses uses;            ///< of the effects' code in this pass
+    bool is_folded = false;     ///< half of it was solved (solver/parts/fold.hpp)
+    std::string not_folded;     ///< not empty: a mirror symmetric scene that was solved as drawn, and why
+    int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
+};
+
+/// Pressure spline's coefficients of a contact.
+const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);
+
+}  // namespace abut
