@@ -13,17 +13,17 @@ namespace abut::geometry {
 
 namespace {
 
-/// The largest rounding of a component's fraction: what is negative by more says that chains have been joined wrongly.
+/// The largest rounding of a component's fraction: what is negative by more says that strands have been joined wrongly.
 constexpr double fraction_rounding = 1e-11;
 
-// ---- the order of the chains' ends along the perimeter ----
+// ---- the order of the strands' ends along the perimeter ----
 
 /// From index 1 on: an end that does not alternate changes places with the next other one within rounding. False where there is
 /// none.
-bool make_alternate(std::vector<ChainEnd>& ends, double rounding) {
+bool make_alternate(std::vector<StrandEnd>& ends, double rounding) {
     for (std::size_t i = 1; i < ends.size(); ++i) {
         const auto other = std::find_if(ends.begin() + static_cast<std::ptrdiff_t>(i), ends.end(),
-                                        [&](const ChainEnd& e) { return e.leaves != ends[i - 1].leaves; });
+                                        [&](const StrandEnd& e) { return e.leaves != ends[i - 1].leaves; });
         if (other == ends.end() || other->at - ends[i].at > rounding) return false;
         std::rotate(ends.begin() + static_cast<std::ptrdiff_t>(i), other, other + 1);
     }
@@ -34,18 +34,18 @@ double rounding_along(const CellContours& cell) {
     return cell.crossing_length / cell.box.size().minCoeff();
 }
 
-bool sort_ends(std::vector<ChainEnd>& ends, double rounding) {
-    std::sort(ends.begin(), ends.end(), [](const ChainEnd& a, const ChainEnd& b) {
+bool sort_ends(std::vector<StrandEnd>& ends, double rounding) {
+    std::sort(ends.begin(), ends.end(), [](const StrandEnd& a, const StrandEnd& b) {
         return a.at != b.at           ? a.at < b.at
                : a.leaves != b.leaves ? b.leaves
-                                      : a.chain < b.chain;  // at a pinch, first what enters
+                                      : a.strand < b.strand;  // at a pinch, first what enters
     });
-    std::vector<ChainEnd> sorted = ends;
+    std::vector<StrandEnd> sorted = ends;
     if (make_alternate(ends, rounding)) return true;
     // the first one may be the one that is out of place
     ends = std::move(sorted);
     const auto other =
-        std::find_if(ends.begin(), ends.end(), [&](const ChainEnd& e) { return e.leaves != ends.front().leaves; });
+        std::find_if(ends.begin(), ends.end(), [&](const StrandEnd& e) { return e.leaves != ends.front().leaves; });
     if (other == ends.end() || other->at - ends.front().at > rounding) return false;
     std::rotate(ends.begin(), other, other + 1);
     return make_alternate(ends, rounding);
@@ -90,21 +90,21 @@ double right_length(const std::vector<SideStretch>& stretches) {
 
 // ---- components ----
 
-/// Chains joined along the perimeter get one number each cycle; ends alternate. Returns how many.
-int join_along_perimeter(Chains& all, CellTrace& trace, const CellContours& cell) {
+/// Strands joined along the perimeter get one number each cycle; ends alternate. Returns how many.
+int join_along_perimeter(Strands& all, CellTrace& trace, const CellContours& cell) {
     const std::size_t n = all.ends.size();
-    std::vector<std::size_t> next(all.chains.size());  // the chain that the perimeter leads to
+    std::vector<std::size_t> next(all.strands.size());  // the strand that the perimeter leads to
     for (std::size_t i = 0; i < n; ++i)
-        if (all.ends[i].leaves) next[all.ends[i].chain] = all.ends[(i + 1) % n].chain;
+        if (all.ends[i].leaves) next[all.ends[i].strand] = all.ends[(i + 1) % n].strand;
     int n_found = 0;
-    for (std::size_t c = 0; c < all.chains.size(); ++c) {
-        if (all.chains[c].closed || all.chains[c].component >= 0) continue;
-        for (std::size_t k = c; all.chains[k].component < 0; k = next[k]) all.chains[k].component = n_found;
+    for (std::size_t c = 0; c < all.strands.size(); ++c) {
+        if (all.strands[c].closed || all.strands[c].component >= 0) continue;
+        for (std::size_t k = c; all.strands[k].component < 0; k = next[k]) all.strands[k].component = n_found;
         ++n_found;
     }
     for (std::size_t i = 0; i < n; ++i) {
-        const ChainEnd &from = all.ends[i], &to = all.ends[(i + 1) % n];
-        if (from.leaves) append_stretch(trace.stretches, cell.box, all.chains[from.chain].component, from.at, to.at);
+        const StrandEnd &from = all.ends[i], &to = all.ends[(i + 1) % n];
+        if (from.leaves) append_stretch(trace.stretches, cell.box, all.strands[from.strand].component, from.at, to.at);
     }
     return n_found;
 }
@@ -116,9 +116,9 @@ bool agrees_with_right_side(const CellTrace& trace, const CellContours& cell, st
     return std::abs(right_length(trace.stretches) - right_length(sides)) <= rounding;
 }
 
-/// Joined in the order of their positions; a single chain that leaves and enters at one place, the other way round where that
+/// Joined in the order of their positions; a single strand that leaves and enters at one place, the other way round where that
 /// agrees with the right side. Empty-handed (-1): unclear.
-int components_of_chains(Chains& all, CellTrace& trace, const CellContours& cell, std::span<const ContourPiece> sides) {
+int components_of_strands(Strands& all, CellTrace& trace, const CellContours& cell, std::span<const ContourPiece> sides) {
     const double rounding = rounding_along(cell);
     if (!sort_ends(all.ends, rounding)) return -1;
     const int n = join_along_perimeter(all, trace, cell);
@@ -159,20 +159,20 @@ int component_on_right(const CellTrace& trace, double y, double rounding) {
 }
 
 struct Hole {
-    std::size_t chain;
+    std::size_t strand;
     Vec2 rightmost;
 };
 
-std::vector<Hole> holes_from_the_right(const Chains& all, const CellContours& cell) {
+std::vector<Hole> holes_from_the_right(const Strands& all, const CellContours& cell) {
     std::vector<Hole> holes;
-    std::vector<std::size_t> hole_of(all.chains.size());
-    for (std::size_t c = 0; c < all.chains.size(); ++c) {
+    std::vector<std::size_t> hole_of(all.strands.size());
+    for (std::size_t c = 0; c < all.strands.size(); ++c) {
         hole_of[c] = holes.size();
-        if (all.chains[c].component < 0) holes.push_back({c, cell.box.min});
+        if (all.strands[c].component < 0) holes.push_back({c, cell.box.min});
     }
     for (std::size_t k = 0; k < all.of_contour.size(); ++k) {
         const std::size_t c = all.of_contour[k];
-        if (c == no_chain || all.chains[c].component >= 0) continue;
+        if (c == no_strand || all.strands[c].component >= 0) continue;
         Vec2& rightmost = holes[hole_of[c]].rightmost;
         for (const Vec2& p : {cell.begin[k], cell.end[k]})
             if (p.x() > rightmost.x()) rightmost = p;
@@ -184,59 +184,59 @@ std::vector<Hole> holes_from_the_right(const Chains& all, const CellContours& ce
 
 /// What lies to the right of a hole's rightmost point is the material around it, up to the first contour there. That one
 /// belongs to the component, or to a hole farther to the right of it. False where none is found.
-bool assign_holes(Chains& all, const CellTrace& trace, const CellContours& cell) {
+bool assign_holes(Strands& all, const CellTrace& trace, const CellContours& cell) {
     for (const Hole& hole : holes_from_the_right(all, cell)) {
         double nearest = std::numeric_limits<double>::infinity();
         int component = component_on_right(trace, hole.rightmost.y(), cell.crossing_length);
         for (std::size_t k = 0; k < all.of_contour.size(); ++k) {
-            if (all.of_contour[k] == hole.chain || all.of_contour[k] == no_chain) continue;
+            if (all.of_contour[k] == hole.strand || all.of_contour[k] == no_strand) continue;
             const double x = x_beyond(cell, k, hole.rightmost);
             if (x >= nearest) continue;
             nearest = x;
-            component = all.chains[all.of_contour[k]].component;
+            component = all.strands[all.of_contour[k]].component;
         }
         if (component < 0) return false;
-        all.chains[hole.chain].component = component;
+        all.strands[hole.strand].component = component;
     }
     return true;
 }
 
-/// Closed chains that run counter-clockwise are components, numbered from n on. Returns how many there are then.
-int number_islands(Chains& all, const CellContours& cell, int n) {
+/// Closed strands that run counter-clockwise are components, numbered from n on. Returns how many there are then.
+int number_islands(Strands& all, const CellContours& cell, int n) {
     for (std::size_t k = 0; k < all.of_contour.size(); ++k) {
         const std::size_t c = all.of_contour[k];
-        if (c != no_chain && all.chains[c].closed)
-            all.chains[c].area += area_share(*cell.part, cell[k], cell.box.min.x(), cell.box.max.x());
+        if (c != no_strand && all.strands[c].closed)
+            all.strands[c].area += area_share(*cell.part, cell[k], cell.box.min.x(), cell.box.max.x());
     }
-    for (Chain& chain : all.chains)
-        if (chain.closed && chain.area > 0) chain.component = n++;
+    for (Strand& strand : all.strands)
+        if (strand.closed && strand.area > 0) strand.component = n++;
     return n;
 }
 
 /// A contour of the right side as long as a rounding lies before a tip that only reaches the side: the component of the contour
 /// that leaves through the side nearest to it.
-int component_of_tip(const Chains& all, const CellContours& cell, double y) {
+int component_of_tip(const Strands& all, const CellContours& cell, double y) {
     double least = std::numeric_limits<double>::infinity();
     int component = -1;
     for (std::size_t k = 0; k < cell.n_edges; ++k) {
         const double distance = std::abs(cell.end[k].y() - y);
-        if (cell[k].leaves != CellSide::right || all.of_contour[k] == no_chain || distance >= least) continue;
+        if (cell[k].leaves != CellSide::right || all.of_contour[k] == no_strand || distance >= least) continue;
         least = distance;
-        component = all.chains[all.of_contour[k]].component;
+        component = all.strands[all.of_contour[k]].component;
     }
     return component;
 }
 
-int component_of_contour(const CellTrace& trace, const Chains& all, const CellContours& cell, std::size_t k) {
+int component_of_contour(const CellTrace& trace, const Strands& all, const CellContours& cell, std::size_t k) {
     const ContourPiece& c = cell[k];
-    if (c.edge >= 0) return all.of_contour[k] == no_chain ? -1 : all.chains[all.of_contour[k]].component;
+    if (c.edge >= 0) return all.of_contour[k] == no_strand ? -1 : all.strands[all.of_contour[k]].component;
     const double middle = 0.5 * (c.t0 + c.t1);
     const int on_stretch = component_on_right(trace, middle, cell.crossing_length);
     return on_stretch < 0 && c.t1 - c.t0 <= cell.crossing_length ? component_of_tip(all, cell, middle) : on_stretch;
 }
 
 /// Fractions and components of contours; false where a contour belongs nowhere or a component has less than no area.
-bool fill_components(CellTrace& trace, const Chains& all, const CellContours& cell, int n) {
+bool fill_components(CellTrace& trace, const Strands& all, const CellContours& cell, int n) {
     trace.fraction.assign(static_cast<std::size_t>(n), 0.0);
     for (std::size_t k = 0; k < cell.contours.size(); ++k) {
         const ContourPiece& c = cell[k];
@@ -278,10 +278,10 @@ void take_as_one(CellTrace& trace, const CellContours& cell) {
 }
 
 /// False: unclear.
-bool trace_chains(CellTrace& trace, Chains& all, const CellContours& cell) {
+bool trace_strands(CellTrace& trace, Strands& all, const CellContours& cell) {
     int n = 0;
     if (!all.ends.empty()) {
-        n = components_of_chains(all, trace, cell, cell.right_sides());
+        n = components_of_strands(all, trace, cell, cell.right_sides());
         if (n < 0) return false;
     } else if (right_length(cell.right_sides()) > 0.5 * cell.box.size().y()) {
         append_perimeter(trace.stretches, cell.box, n++);
@@ -297,12 +297,12 @@ bool trace_chains(CellTrace& trace, Chains& all, const CellContours& cell) {
 
 void trace_cell(CellTrace& trace, const Part& part, const CutCells& cells, const std::vector<int>& loop_of, int c) {
     set_cell(trace.cell, part, cells, c);
-    find_chains(trace.chains, trace.cell, loop_of);
+    find_strands(trace.strands, trace.cell, loop_of);
     trace.unclear = false;
     trace.fraction.clear();
     trace.stretches.clear();
     trace.of_contour.assign(trace.cell.contours.size(), 0);
-    if (!trace_chains(trace, trace.chains, trace.cell)) take_as_one(trace, trace.cell);
+    if (!trace_strands(trace, trace.strands, trace.cell)) take_as_one(trace, trace.cell);
     std::sort(trace.stretches.begin(), trace.stretches.end(),
               [](const SideStretch& a, const SideStretch& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The connected components of one cell and the part: the inner loop of find_elements.
 //
-// The boundary comes into a cell and leaves it in chains of contours. Material lies on its left: from where a chain leaves,
-// counter-clockwise along the cell's perimeter, there is material up to where the next chain enters. Chains joined by these
+// The boundary comes into a cell and leaves it in strands of contours. Material lies on its left: from where a strand leaves,
+// counter-clockwise along the cell's perimeter, there is material up to where the next strand enters. Strands joined by these
 // stretches are closed curves, each the outline of one component; so is every loop wholly inside that runs counter-clockwise.
-// Clockwise ones are holes of what is around them. A perimeter without chains is all material or none.
+// Clockwise ones are holes of what is around them. A perimeter without strands is all material or none.
 //
-//       +---<-----x-------+     leaves at x, enters at e: the stretches from x to e, and the chain from e to x, bound one
+//       +---<-----x-------+     leaves at x, enters at e: the stretches from x to e, and the strand from e to x, bound one
 //       |         |       |     component here (with a hole, o)
 //       |   o     |       |
 //       |         ^       |
@@ -14,7 +14,7 @@
 #pragma once
 #include <vector>
 
-#include "geometry/cells/cell_chains.hpp"
+#include "geometry/cells/cell_strands.hpp"
 
 namespace abut::geometry {
 
@@ -32,7 +32,7 @@ struct CellTrace {
     std::vector<SideStretch> stretches;  ///< by side, then ascending
     bool unclear = false;                ///< rounding does not tell the components apart: taken as one, with all four sides
     CellContours cell;                   ///< what it was made from
-    Chains chains;
+    Strands strands;
     int n_components() const { return fraction.empty() ? 1 : static_cast<int>(fraction.size()); }
 };
 

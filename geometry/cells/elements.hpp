@@ -39,7 +39,7 @@ struct Elements {
 
 /// Components below sliver_fraction of their cell do not count, as for whole cells, nor do cracks whose area inside the cell is
 /// below that: the cell is then an inner one. Elements are neighbours where their material on both sides of a side overlaps by
-/// more than crossing_fraction of the merge length (cell_chains.hpp). What only passes a corner of a cell as a sliver connects
+/// more than crossing_fraction of the merge length (cell_strands.hpp). What only passes a corner of a cell as a sliver connects
 /// nothing there. A point of the outside that just reaches a cell's side parts the material beside it.
 /// Cost O(cells + contours log(contours of a cell)): 10 ms for a million cells with a hundred thousand segments, 30 ms with as
 /// many cubic splines; 70 ms where 300 000 of the cells are cut.

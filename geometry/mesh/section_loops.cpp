@@ -25,7 +25,7 @@ struct Link {
 };
 
 /// Open or closed run of nodes.
-struct Chain {
+struct NodeRun {
     std::vector<int> nodes;
     bool is_closed = false;
 };
@@ -88,15 +88,15 @@ class Tracer {
 public:
     explicit Tracer(const Slicer& slicer) : nodes_(slicer.nodes()), links_(slicer.links()), is_used_(links_.size(), false) {}
 
-    /// Chains that begin where more segments begin than end, then the closed ones.
-    std::vector<Chain> trace() {
-        std::vector<Chain> chains;
+    /// Runs that begin where more segments begin than end, then the closed ones.
+    std::vector<NodeRun> trace() {
+        std::vector<NodeRun> runs;
         for (size_t n = 0; n < nodes_.size(); ++n)
             for (int extra = static_cast<int>(nodes_[n].out.size()) - nodes_[n].n_in; extra > 0; --extra)
-                chains.push_back(follow(next_of(static_cast<int>(n), Vec2::Zero())));
+                runs.push_back(follow(next_of(static_cast<int>(n), Vec2::Zero())));
         for (size_t k = 0; k < links_.size(); ++k)
-            if (!is_used_[k]) chains.push_back(follow(static_cast<int>(k)));
-        return chains;
+            if (!is_used_[k]) runs.push_back(follow(static_cast<int>(k)));
+        return runs;
     }
 
 private:
@@ -115,21 +115,21 @@ private:
         return best;
     }
 
-    Chain follow(int link) {
-        Chain chain;
+    NodeRun follow(int link) {
+        NodeRun run;
         const int first = links_[static_cast<size_t>(link)].from;
-        chain.nodes.push_back(first);
+        run.nodes.push_back(first);
         while (link >= 0) {
             is_used_[static_cast<size_t>(link)] = true;
             const Link& step = links_[static_cast<size_t>(link)];
             if (step.to == first) {
-                chain.is_closed = true;
+                run.is_closed = true;
                 break;
             }
-            chain.nodes.push_back(step.to);
+            run.nodes.push_back(step.to);
             link = next_of(step.to, at(step.to) - at(step.from));
         }
-        return chain;
+        return run;
     }
 
     const std::vector<Node>& nodes_;
@@ -142,27 +142,27 @@ using Polyline = std::vector<Vec2>;
 /// Joins each end to the nearest free beginning within the width, again and again; what closes goes to the loops.
 void close_cracks(std::vector<Polyline> open, double width, SectionLoops& found) {
     while (!open.empty()) {
-        Polyline chain = std::move(open.front());
+        Polyline run = std::move(open.front());
         open.erase(open.begin());
         while (true) {
             size_t best = open.size();  // its own beginning
-            double least = (chain.front() - chain.back()).norm();
+            double least = (run.front() - run.back()).norm();
             for (size_t k = 0; k < open.size(); ++k) {
-                const double d = (open[k].front() - chain.back()).norm();
+                const double d = (open[k].front() - run.back()).norm();
                 if (d < least) best = k, least = d;
             }
             const bool closes = best == open.size();
-            const SectionGap gap{chain.back(), closes ? chain.front() : open[best].front()};
-            if (least > width || (closes && chain.size() < 3)) {
+            const SectionGap gap{run.back(), closes ? run.front() : open[best].front()};
+            if (least > width || (closes && run.size() < 3)) {
                 found.open.push_back(gap);
                 break;
             }
             if (least > 0) found.closed_cracks.push_back(gap);
             if (closes) {
-                found.loops.push_back(std::move(chain));
+                found.loops.push_back(std::move(run));
                 break;
             }
-            chain.insert(chain.end(), open[best].begin(), open[best].end());
+            run.insert(run.end(), open[best].begin(), open[best].end());
             open.erase(open.begin() + static_cast<std::ptrdiff_t>(best));
         }
     }
@@ -215,10 +215,10 @@ SectionLoops section_loops(const Mesh& body, const SectionPlane& plane) {
     for (const Node& node : slicer.nodes()) found.box.extend(node.at);
     if (found.box.empty()) return found;
     std::vector<Polyline> open;
-    for (const Chain& chain : Tracer(slicer).trace()) {
+    for (const NodeRun& run : Tracer(slicer).trace()) {
         Polyline line;
-        for (int n : chain.nodes) line.push_back(slicer.nodes()[static_cast<size_t>(n)].at);
-        (chain.is_closed ? found.loops : open).push_back(std::move(line));
+        for (int n : run.nodes) line.push_back(slicer.nodes()[static_cast<size_t>(n)].at);
+        (run.is_closed ? found.loops : open).push_back(std::move(line));
     }
     close_cracks(std::move(open), crack_fraction * found.box.diagonal(), found);
     const double rounding = rounding_of(found.box);

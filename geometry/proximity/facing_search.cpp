@@ -41,7 +41,8 @@ std::vector<Place> places(const Part& part, const std::vector<Chain>& chains) {
     return found;
 }
 
-struct Chains {
+/// The chains of both parts, by the numbers that runs have.
+struct BothChains {
     const std::vector<Chain>&first, &second;
     double joint_angle;
     const Chain& of1(const Run& run) const { return first[static_cast<std::size_t>(run.chain1)]; }
@@ -60,7 +61,7 @@ std::vector<FacingStretch> stretches_of(const FacingModel& model) {
     return all;
 }
 
-std::vector<Run> runs_of(const FacingModel& model, const Chains& chains, const std::vector<FacingStretch>& stretches) {
+std::vector<Run> runs_of(const FacingModel& model, const BothChains& chains, const std::vector<FacingStretch>& stretches) {
     const std::vector<Place> places1 = places(model.part1, chains.first), places2 = places(model.part2, chains.second);
     std::vector<Run> runs;
     for (const FacingStretch& s : stretches) {
@@ -88,7 +89,7 @@ double joint_slack(const FacingModel& model, const Run& run, double joint_angle)
 }
 
 /// Does `next` begin where `run` ends, on both chains?
-bool continues(const FacingModel& model, const Chains& chains, const Run& run, const Run& next) {
+bool continues(const FacingModel& model, const BothChains& chains, const Run& run, const Run& next) {
     if (run.chain1 != next.chain1 || run.chain2 != next.chain2) return false;
     const double slack = joint_slack(model, run, chains.joint_angle);
     return std::abs(difference(chains.of1(run), next.begin1, run.end1)) <= slack &&
@@ -99,7 +100,7 @@ bool continues(const FacingModel& model, const Chains& chains, const Run& run, c
 using Group = std::vector<Run>;
 
 /// Groups of runs that continue each other; runs are sorted, so that a successor stands later but for the seam of a chain.
-std::vector<Group> grouped(const FacingModel& model, const Chains& chains, const std::vector<Run>& runs) {
+std::vector<Group> grouped(const FacingModel& model, const BothChains& chains, const std::vector<Run>& runs) {
     std::vector<Group> groups;
     std::vector<std::size_t> open;  // groups that may still grow: those of the current chain of part 1
     for (const Run& run : runs) {
@@ -117,7 +118,7 @@ std::vector<Group> grouped(const FacingModel& model, const Chains& chains, const
 }
 
 /// Joins across the seam of closed chains of part 1: the group that ends there takes in the one that begins there.
-void join_across_seams(const FacingModel& model, const Chains& chains, std::vector<Group>& groups) {
+void join_across_seams(const FacingModel& model, const BothChains& chains, std::vector<Group>& groups) {
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Chain& chain = chains.of1(groups[i].back());
         const double slack = joint_slack(model, groups[i].back(), chains.joint_angle - chain_angle);
@@ -132,7 +133,7 @@ void join_across_seams(const FacingModel& model, const Chains& chains, std::vect
     }
 }
 
-bool is_full_turn(const FacingModel& model, const Chains& chains, const Group& group) {
+bool is_full_turn(const FacingModel& model, const BothChains& chains, const Group& group) {
     if (!chains.of1(group.front()).closed || !chains.of2(group.front()).closed) return false;
     return continues(model, chains, group.back(), group.front());
 }
@@ -149,7 +150,7 @@ void turn_to_largest_gap(const FacingModel& model, Group& group) {
     std::rotate(group.begin(), uniform ? first : largest, group.end());
 }
 
-FacingZone zone_of(const FacingModel& model, const Chains& chains, const Group& group, bool closed) {
+FacingZone zone_of(const FacingModel& model, const BothChains& chains, const Group& group, bool closed) {
     FacingZone zone;
     zone.chain1 = chains.of1(group.front());
     zone.chain2 = chains.of2(group.front());
@@ -198,7 +199,7 @@ std::vector<FoundZone::Break> breaks_of(const FacingZone& zone, const Group& gro
     return breaks;
 }
 
-FoundZone found_zone(const FacingModel& model, const Chains& chains, Group group) {
+FoundZone found_zone(const FacingModel& model, const BothChains& chains, Group group) {
     const bool closed = is_full_turn(model, chains, group);
     if (closed) turn_to_largest_gap(model, group);
     FoundZone found;
@@ -215,7 +216,7 @@ std::vector<FoundZone> search_zones(const Part& part1, const std::vector<Chain>&
                                     const std::vector<Chain>& chains2, double distance, double joint_angle) {
     std::vector<FoundZone> zones;
     const FacingModel model(part1, part2, distance);
-    const Chains chains{chains1, chains2, joint_angle};
+    const BothChains chains{chains1, chains2, joint_angle};
     std::vector<Group> groups = grouped(model, chains, runs_of(model, chains, nearest_only(model, stretches_of(model))));
     join_across_seams(model, chains, groups);
     const double shortest = shortest_zone_fraction * model.size;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/brep/monotone.hpp"
-#include "geometry/cells/cell_chains.hpp"
+#include "geometry/cells/cell_strands.hpp"
 #include "geometry/cells/grid_walk.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/gauss_portions.hpp"

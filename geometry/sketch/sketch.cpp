@@ -68,10 +68,10 @@ void move(SketchParts& sketch, const Vec2& by) {
 /// Adds what closes among some entities to a group's outlines.
 void add_outlines(Outlines& to, Outlines from) {
     const int offset = static_cast<int>(to.entities.size());
-    const auto shift = [&](Chain& chain) {
+    const auto shift = [&](EntityChain& chain) {
         for (ChainLink& link : chain) link.entity += offset;
     };
-    for (Chain& chain : from.closed) shift(chain);
+    for (EntityChain& chain : from.closed) shift(chain);
     for (DividedOutline& divided : from.divided) {
         shift(divided.contour);
         for (Face& face : divided.faces) shift(face.boundary);

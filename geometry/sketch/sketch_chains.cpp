@@ -55,8 +55,8 @@ struct Tracer {
         });
     }
 
-    Chain walk(int first) const {
-        Chain chain{{first, true}};
+    EntityChain walk(int first) const {
+        EntityChain chain{{first, true}};
         for (EntityEnd next = partners({first, false}).front(); next.entity != first;
              next = partners({next.entity, !next.is_begin}).front())
             chain.push_back({next.entity, next.is_begin});
@@ -67,7 +67,7 @@ struct Tracer {
         return block.size() == 1 && joint_of(block.front(), true) != joint_of(block.front(), false);
     }
 
-    void take(const std::vector<std::vector<int>>& blocks, Chains& chains) {
+    void take(const std::vector<std::vector<int>>& blocks, EntityChains& chains) {
         for (const auto& block : blocks)
             for (const int e : block) block_of[static_cast<std::size_t>(e)] = block.front();
         for (const auto& block : blocks) {
@@ -84,7 +84,7 @@ struct Tracer {
         });
     }
 
-    void trace(Chains& chains) {
+    void trace(EntityChains& chains) {
         std::vector<bool> is_seen(entities.size(), false);
         for (std::size_t i = 0; i < entities.size(); ++i) {
             const int first = static_cast<int>(i);
@@ -231,15 +231,15 @@ struct Tracer {
 
 }  // namespace
 
-Chains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance) {
+EntityChains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance) {
     Tracer tracer{entities, joints, tolerance};
     tracer.block_of.assign(entities.size(), -1);
-    Chains chains;
+    EntityChains chains;
     tracer.trace(chains);
     std::sort(chains.closed.begin(), chains.closed.end(),
-              [](const Chain& a, const Chain& b) { return a.front().entity < b.front().entity; });
+              [](const EntityChain& a, const EntityChain& b) { return a.front().entity < b.front().entity; });
     chains.is_loose.assign(entities.size(), true);
-    for (const Chain& chain : chains.closed)
+    for (const EntityChain& chain : chains.closed)
         for (const ChainLink& link : chain) chains.is_loose[static_cast<std::size_t>(link.entity)] = false;
     chains.problems = tracer.open_problems();
     chains.problems.insert(chains.problems.end(), tracer.branchings.begin(), tracer.branchings.end());

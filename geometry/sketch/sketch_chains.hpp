@@ -11,10 +11,12 @@ struct ChainLink {
     int entity;
     bool along;  ///< in the entity's own direction?
 };
-using Chain = std::vector<ChainLink>;  ///< head to tail, begun with its first entity in the file
+/// Entities head to tail around, begun with the first of them in the file.
+using EntityChain = std::vector<ChainLink>;
 
-struct Chains {
-    std::vector<Chain> closed;              ///< in order of their first entities
+/// What the entities of a group are joined to.
+struct EntityChains {
+    std::vector<EntityChain> closed;        ///< in order of their first entities
     std::vector<std::vector<int>> divided;  ///< entities of outlines that share edges: they bound several areas (sketch_faces)
     std::vector<bool> is_loose;             ///< by entity: in none of `closed`
     std::vector<SketchProblem> problems;    ///< open ends and branchings, at most max_open_ends of the former
@@ -25,6 +27,6 @@ inline constexpr int max_open_ends = 20;  ///< problems listed per layer; a last
 /// blocks); a block is a closed chain, or a divided outline. Of what is connected with an open end, or joined by an entity that
 /// bounds nothing, none is taken: problems name the entities, the place, the gap to the nearest other open end, and the file's
 /// line. Cost O(n).
-Chains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance);
+EntityChains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance);
 
 }  // namespace abut::geometry

@@ -29,7 +29,7 @@ struct Layout {
     std::vector<double> size;        ///< diagonal by chain
 };
 
-Layout lay_out(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains) {
+Layout lay_out(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains) {
     Layout layout;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         layout.first.push_back(static_cast<int>(layout.all.edges.size()));
@@ -186,7 +186,7 @@ bool may_meet(const Curve& a, const Curve& b, double tolerance) {
     return range.nearest <= arc.radius + tolerance && range.farthest >= arc.radius - tolerance;
 }
 
-std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains,
+std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance) {
     const Layout layout = lay_out(entities, chains);
     const auto entity_of = [&](int edge) -> const SketchPiece& {

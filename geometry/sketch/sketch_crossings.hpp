@@ -14,7 +14,7 @@ struct Crossing {
 
 /// One for each pair of outlines that cross (or outline that crosses or touches itself), at one of their meetings: which side
 /// of them is material cannot be told. Two outlines may touch each other; none may touch itself.
-std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains,
+std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance);
 
 /// A quick test that most pairs of lines and circles fail whose boxes overlap; true of other curves.

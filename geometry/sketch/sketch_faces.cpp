@@ -122,8 +122,8 @@ std::vector<Walk> all_walks(const HalfEdges& halves, std::vector<int>& walk_of) 
     return walks;
 }
 
-Chain chain_of(const HalfEdges& halves, const std::vector<int>& walk) {
-    Chain chain;
+EntityChain chain_of(const HalfEdges& halves, const std::vector<int>& walk) {
+    EntityChain chain;
     for (const int half : walk) chain.push_back({halves.block[index(half / 2)], halves.along(half)});
     std::rotate(chain.begin(),
                 std::min_element(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.entity < b.entity; }),
@@ -131,7 +131,7 @@ Chain chain_of(const HalfEdges& halves, const std::vector<int>& walk) {
     return chain;
 }
 
-Chain backwards(Chain chain) {
+EntityChain backwards(EntityChain chain) {
     std::reverse(chain.begin() + 1, chain.end());  // the first stays first
     for (ChainLink& link : chain) link.along = !link.along;
     return chain;

@@ -9,12 +9,12 @@ namespace abut::geometry {
 
 /// One area of a divided outline.
 struct Face {
-    Chain boundary;         ///< counter-clockwise
+    EntityChain boundary;   ///< counter-clockwise
     bool is_filled = true;  ///< where nothing is around the divided outline; see walk_faces
 };
 
 struct DividedOutline {
-    Chain contour;  ///< around all of it, counter-clockwise
+    EntityChain contour;  ///< around all of it, counter-clockwise
     std::vector<Face> faces;
     bool is_even_odd = false;
 };

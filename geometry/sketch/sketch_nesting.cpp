@@ -55,7 +55,7 @@ void turn(Region& region) {
     }
 }
 
-Region region_of(const std::vector<SketchPiece>& entities, const Chain& chain) {
+Region region_of(const std::vector<SketchPiece>& entities, const EntityChain& chain) {
     Region region;
     for (const ChainLink& link : chain) {
         region.outline.edges.push_back(edge_of(entities[index(link.entity)], link.along));
@@ -202,7 +202,7 @@ Repair remark(const std::vector<SketchPiece>& entities, const DividedOutline& di
 /// Simple outlines and areas, in order of their first entities.
 std::vector<Region> regions_of(const Outlines& outlines) {
     std::vector<Region> regions;
-    for (const Chain& chain : outlines.closed) regions.push_back(region_of(outlines.entities, chain));
+    for (const EntityChain& chain : outlines.closed) regions.push_back(region_of(outlines.entities, chain));
     for (std::size_t d = 0; d < outlines.divided.size(); ++d)
         for (const Face& face : outlines.divided[d].faces) {
             regions.push_back(region_of(outlines.entities, face.boundary));
@@ -247,8 +247,8 @@ std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>
 
 // ---- what crosses ----
 
-std::vector<Chain> all_chains(const Outlines& outlines) {
-    std::vector<Chain> all = outlines.closed;
+std::vector<EntityChain> all_chains(const Outlines& outlines) {
+    std::vector<EntityChain> all = outlines.closed;
     for (const DividedOutline& divided : outlines.divided)
         for (const Face& face : divided.faces) all.push_back(face.boundary);
     return all;
@@ -256,10 +256,10 @@ std::vector<Chain> all_chains(const Outlines& outlines) {
 
 /// Holes and bosses do not cross outlines, but circles of construction (pitch circles, frames of details) do: of a circle and
 /// what it crosses, the circle is left out, and a remark says so. By chain.
-std::vector<bool> construction_circles(const Outlines& outlines, const std::vector<Chain>& chains,
+std::vector<bool> construction_circles(const Outlines& outlines, const std::vector<EntityChain>& chains,
                                        const std::vector<Crossing>& crossings, std::vector<Repair>& remarks) {
     const auto is_circle = [&](int chain) {
-        const Chain& links = chains[index(chain)];
+        const EntityChain& links = chains[index(chain)];
         return links.size() == 1 && is_full_turn(outlines.entities[index(links.front().entity)].curve);
     };
     std::vector<bool> is_construction(chains.size(), false);
@@ -278,7 +278,7 @@ std::vector<bool> construction_circles(const Outlines& outlines, const std::vect
 
 /// Takes what crosses out: simple outlines, and divided ones of which an area does.
 Outlines without_crossings(const Outlines& outlines, double tolerance, NestedParts& nested) {
-    const std::vector<Chain> all = all_chains(outlines);
+    const std::vector<EntityChain> all = all_chains(outlines);
     const std::vector<Crossing> crossings = find_crossings(outlines.entities, all, tolerance);
     std::vector<bool> is_out = construction_circles(outlines, all, crossings, nested.remarks);
     const std::vector<bool> is_construction = is_out;
@@ -289,7 +289,7 @@ Outlines without_crossings(const Outlines& outlines, double tolerance, NestedPar
     }
     Outlines sound{outlines.entities, {}, {}};
     std::size_t chain = 0;
-    for (const Chain& closed : outlines.closed)
+    for (const EntityChain& closed : outlines.closed)
         if (!is_out[chain++]) sound.closed.push_back(closed);
     for (const DividedOutline& divided : outlines.divided) {
         bool is_crossing = false;

@@ -10,7 +10,7 @@ namespace abut::geometry {
 /// All that closes among some entities.
 struct Outlines {
     std::vector<SketchPiece> entities;
-    std::vector<Chain> closed;
+    std::vector<EntityChain> closed;
     std::vector<DividedOutline> divided;
 };
 

@@ -79,7 +79,7 @@ Tolerances tolerances_of(const Pieces& entities, const SketchOptions& options, d
 struct State {
     Pieces entities;
     Joints joints;
-    Chains chains;
+    EntityChains chains;
 
     void trace(const Tolerances& tolerances, std::vector<Repair>& repairs) {
         remove_duplicates(entities, tolerances.coincidence, repairs);
@@ -91,7 +91,7 @@ struct State {
 };
 
 /// Entities that are neither in a closed chain nor in a divided outline.
-std::vector<bool> not_closed(const Chains& chains) {
+std::vector<bool> not_closed(const EntityChains& chains) {
     std::vector<bool> found = chains.is_loose;
     for (const std::vector<int>& block : chains.divided)
         for (const int e : block) found[static_cast<std::size_t>(e)] = false;

@@ -19,7 +19,7 @@ struct Side {
     Curve curve;
 };
 
-std::vector<Side> sides_of(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains) {
+std::vector<Side> sides_of(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains) {
     std::vector<Side> sides;
     for (std::size_t c = 0; c < chains.size(); ++c) {
         Part outline;
@@ -66,7 +66,7 @@ bool share_from_inside(const Curve& a, const Curve& b, double tolerance) {
 
 }  // namespace
 
-std::vector<bool> shared_from_inside(const std::vector<SketchPiece>& entities, const std::vector<Chain>& chains,
+std::vector<bool> shared_from_inside(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance) {
     const std::vector<Side> sides = sides_of(entities, chains);
     std::vector<Box2> boxes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/cells/cell_chains.hpp"
+#include "geometry/cells/cell_strands.hpp"
 
 #include <algorithm>
 #include <variant>
@@ -102,17 +102,17 @@ double position(const CellContours& cell, CellSide side, const Vec2& p) {
     }
 }
 
-void add_end(Chains& all, const CellContours& cell, const WalkedContour& last) {
-    all.ends.push_back({position(cell, last.leaves, cell.end[last.contour]), all.chains.size() - 1, true});
+void add_end(Strands& all, const CellContours& cell, const WalkedContour& last) {
+    all.ends.push_back({position(cell, last.leaves, cell.end[last.contour]), all.strands.size() - 1, true});
 }
-/// Of a pinched chain: where the one before it, whose last contour is given, leaves.
-void add_begin(Chains& all, const CellContours& cell, const WalkedContour& c, bool pinched) {
+/// Of a pinched strand: where the one before it, whose last contour is given, leaves.
+void add_begin(Strands& all, const CellContours& cell, const WalkedContour& c, bool pinched) {
     const double at = pinched ? position(cell, c.leaves, cell.end[c.contour]) : position(cell, c.enters, cell.begin[c.contour]);
-    all.ends.push_back({at, all.chains.size() - 1, false});
+    all.ends.push_back({at, all.strands.size() - 1, false});
 }
 
 /// Of one loop.
-void append_chains(Chains& all, const CellContours& cell, const std::vector<WalkedContour>& walked) {
+void append_strands(Strands& all, const CellContours& cell, const std::vector<WalkedContour>& walked) {
     const std::size_t n = walked.size();
     std::size_t start = 0;  // the first contour after a break
     while (start < n && passage(cell, walked[start], walked[(start + 1) % n]) == Passage::on) ++start;
@@ -123,10 +123,10 @@ void append_chains(Chains& all, const CellContours& cell, const std::vector<Walk
         const Passage way = closed ? Passage::on : passage(cell, before, here);
         if (i == 0 || way != Passage::on) {
             if (!closed && i > 0) add_end(all, cell, before);
-            all.chains.push_back({closed});
+            all.strands.push_back({closed});
             if (!closed) add_begin(all, cell, way == Passage::pinch ? before : here, way == Passage::pinch);
         }
-        all.of_contour[here.contour] = all.chains.size() - 1;
+        all.of_contour[here.contour] = all.strands.size() - 1;
     }
     if (!closed && n > 0) add_end(all, cell, walked[(start + n - 1) % n]);
 }
@@ -166,15 +166,15 @@ void set_cell(CellContours& cell, const Part& part, const CutCells& cells, int c
         if (cell[k].leaves == CellSide::none) join_end(cell, k);
 }
 
-void find_chains(Chains& all, const CellContours& cell, const std::vector<int>& loop_of) {
-    all.chains.clear();
+void find_strands(Strands& all, const CellContours& cell, const std::vector<int>& loop_of) {
+    all.strands.clear();
     all.ends.clear();
-    all.of_contour.assign(cell.n_edges, no_chain);
+    all.of_contour.assign(cell.n_edges, no_strand);
     const auto loop = [&](std::size_t k) { return loop_of[static_cast<std::size_t>(cell[k].edge)]; };
     for (std::size_t begin = 0, end = 0; begin < cell.n_edges; begin = end) {
         while (end < cell.n_edges && loop(end) == loop(begin)) ++end;
         walked_contours(all.walked, cell, begin, end);
-        append_chains(all, cell, all.walked);
+        append_strands(all, cell, all.walked);
     }
 }
 

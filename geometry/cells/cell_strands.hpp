@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary inside one cell as chains of contours, from where it comes in to where it leaves: the first step of trace_cell.
+// The boundary inside one cell as strands of contours, each from where the boundary comes in to where it leaves: the first step
+// of trace_cell.
 #pragma once
 #include <span>
 #include <vector>
@@ -28,22 +29,22 @@ struct CellContours {
 };
 void set_cell(CellContours& cell, const Part& part, const CutCells& cells, int c);
 
-/// From side to side of the cell, or closed inside it.
-struct Chain {
+/// Contours that continue each other inside the cell, from side to side of it or closed.
+struct Strand {
     bool closed;
     double area = 0;     ///< of closed ones, positive where they run counter-clockwise
     int component = -1;  ///< -1: a hole whose component is not known yet
 };
 
-/// Where a chain enters or leaves: along the perimeter counter-clockwise, one unit a side, from the lower left corner.
-struct ChainEnd {
+/// Where a strand enters or leaves: along the perimeter counter-clockwise, one unit a side, from the lower left corner.
+struct StrandEnd {
     double at;
-    std::size_t chain;
+    std::size_t strand;
     bool leaves;
 };
 
-/// Contour of an edge that belongs to no chain: it runs along the cell's lower or left side with the material beyond.
-inline constexpr std::size_t no_chain = static_cast<std::size_t>(-1);
+/// Contour of an edge that belongs to no strand: it runs along the cell's lower or left side with the material beyond.
+inline constexpr std::size_t no_strand = static_cast<std::size_t>(-1);
 
 /// A contour in the order of the walk, with the sides through which the boundary comes and goes: as the walk has noted them, or
 /// where it touches a side or runs along it, as below.
@@ -52,19 +53,19 @@ struct WalkedContour {
     CellSide enters, leaves;
 };
 
-/// The chains end where the boundary leaves the cell: as the walk has noted it, but not where it comes back at once and from
+/// The strands end where the boundary leaves the cell: as the walk has noted it, but not where it comes back at once and from
 /// rounding, past a tip of material that only reaches the side. They also end where
 ///   - a tip of the outside reaches a side, which parts the material on both sides of it;
 ///   - the boundary runs along the lower or left side with the material beyond: the half-open cell holds that contour, but it
 ///     bounds nothing in it.
-struct Chains {
-    std::vector<Chain> chains;
-    std::vector<std::size_t> of_contour;  ///< of edges; no_chain
-    std::vector<ChainEnd> ends;           ///< of those not closed, in no order
+struct Strands {
+    std::vector<Strand> strands;
+    std::vector<std::size_t> of_contour;  ///< of edges; no_strand
+    std::vector<StrandEnd> ends;          ///< of those not closed, in no order
     std::vector<WalkedContour> walked;    ///< of the last loop; kept here so that it need not be allocated for each
 };
 
-/// loop_of: by edge. `chains` is overwritten.
-void find_chains(Chains& chains, const CellContours& cell, const std::vector<int>& loop_of);
+/// loop_of: by edge. `strands` is overwritten.
+void find_strands(Strands& strands, const CellContours& cell, const std::vector<int>& loop_of);
 
 }  // namespace abut::geometry
