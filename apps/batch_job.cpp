@@ -16,6 +16,7 @@
 #include "src/batch/job_store.hpp"
 #include "src/contact/detect.hpp"
 #include "src/contact/expected_pairs.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/io/whole_file.hpp"
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"

@@ -10,6 +10,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
 #include "src/contact/detect.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 #include "src/scene/read_scene.hpp"

@@ -12,6 +12,7 @@
 #include "src/analysis/accuracy_results.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/write_file.hpp"
+#include "src/report/report.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 
-namespace abut {
+namespace abut::geometry {
 
-FacingEdges facing_edges(const geometry::Part& first, const geometry::Part& second, const geometry::FacingZone& zone,
-                         const geometry::ZonePiece& piece) {
+FacingEdges facing_edges(const Part& first, const Part& second, const FacingZone& zone, const ZonePiece& piece) {
     const auto partner = [&](double s1) {
         const double share = zone.end1 == zone.begin1 ? 0 : (s1 - zone.begin1) / (zone.end1 - zone.begin1);
-        return geometry::pair_from_first(first, second, zone, s1, zone.begin2 + share * (zone.end2 - zone.begin2));
+        return pair_from_first(first, second, zone, s1, zone.begin2 + share * (zone.end2 - zone.begin2));
     };
-    const geometry::FacingPair begin = partner(piece.begin1), end = partner(piece.end1);
+    const FacingPair begin = partner(piece.begin1), end = partner(piece.end1);
     return {piece.edge1,
             piece.edge2,
             {begin.on1.x, end.on1.x},
@@ -26,4 +25,4 @@ void put_first(std::vector<FacingEdges>& stretches, int edge1, int edge2) {
     });
 }
 
-}  // namespace abut
+}  // namespace abut::geometry

@@ -6,13 +6,12 @@
 #include "geometry/interfaces/functional_interface.hpp"
 #include "geometry/proximity/zone_pieces.hpp"
 
-namespace abut {
+namespace abut::geometry {
 
 /// The piece's ends on the first part; length 0 where a pair at an end is not found.
-FacingEdges facing_edges(const geometry::Part& first, const geometry::Part& second, const geometry::FacingZone& zone,
-                         const geometry::ZonePiece& piece);
+FacingEdges facing_edges(const Part& first, const Part& second, const FacingZone& zone, const ZonePiece& piece);
 
 /// Puts the stretches of the pair of edges that carries most to the front, the longest of them first.
 void put_first(std::vector<FacingEdges>& stretches, int edge1, int edge2);
 
-}  // namespace abut
+}  // namespace abut::geometry

@@ -7,13 +7,9 @@
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
 
-namespace abut {
+namespace abut::geometry {
 
 namespace {
-
-using geometry::Arc;
-using geometry::Curve;
-using geometry::Part;
 
 /// A groove holds a round part across all directions where their radii differ by no more than a running fit.
 constexpr double conforming_fraction = 0.01;
@@ -37,10 +33,10 @@ Touch touch_at(const Curve& curve, double t) {
 
 Touch closest_touch(const Part& first, const Part& second, const FacingEdges& s) {
     const Curve &c1 = curve_of(first, s.edge1), &c2 = curve_of(second, s.edge2);
-    const geometry::ClosestPoints c = geometry::closest_points(c1, c2);
+    const ClosestPoints c = closest_points(c1, c2);
     Touch touch = touch_at(c1, c.t1);
     // at a corner of the first part the face of the second gives the direction
-    if (geometry::is_convex_corner(first, s.edge1, c.t1)) touch.normal = -outward_normal(c2, c.t2);
+    if (is_convex_corner(first, s.edge1, c.t1)) touch.normal = -outward_normal(c2, c.t2);
     return touch;
 }
 
@@ -62,16 +58,16 @@ void append_wrenches(const Part& first, const Part& second, const std::string& k
                      std::vector<Screw>& wrenches) {
     if (holds_centre(kind, first, second, s)) {
         for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)})
-            wrenches.push_back(geometry::force_through(centre_of(first, s), direction));
+            wrenches.push_back(force_through(centre_of(first, s), direction));
         return;
     }
     if (kind == "flat-on-flat") {
         const Vec2 n = outward_normal(curve_of(first, s.edge1), 0.5);
-        for (const Vec2& end : s.ends) wrenches.push_back(geometry::force_through(end, -n));
+        for (const Vec2& end : s.ends) wrenches.push_back(force_through(end, -n));
         return;
     }
     const Touch touch = closest_touch(first, second, s);
-    wrenches.push_back(geometry::force_through(touch.at, -touch.normal));
+    wrenches.push_back(force_through(touch.at, -touch.normal));
 }
 
 void fill_parameters(const Part& first, const Part& second, const FacingEdges& s, FunctionalInterface& result) {
@@ -93,7 +89,7 @@ void fill_parameters(const Part& first, const Part& second, const FacingEdges& s
 }  // namespace
 
 FunctionalInterface functional_interface(const Part& first, const Part& second, const std::string& kind,
-                                         const std::vector<FacingEdges>& stretches, const geometry::ScrewScale& scale) {
+                                         const std::vector<FacingEdges>& stretches, const ScrewScale& scale) {
     if (kind == "tooth-on-tooth" && stretches.size() > 1) {
         const auto closest = std::min_element(stretches.begin(), stretches.end(),
                                               [](const FacingEdges& a, const FacingEdges& b) { return a.gap < b.gap; });
@@ -105,11 +101,11 @@ FunctionalInterface functional_interface(const Part& first, const Part& second, 
     std::vector<Screw> wrenches;
     for (std::size_t k = 0; k < stretches.size(); ++k) {
         const FacingEdges& s = stretches[k];
-        append_wrenches(first, second, k == 0 ? kind : geometry::interface_kind(first, s.edge1, second, s.edge2), s, wrenches);
+        append_wrenches(first, second, k == 0 ? kind : interface_kind(first, s.edge1, second, s.edge2), s, wrenches);
     }
     result.wrenches = wrench_space(wrenches, scale);
     result.twists = twist_space(wrenches, scale);
     return result;
 }
 
-}  // namespace abut
+}  // namespace abut::geometry

@@ -10,10 +10,7 @@
 #include "geometry/brep/part.hpp"
 #include "geometry/interfaces/screw.hpp"
 
-namespace abut {
-
-using geometry::Screw;
-using geometry::Vec2;
+namespace abut::geometry {
 
 /// A stretch along which one edge of the first part faces one of the second.
 struct FacingEdges {
@@ -37,7 +34,7 @@ struct FunctionalInterface {
 /// Of all stretches together (their wrenches add up, eq 2.7), the carrying one first; at least one. `scale`: of the two parts.
 /// A pin, and a round part in a groove of its own radius, is held across all directions at its centre, a face on a face at both
 /// ends of the stretch, everything else in one point. Of teeth, only those that come closest.
-FunctionalInterface functional_interface(const geometry::Part& first, const geometry::Part& second, const std::string& kind,
-                                         const std::vector<FacingEdges>& stretches, const geometry::ScrewScale& scale);
+FunctionalInterface functional_interface(const Part& first, const Part& second, const std::string& kind,
+                                         const std::vector<FacingEdges>& stretches, const ScrewScale& scale);
 
-}  // namespace abut
+}  // namespace abut::geometry

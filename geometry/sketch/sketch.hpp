@@ -48,10 +48,6 @@ struct Drawing {
     std::string replaced_unit;            ///< what the file states, where an option says that `unit` is meant
 };
 
-/// Reads a DXF file, ASCII or binary, with its blocks inserted. Throws InputError (file, line) if it is missing, empty,
-/// truncated or no DXF.
-Drawing read_dxf(const std::string& path);
-
 /// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
 /// whatever it is drawn on. `automatic`: by layer where more than one holds closed outlines, else by block where everything
 /// lies in several blocks or insertions of blocks, else by loop. By loop, too, where layers close only together, or where all

@@ -70,7 +70,7 @@ std::array<int, 2> longest(const std::map<std::array<int, 2>, double>& lengths) 
     return std::find_if(lengths.begin(), lengths.end(), carries)->first;
 }
 
-FunctionalInterface bonded_interface(const FacingEdges& stretch) {
+FunctionalInterface bonded_interface(const geometry::FacingEdges& stretch) {
     FunctionalInterface result;
     result.kind = "bonded";
     result.at = 0.5 * (stretch.ends[0] + stretch.ends[1]);
@@ -95,7 +95,7 @@ CandidateFaces faces_of(const Scene& scene, const Candidate& c) {
     const Part &first = part_of(scene, c.first), &second = part_of(scene, c.second);
     const double touching = touching_length(first, second);
     CandidateFaces faces;
-    std::vector<FacingEdges> stretches;
+    std::vector<geometry::FacingEdges> stretches;
     for (const geometry::ZonePiece& piece : zone_pieces(first, second, c.zone)) {
         const double length = piece.end1 - piece.begin1;
         faces.lengths[{piece.edge1, piece.edge2}] += length;

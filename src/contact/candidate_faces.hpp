@@ -11,6 +11,8 @@
 
 namespace abut {
 
+using geometry::FunctionalInterface;
+
 struct CandidateFaces {
     std::map<std::array<int, 2>, double> lengths;  ///< on the first part, by pair of edges
     std::array<int, 2> carrying{0, 0};             ///< the pair that is longest

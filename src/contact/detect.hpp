@@ -11,6 +11,8 @@
 
 namespace abut {
 
+using geometry::FunctionalInterface;
+
 /// A row of the table: a zone of two parts as the analysis takes it (candidates.hpp), or where no faces oppose each other a
 /// place.
 struct DetectedPair {
@@ -41,14 +43,6 @@ Detection detect_contacts(const Scene& scene, std::optional<double> distance);
 
 std::string detection_json(const Scene& scene, const Detection& detection);
 std::string detection_table(const Scene& scene, const Detection& detection);
-std::string detection_svg(const Scene& scene, const Detection& detection);
-/// The picture cells.svg has at most so many cells, on its one grid and on the split ones.
-inline constexpr int most_drawn_cells = 40'000;
-/// The four steps from parts to grids (geometry/interfaces/common_grid.hpp) as a picture. The cells have the smallest of the
-/// sizes that `cells_case` has for the detected pairs, or a larger one with which there are no more than `most_cells`; it says
-/// so then, and where a case is another than in the table. Empty with fewer than two parts or without any pair (and where
-/// `common_grid` refuses, which takes a million parts).
-std::string detection_cells_svg(const Scene& scene, const Detection& detection, int most_cells = most_drawn_cells);
 /// Differences from an expectation file, one line each; empty: as expected. Throws InputError if the file cannot be read.
 std::vector<std::string> compare_detection(const Detection& detection, const std::string& expectation_file);
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "geometry/brep/extent.hpp"
-#include "src/contact/detect.hpp"
 #include "src/inspection/cell_sheet.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/inspection/inspect_page.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/brep/monotone.hpp"
-#include "src/contact/detect.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"

@@ -13,6 +13,8 @@
 
 namespace abut {
 
+using geometry::FunctionalInterface;
+using geometry::Screw;
 using geometry::Vec2;
 
 struct ValueAt {
@@ -231,8 +233,6 @@ struct Result {
 std::string result_json(const Result& result);
 /// The text of contact_<k>.csv.
 std::string contact_csv(const ContactResult& contact);
-/// The text of report.html: one file, no network.
-std::string report_html(const Result& result);
 /// The table that `analyze` prints.
 std::string result_table(const Result& result);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/dxf/dxf.hpp"
 
 namespace abut {
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "src/analysis/analysis.hpp"
+#include "src/report/report.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/study/study_child.hpp"

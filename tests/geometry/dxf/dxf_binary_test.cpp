@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/dxf/dxf.hpp"
 #include "geometry/dxf/dxf_groups.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/dxf/dxf.hpp"
 #include "geometry/sketch/sketch.hpp"
 
 namespace abut::geometry {

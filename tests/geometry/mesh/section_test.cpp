@@ -8,6 +8,7 @@
 #include <random>
 
 #include "geometry/brep/part.hpp"
+#include "geometry/dxf/dxf.hpp"
 #include "tests/geometry/mesh/small_meshes.hpp"
 
 namespace abut::geometry {

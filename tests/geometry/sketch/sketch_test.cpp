@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "geometry/dxf/dxf.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/geometry/sketch/drawings.hpp"
 #include "tests/src/io/temporary_folder.hpp"

@@ -14,6 +14,7 @@
 #include "geometry/brep/overlap.hpp"
 #include "geometry/interfaces/cell_case.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/scene/read_sketch.hpp"
 
 namespace abut {

@@ -13,6 +13,7 @@
 #include "geometry/interfaces/common_grid.hpp"
 #include "src/contact/detect.hpp"
 #include "src/inspection/cell_sheet.hpp"
+#include "src/inspection/detect_pictures.hpp"
 #include "src/report/boxes_apart.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "src/analysis/analysis.hpp"
+#include "src/report/report.hpp"
 #include "tests/src/analysis/plate_scene.hpp"
 
 namespace abut {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/report/report.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

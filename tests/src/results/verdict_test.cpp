@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "src/report/report.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 #include "tests/verification/scene_answers.hpp"
 
