@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,6 +22,16 @@ const std::vector<std::string> layers{"geometry", "solver", "src", "apps"};
 /// What the files of a folder must not include from.
 const std::map<std::string, std::vector<std::string>> forbidden_layers{
     {"geometry", {"solver", "src", "apps"}}, {"solver", {"geometry", "src", "apps"}}, {"src", {"apps"}}, {"apps", {}}};
+
+/// The rooms of each floor in the order in which data flows: what is in a room may include from those before it. apps/ has
+/// none.
+const std::map<std::string, std::vector<std::string>> rooms{
+    {"geometry",
+     {"curves", "brep", "csg", "sketch", "dxf", "mesh", "cells", "quadrature", "proximity", "interfaces", "implicit"}},
+    {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
+    {"src",
+     {"io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "report", "inspection",
+      "verification", "study", "batch"}}};
 
 /// These compile slowly and need flags of their own.
 const std::vector<std::string> cgal_files{"geometry/csg/exact_regions.cpp"};
@@ -58,12 +69,32 @@ std::string layer_of(const std::string& path) {
     return path.substr(0, path.find('/'));
 }
 
+/// The second folder of a path: "brep" of "geometry/brep/part.hpp"; empty where there is none.
+std::string room_of(const std::string& path) {
+    const std::size_t first = path.find('/'), second = path.find('/', first + 1);
+    return second == std::string::npos ? "" : path.substr(first + 1, second - first - 1);
+}
+
+/// Its place in the order of its floor's rooms; their number where it is in none of them.
+std::ptrdiff_t place_of(const std::string& path) {
+    const auto floor = rooms.find(layer_of(path));
+    if (floor == rooms.end()) return 0;
+    return std::find(floor->second.begin(), floor->second.end(), room_of(path)) - floor->second.begin();
+}
+
+bool is_in_a_room(const std::string& path) {
+    const auto floor = rooms.find(layer_of(path));
+    return floor != rooms.end() && contains(floor->second, room_of(path));
+}
+
 /// Why this file must not include that; empty where it may.
 std::string fault(const std::string& file, const std::string& target) {
     if (target.find("..") != std::string::npos) return "includes are written from the source folder, without '..'";
     if (target.find('/') != std::string::npos && contains(forbidden_layers.at(layer_of(file)), layer_of(target))) {
         return layer_of(file) + "/ must not know " + layer_of(target) + "/";
     }
+    if (is_in_a_room(file) && layer_of(target) == layer_of(file) && place_of(target) > place_of(file))
+        return room_of(file) + "/ comes before " + room_of(target) + "/";
     if (layer_of(target) == "CGAL" || contains(cgal_files, target))
         return contains(cgal_files, file) ? "" : "CGAL belongs into its own few files";
     if (is_header(file) && std::regex_match(target, hidden_library)) return "this library stays out of headers";
@@ -106,6 +137,27 @@ TEST(Layers, NoFileIncludesWhatItMustNot) {
     }
 }
 
+/// And nothing that the order of rooms does not know: neither a folder more nor one less.
+TEST(Layers, EveryFileStandsInARoom) {
+    std::map<std::string, std::set<std::string>> found;
+    for (const std::string& file : source_files()) {
+        if (layer_of(file) == "apps") continue;
+        EXPECT_TRUE(is_in_a_room(file)) << file;
+        found[layer_of(file)].insert(room_of(file));
+    }
+    for (const auto& [floor, names] : rooms)
+        for (const std::string& room : names) EXPECT_TRUE(found[floor].contains(room)) << floor << "/" << room << " is empty";
+}
+
+TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
+    const fs::path tests = fs::path(ABUT_SOURCE_DIR) / "tests";
+    for (const auto& [floor, names] : rooms)
+        for (const fs::directory_entry& entry : fs::directory_iterator(tests / floor))
+            EXPECT_TRUE(entry.is_directory() ? contains(names, entry.path().filename().string())
+                                             : entry.path().filename() == "layers_test.cpp")
+                << entry.path();
+}
+
 TEST(Layers, TheCheckSeesTheFilesAndTheirIncludes) {
     const std::vector<std::string> files = source_files();
     for (const char* known : {"geometry/brep/part.hpp", "geometry/brep/part.cpp", "src/scene/scene.hpp", "apps/main.cpp"}) {
@@ -127,6 +179,10 @@ TEST(Layers, MadeUpBadFilesAreCaught) {
                                 {"solver/a.cpp", "#include \"geometry/curves/vec2.hpp\""},
                                 {"solver/a.cpp", "#include <src/scene/scene.hpp>"},
                                 {"solver/a.hpp", "#include \"apps/commands.hpp\""},
+                                {"geometry/curves/a.hpp", "#include \"geometry/brep/part.hpp\""},
+                                {"solver/splines/a.cpp", "#include \"solver/contact/interface.hpp\""},
+                                {"src/scene/a.cpp", "#include \"src/plan/loads.hpp\""},
+                                {"src/scene/a.cpp", "#include \"src/nowhere/loads.hpp\""},
                                 {"src/a.cpp", "#include \"apps/arguments.hpp\"  // why not"},
                                 {"src/a.cpp", "#include \"../apps/arguments.hpp\""},
                                 {"geometry/brep/part.cpp", "#include <CGAL/Polygon_2.h>"},
@@ -159,6 +215,10 @@ TEST(Layers, WhatIsAllowedPasses) {
                                  {"src/a.cpp", "#include <nlohmann/json.hpp>"},
                                  {"src/a.hpp", "#include \"geometry/brep/part.hpp\""},
                                  {"src/a.hpp", "#include \"src/io/json_document.hpp\""},
+                                 {"src/plan/a.cpp", "#include \"src/scene/scene.hpp\""},
+                                 {"src/plan/a.cpp", "#include \"src/plan/loads.hpp\""},
+                                 {"src/scene/a.cpp", "#include \"geometry/implicit/jet.hpp\""},
+                                 {"solver/beam/a.hpp", "#include \"solver/linear_algebra/blas.hpp\""},
                                  {"apps/a.cpp", "#include \"solver/space.hpp\""},
                                  {"geometry/a.cpp", "// #include \"src/scene/scene.hpp\""}};
     for (const Case& c : good) EXPECT_TRUE(faults_of(c.file, c.line).empty()) << c.file << " " << c.line;
