@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boundary curves. Every curve runs over the parameter t in [0, 1]; a new kind joins the variant and the functions below, and
-// nothing else in the house needs to know of it.
+// Boundary curves. Every curve runs over the parameter t in [0, 1]. A new kind joins the variant and the functions below, and
+// what asks for a kind by name (README.md beside this file).
 //
 // Lines and circles have closed forms for everything. Ellipses and splines answer by Newton iterations on the true curve,
 // started from pieces on which they are safe: the pieces monotone in x and in y (boxes, crossings, closest points), or the arc
