@@ -6,6 +6,7 @@
 #include <map>
 
 #include "solver/parts/rigid_body.hpp"
+#include "src/plan/boundary_conditions.hpp"
 
 namespace abut {
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "geometry/brep/input_error.hpp"
+#include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/true_errors.hpp"
 
