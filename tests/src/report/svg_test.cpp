@@ -10,8 +10,6 @@
 #include <sstream>
 
 #include "geometry/curves/spline_shape.hpp"
-#include "src/io/escape_xml.hpp"
-#include "src/io/number_text.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
 namespace abut {
@@ -115,26 +113,6 @@ TEST(Svg, SplinesAreDrawnAsArcsThroughTheirPoints) {
     }
 }
 
-TEST(Svg, NumbersAreShort) {
-    EXPECT_EQ(number_text(0.0115, 3), "0.0115");
-    EXPECT_EQ(number_text(120000, 2), "1.2e+05");
-    EXPECT_EQ(number_text(12345, 3), "12300");
-    EXPECT_EQ(number_text(132.40001, 4), "132.4");
-    EXPECT_EQ(number_text(9.9996, 4), "10");
-    EXPECT_EQ(number_text(99999.9, 4), "1e+05");
-    EXPECT_EQ(number_text(-0.0, 3), "0");
-    EXPECT_EQ(number_text(-2.5e-7, 3), "-2.5e-07");
-    EXPECT_EQ(number_text(0.1 + 0.2, 6), "0.3");
-    EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN(), 3), "n/a");
-}
-
-TEST(Svg, CoordinatesNeverUseExponents) {
-    EXPECT_EQ(coordinate_text(1234567.891), "1234567.89");
-    EXPECT_EQ(coordinate_text(-0.001), "0");
-    EXPECT_EQ(coordinate_text(0.5), "0.5");
-    EXPECT_EQ(coordinate_text(1e-9), "0");
-}
-
 TEST(Svg, TicksCoverTheRangeAtNiceSteps) {
     const std::vector<std::pair<double, double>> ranges{{0, 1},     {-3.3, 7.1},    {1e-9, 3e-9},
                                                         {0, 132.4}, {1e6, 1e6 + 3}, {-5, -1}};
@@ -158,12 +136,6 @@ TEST(Svg, TicksOfOneValueAndOfNonsense) {
     EXPECT_GE(nice_ticks(5, 5, 4).size(), 2u);
     EXPECT_GE(nice_ticks(0, 0, 4).size(), 2u);
     EXPECT_GE(nice_ticks(0, std::numeric_limits<double>::infinity(), 4).size(), 2u);
-}
-
-TEST(Svg, EscapesWhatXmlReserves) {
-    EXPECT_EQ(escape_xml("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;");
-    EXPECT_EQ(escape_xml(std::string("x\x01y")), "xy");
-    EXPECT_EQ(escape_xml("Ø 3 µm"), "Ø 3 µm");
 }
 
 /// Relative luminance of "#rrggbb", with the weights of Rec. 709 without its gamma.
