@@ -137,7 +137,7 @@ TEST(Layers, NoFileIncludesWhatItMustNot) {
     }
 }
 
-/// And nothing that the order of rooms does not know: neither a folder more nor one less.
+/// Neither a folder more than the order of rooms knows nor one less, each with its README.
 TEST(Layers, EveryFileStandsInARoom) {
     std::map<std::string, std::set<std::string>> found;
     for (const std::string& file : source_files()) {
@@ -146,7 +146,10 @@ TEST(Layers, EveryFileStandsInARoom) {
         found[layer_of(file)].insert(room_of(file));
     }
     for (const auto& [floor, names] : rooms)
-        for (const std::string& room : names) EXPECT_TRUE(found[floor].contains(room)) << floor << "/" << room << " is empty";
+        for (const std::string& room : names) {
+            EXPECT_TRUE(found[floor].contains(room)) << floor << "/" << room << " is empty";
+            EXPECT_FALSE(read(floor + "/" + room + "/README.md").empty()) << floor << "/" << room << " has no README.md";
+        }
 }
 
 TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
