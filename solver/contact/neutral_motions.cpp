@@ -233,16 +233,34 @@ void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance
         for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
 }
 
+namespace {
+
+/// Integrals of a part's functions times its free motions, (2n x motions): products with coefficients are mean products of
+/// displacements, on any grid. A rigid part's displacement is its motion on any measure.
+MatrixXd integrals_of_motions(const PartSystem& part) {
+    if (part.body) return part.modes;
+    MatrixXd integrals(part.modes.rows(), part.modes.cols());
+    for (Index k = 0; k < part.modes.cols(); ++k)
+        integrals.col(k) =
+            body_load(part.input, [&, k](const Vec2& x) { return part.free_motions[static_cast<std::size_t>(k)].at(x); });
+    return integrals;
+}
+
+}  // namespace
+
 void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     if (neutral.cols() == 0) return;
     MatrixXd gram = MatrixXd::Zero(neutral.cols(), neutral.cols());
     VectorXd rhs = VectorXd::Zero(neutral.cols());
-    std::vector<MatrixXd> motion;
+    std::vector<MatrixXd> motion(problem.parts.size());
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        motion.push_back(problem.parts[i].modes * neutral.middleRows(offset[i], offset[i + 1] - offset[i]));
-        gram += motion.back().transpose() * motion.back();
-        rhs -= motion.back().transpose() * solution.displacement[i];
+        const auto own = neutral.middleRows(offset[i], offset[i + 1] - offset[i]);
+        motion[i] = problem.parts[i].modes * own;
+        if (own.isZero(0)) continue;
+        const MatrixXd integrals = integrals_of_motions(problem.parts[i]) * own;
+        gram += integrals.transpose() * motion[i];
+        rhs -= integrals.transpose() * solution.displacement[i];
     }
     const VectorXd amplitude = gram.ldlt().solve(rhs);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;

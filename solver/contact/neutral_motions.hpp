@@ -33,7 +33,7 @@ std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const
 void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& neutral,
                                 const Eigen::VectorXd& mode_load, double load_scale, AssemblySolution& solution);
 
-/// The neutral motions' amplitudes that make the displacement least (in the coefficients).
+/// The neutral motions' amplitudes that make the displacement least, in the mean square over the parts.
 void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, AssemblySolution& solution);
 
 }  // namespace abut::solver

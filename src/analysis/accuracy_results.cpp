@@ -39,7 +39,7 @@ struct DoubtfulPeaks {
 void fill_contact(const ContactError& e, const std::optional<double>& energy, std::size_t k, ContactResult& c,
                   DoubtfulPeaks& peaks) {
     c.error_estimate = e.pressure;
-    c.errors = ContactErrors{e.pressure, e.peak, force_error(e, energy), e.at_corner};
+    c.errors = ContactErrors{e.pressure, e.peak, force_error(e, energy), e.length, e.at_corner};
     const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,
@@ -148,6 +148,34 @@ void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
         }
     if (!findings.empty()) result.accuracy.reached = false;
     tell(std::move(findings), "missed contact", result);
+}
+
+void fill_displacement_errors(const Outcome& out, Result& result) {
+    const ErrorEstimate& error = out.errors.back();
+    if (!error.energy) return;
+    const double energy = *error.energy;
+    double largest = 0;
+    for (const PartResult& p : result.parts) largest = std::max(largest, p.max_displacement.value);
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
+        PartResult& p = result.parts[static_cast<std::size_t>(out.solved.grids[k].part)];
+        if (p.max_displacement.value == 0) continue;
+        double own = energy * largest / p.max_displacement.value;
+        if (out.solved.problem.parts[k].free_motions.empty()) {
+            own = error.own_energy[k];
+            for (const ContactResult& c : result.contacts)
+                if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name)) own = std::max(own, c.errors->force);
+        }
+        p.max_displacement_error = std::min(1.0, own);
+    }
+    if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;
+    const std::string known = percent(std::min(1.0, energy));
+    tell({{energy, "",
+           "displacements and the strain energy are uncertain by " + known +
+               ": cells are too large where the stress has no limit (re-entrant corners, ends of supports); round the corners, "
+               "ask "
+               "for smaller cells there (accuracy.refine), or take the next accuracy",
+           "displacements known to " + known}},
+         "displacement", result);
 }
 
 void warn_of_largest_stress(Result& result) {

@@ -13,6 +13,12 @@ void fill_errors(const Outcome& out, Result& result);
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
 void fill_missed(const Scene& scene, const Outcome& out, Result& result);
 
+/// Estimated errors of the largest displacements. Forces given, the energy is half of what they work, and displacements err
+/// like it: those of parts with supports of their own like the part's energy, or the forces on it; of others by as much in
+/// absolute terms as the largest of all. Warns where contact pressures reached a target that the energy did not. Call with the
+/// parts filled in.
+void fill_displacement_errors(const Outcome& out, Result& result);
+
 /// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
 void warn_of_largest_stress(Result& result);
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "solver/linear_algebra/blas_threads.hpp"
@@ -16,6 +17,7 @@
 #include "src/analysis/next_grids.hpp"
 #include "src/analysis/part_groups.hpp"
 #include "src/analysis/placement.hpp"
+#include "src/analysis/singular_errors.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/analysis/stress_raisers.hpp"
 #include "src/io/number_text.hpp"
@@ -60,6 +62,14 @@ std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatch
     std::vector<Candidate> candidates = find_candidates(scene, factor);
     seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return candidates;
+}
+
+/// energy: of each part, as shares of what it stores.
+std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
+    for (std::size_t k = 0; k < energy.size(); ++k)
+        if (const double own = strain_energy(solved.problem.parts[k], solved.solution.displacement[k]); own > 0)
+            energy[k] /= own;
+    return energy;
 }
 
 class Path {
@@ -180,7 +190,13 @@ private:
         const auto begin = std::chrono::steady_clock::now();
         out_.stress = stress_fields(now, threads_);
         ErrorEstimate& error = out_.errors.back();
-        error.energy = error.smoothing = energy_error(now, out_.stress, threads_);
+        if (std::optional<std::vector<double>> missed = energy_errors(now, out_.stress, threads_)) {
+            const double energy = energy_of(now);
+            error.smoothing = std::accumulate(missed->begin(), missed->end(), 0.0) / energy;
+            for (const SingularError& e : singular_errors(scene_, conditions_, now)) (*missed)[e.grid] += e.energy;
+            error.energy = std::accumulate(missed->begin(), missed->end(), 0.0) / energy;
+            error.own_energy = of_own_energy(now, std::move(*missed));
+        }
         const std::size_t n = out_.errors.size();
         if (error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
             error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
@@ -345,6 +361,7 @@ private:
         }
         const ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
+        add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
         move_seams(scene_, now, out_.candidates);
         if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
         expect_ends(scene_, now, runs, out_.candidates);

@@ -108,6 +108,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
     warn_of_largest_stress(result);
+    fill_displacement_errors(out, result);
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);

@@ -20,7 +20,7 @@ struct ContactError {
     double pressure = 0;          ///< L2 over the contact:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double change = 0;            ///< of the rest, from the grids before
-    double peak = 0, force = 0;
+    double peak = 0, force = 0, length = 0;
     double share = 1;          ///< of the strongest contact's pressure (L2)
     double share_of_peak = 1;  ///< of the largest pressure of all contacts
     bool at_corner = false;    ///< the largest pressure stands at a corner, where it may have no limit
@@ -34,6 +34,7 @@ struct ErrorEstimate {
     std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
+    std::vector<double> own_energy{};                   ///< by solved grid: the strain energy's, of that part's own
     std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
 };
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/stress.hpp"
+#include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/discretization/grid_design.hpp"
 
@@ -14,94 +14,10 @@ namespace abut {
 
 namespace {
 
-constexpr double sharp_turn = 0.1;       // radians, as for the cells at re-entrant corners (grid_design)
 constexpr double cells_from_corner = 2;  // a largest stress no farther from a corner is the corner's
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
-}
-
-/// A vertex of a part: where an edge ends and the next one begins.
-struct Vertex {
-    int edge, next;
-    Vec2 at;
-    double turn;  ///< to the left; re-entrant: negative
-};
-
-std::vector<Vertex> vertices(const geometry::Part& part) {
-    std::vector<Vertex> all;
-    for (const geometry::Loop& loop : part.loops)
-        for (std::size_t i = 0; i < loop.edges.size(); ++i) {
-            const int edge = loop.edges[i], next = loop.edges[(i + 1) % loop.edges.size()];
-            const Vec2 from = unit_tangent(part.edges[at(edge)].curve, 1), to = unit_tangent(part.edges[at(next)].curve, 0);
-            all.push_back(
-                {edge, next, point(part.edges[at(edge)].curve, 1), std::atan2(geometry::cross(from, to), from.dot(to))});
-        }
-    return all;
-}
-
-/// Holds both components where it holds one?
-bool is_clamp(const Support& support) {
-    return (support.kind == Support::Kind::fix || support.kind == Support::Kind::displacement) && support.x && support.y;
-}
-
-/// Stress has a limit where a support ends at a corner of at most a right angle and the part slides along it (there the support
-/// is a plane of symmetry of a smooth boundary), and where another support goes on; else it has none.
-void append_support_ends(const Scene& scene, const ResolvedConditions& conditions, int part, std::vector<Vec2>& places) {
-    struct End {
-        Vec2 at;
-        bool is_limited;
-        int portions;
-    };
-    const geometry::Part& shape = scene.parts[at(part)].part;
-    const double merge = merge_length(shape);
-    const std::vector<Vertex> corners = vertices(shape);
-    std::vector<End> ends;
-    for (std::size_t s = 0; s < conditions.supports.size(); ++s) {
-        if (scene.supports[s].kind == Support::Kind::spring) continue;
-        for (const EdgePortion& portion : conditions.supports[s]) {
-            if (portion.part != part) continue;
-            for (double t : {portion.t0, portion.t1}) {
-                const Vec2 place = point(shape.edges[at(portion.edge)].curve, t);
-                const auto is_here = [&](const auto& other) { return (other.at - place).norm() <= merge; };
-                const auto vertex = std::find_if(corners.begin(), corners.end(), is_here);
-                const double right_angle = 0.5 * std::numbers::pi - 1e-3;
-                const bool is_limited = !is_clamp(scene.supports[s]) && vertex != corners.end() && vertex->turn >= right_angle;
-                const auto known = std::find_if(ends.begin(), ends.end(), is_here);
-                if (known == ends.end())
-                    ends.push_back({place, is_limited, 1});
-                else
-                    ++known->portions;
-            }
-        }
-    }
-    for (const End& end : ends)
-        if (!end.is_limited && end.portions == 1) places.push_back(end.at);
-}
-
-/// Where stress of a part has no limit, in assembly coordinates.
-std::vector<Vec2> places_without_limit(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
-                                       int part) {
-    std::vector<Vec2> places;
-    for (const Vertex& v : vertices(scene.parts[at(part)].part))
-        if (v.turn < -sharp_turn) places.push_back(v.at);
-    append_support_ends(scene, conditions, part, places);
-    for (const Support& s : scene.supports)
-        if (s.kind == Support::Kind::points && s.part == scene.parts[at(part)].name)
-            places.insert(places.end(), s.at.begin(), s.at.end());
-    for (std::size_t k = 0; k < solved.runs.size(); ++k) {
-        const ContactInterface& contact = solved.contacts[k];
-        for (int side : {0, 1}) {
-            if (contact.part[at(side)] != part) continue;
-            for (const ContactRun& run : solved.runs[k])
-                for (const auto& [end, s] : {std::pair(run.at_begin, run.begin), std::pair(run.at_end, run.end)}) {
-                    if (end.kind != RunEnd::Kind::corner) continue;
-                    const geometry::FacingPair pair = pair_at(scene, contact, s);
-                    places.push_back(side == 0 ? pair.on1.x : pair.on2.x);
-                }
-        }
-    }
-    return places;
 }
 
 /// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
@@ -147,9 +63,9 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     const int cell = grid.elements.cell_of(found.element);
     const auto i = at(lines.column_of(cell)), j = at(lines.row_of(cell));
     result.cell = std::max(lines.x[i + 1] - lines.x[i], lines.y[j + 1] - lines.y[j]);
-    const auto places = places_without_limit(scene, conditions, solved, grid.part);
-    result.at_corner = std::any_of(places.begin(), places.end(), [&](const Vec2& p) {
-        return (p - result.von_mises.at).norm() <= cells_from_corner * result.cell;
+    const auto places = singular_places(scene, conditions, solved, grid.part);
+    result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
+        return (p.at - result.von_mises.at).norm() <= cells_from_corner * result.cell;
     });
     result.smoothing = smoothing_around(grid, displacement, stress, found.element, found.local);
     if (result.at_corner) return result;

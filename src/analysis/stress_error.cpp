@@ -119,6 +119,19 @@ double restrained_energy(const SolvedAssembly& solved) {
 
 }  // namespace
 
+double strain_energy(const solver::PartInput& input, const solver::StressOf& stress, const solver::CellRule& cell) {
+    const solver::StressOf::OnElement in_plane(stress, cell.element);
+    double twice = 0;
+    for (std::size_t q = 0; q < cell.points.size(); ++q) {
+        const Eigen::Vector3d s = in_plane(cell.points[q]);
+        twice +=
+            cell.weights[q] *
+            (input.axis ? twice_density_of_ring(input.elasticity, {s[0], s[1], s[2], stress.zz(cell.element, cell.points[q])})
+                        : twice_density(input.elasticity, s));
+    }
+    return 0.5 * input.thickness * twice;
+}
+
 std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
                                    const solver::StressField& smoothed) {
     const solver::StressOf raw(input, displacement);
@@ -146,7 +159,8 @@ std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int
     return fields;
 }
 
-std::optional<double> energy_error(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, int threads) {
+std::optional<std::vector<double>> energy_errors(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
+                                                 int threads) {
     const double energy = energy_of(solved);
     if (!(energy > 0) || energy <= energy_rounding * restrained_energy(solved)) return std::nullopt;
     const auto has_failed = [](const solver::StressField& s) { return !s.failure.empty(); };
@@ -156,9 +170,9 @@ std::optional<double> energy_error(const SolvedAssembly& solved, const std::vect
         const auto k = static_cast<std::size_t>(i);
         if (solved.grids[k].is_rigid) return;
         const std::vector<double> errors = element_errors(solved.grids[k].input, solved.solution.displacement[k], stress[k]);
-        error[k] = std::accumulate(errors.begin(), errors.end(), 0.0);
+        error[k] = std::max(0.0, std::accumulate(errors.begin(), errors.end(), 0.0));
     });
-    return std::max(0.0, std::accumulate(error.begin(), error.end(), 0.0)) / energy;
+    return error;
 }
 
 }  // namespace abut

@@ -59,10 +59,12 @@ struct PartResult {
     bool solved = true;  ///< false: carries nothing and was not analysed
     bool rigid = false;  ///< moves as one body: no unknowns, no stress
     ValueAt max_displacement, max_von_mises;
-    std::optional<double> max_von_mises_error;  ///< estimated, relative; unset where there is none
-    bool max_von_mises_at_corner = false;       ///< it stands where stress has no limit (src/analysis/largest_stress.hpp)
-    double grid_angle = 0;                      ///< radians
-    std::vector<double> grid_x, grid_y;         ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    std::optional<double> max_displacement_error;  ///< estimated, relative; unset where there is none
+    std::optional<double> max_von_mises_error;     ///< estimated, relative; unset where there is none
+    bool max_von_mises_at_corner =
+        false;              ///< it stands where stress has no limit (src/analysis/largest_stress.hpp): no maximum at all
+    double grid_angle = 0;  ///< radians
+    std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
     CutQuality quality;
 };
@@ -95,7 +97,7 @@ struct ContactProfile {
 /// Estimated, relative to the contact's own values (src/analysis/error_estimate.hpp).
 struct ContactErrors {
     double pressure = 0;  ///< L2 over the contact
-    double peak = 0, force = 0;
+    double peak = 0, force = 0, length = 0;
     bool at_corner = false;  ///< the largest pressure stands at a sharp corner, where it may have no limit: no peak at all
 };
 

@@ -79,13 +79,19 @@ Json largest_stress(const PartResult& p) {
     return j;
 }
 
+Json largest_displacement(const PartResult& p) {
+    Json j = value_at(p.max_displacement);
+    j["error"] = number(p.max_displacement_error);
+    return j;
+}
+
 Json part(const PartResult& p) {
     return {{"name", p.name},
             {"area", number(p.area)},
             {"unknowns", p.unknowns},
             {"solved", p.solved},
             {"rigid", p.rigid},
-            {"max_displacement", value_at(p.max_displacement)},
+            {"max_displacement", largest_displacement(p)},
             {"max_von_mises", largest_stress(p)},
             {"cells", cells_of(p)},
             {"self_check", self_check_of(p)}};
@@ -100,8 +106,11 @@ Json profile(const ContactProfile& p) {
 
 Json errors(const std::optional<ContactErrors>& e) {
     if (!e) return nullptr;
-    return {
-        {"pressure", number(e->pressure)}, {"peak", number(e->peak)}, {"force", number(e->force)}, {"at_corner", e->at_corner}};
+    return {{"pressure", number(e->pressure)},
+            {"peak", number(e->peak)},
+            {"force", number(e->force)},
+            {"length", number(e->length)},
+            {"at_corner", e->at_corner}};
 }
 
 Json contact(const ContactResult& c) {

@@ -37,6 +37,8 @@ constexpr double reference_target = 0.0004;
 /// Forces that statics determine are exact, and say so: no matter of estimates.
 constexpr double least_truth = 1e-7;
 constexpr double too_low = 2;
+/// Forces below this fraction of peak times length cancel all around a part: their sum is rounding.
+constexpr double cancels = 1e-3;
 
 std::optional<double> optional_number(const Json& j, const std::string& key) {
     if (!j.is_object() || !j.contains(key) || !j[key].is_number()) return std::nullopt;
@@ -62,7 +64,9 @@ Values values_of(const Result& result) {
         if (c["status"] == "open" || zones[pair_name(c["parts"])] > 1) continue;
         const Json& e = c["errors"];
         const auto force = c["force"].get<std::array<double, 2>>();
-        v.of["force" + name] = {std::hypot(force[0], force[1]), optional_number(e, "force")};
+        const double resultant = std::hypot(force[0], force[1]);
+        if (resultant > cancels * c["max_pressure"]["value"].get<double>() * c["contact_length"].get<double>())
+            v.of["force" + name] = {resultant, optional_number(e, "force")};
         v.of["length" + name] = {c["contact_length"].get<double>(), optional_number(e, "length")};
         if (!e.is_object() || !e["at_corner"].get<bool>())
             v.of["peak" + name] = {c["max_pressure"]["value"].get<double>(), optional_number(e, "peak")};

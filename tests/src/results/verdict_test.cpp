@@ -82,7 +82,7 @@ TEST(Impossible, NumbersThatAreNotFiniteAreNamedWhereverTheyAre) {
         {[&](Result& r) { r.contacts[0].force.x() = nan; }, "contact 1"},
         {[&](Result& r) { r.contacts[0].profile.pressure[5] = -infinity; }, "contact 1"},
         {[&](Result& r) {
-             r.contacts[0].errors = ContactErrors{0.01, nan, 0.01, false};
+             r.contacts[0].errors = ContactErrors{0.01, nan, 0.01, 0.01, false};
          },
          "contact 1"},
         {[&](Result& r) { r.reactions[1].moment = nan; }, "the reaction of fix x on bracket/left"},

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a grid misses where the stress has no limit. Near such a place the exact strain energy within a distance r grows with a
+// power of r, 1 to 1.5 (Williams, J. Appl. Mech. 19, 1952), and splines miss a fixed fraction of what lies within a cell's
+// size: contact pressures far away do not show it, displacements do.
+#pragma once
+#include <vector>
+
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+struct SingularError {
+    std::size_t grid;  ///< index into SolvedAssembly::grids
+    Vec2 at;           ///< assembly coordinates
+    bool is_of_contact;
+    double cell;    ///< size of the cell there
+    double energy;  ///< strain energy that is missed
+};
+
+/// Of all parts that are not rigid. Cost: the stress at the quadrature points of some ten cells a place.
+std::vector<SingularError> singular_errors(const Scene& scene, const ResolvedConditions& conditions,
+                                           const SolvedAssembly& solved);
+
+/// Cells at these places that miss no more than the fraction `target` of the strain energy, of all of them together; added
+/// where the present ones miss more, but for ends of contact, whose cells follow the pressure.
+void add_singular_cells(const SolvedAssembly& solved, const std::vector<SingularError>& errors, double target,
+                        WantedSizes& wanted);
+
+}  // namespace abut

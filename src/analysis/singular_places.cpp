@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/singular_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace abut {
+
+namespace {
+
+constexpr double sharp_turn = 0.1;  // radians, as for the cells at re-entrant corners (grid_design)
+/// Missed share at a slit, which splines tie together where it is narrower than a cell, and where a support ends on a straight
+/// edge. Both fall with the square of how much more than half a turn the material takes (of the support: with its mirror
+/// image), measured on notches of 135, 90, 45 and 10 degrees, an L and half supported blocks, cells of a tenth to a fortieth,
+/// turned by 0 to 45 degrees: 0.02 to 0.04, 0.1 to 0.4, 0.3 to 1.4, 0.6 to 2.8; at supports 0.3 to 1.1. Of a clamp at a
+/// corner 0.006 to 0.016; where contact ends at a corner 0.03 (blocks on blocks) to 0.6 (punches).
+constexpr double missed_at_slit = 1.5, missed_at_support = 0.6, missed_at_clamp = 0.012, missed_at_contact = 0.1;
+
+std::size_t at(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// A vertex of a part: where an edge ends and the next one begins.
+struct Vertex {
+    int edge, next;
+    Vec2 at;
+    double turn;  ///< to the left; re-entrant: negative
+};
+
+std::vector<Vertex> vertices(const geometry::Part& part) {
+    std::vector<Vertex> all;
+    for (const geometry::Loop& loop : part.loops)
+        for (std::size_t i = 0; i < loop.edges.size(); ++i) {
+            const int edge = loop.edges[i], next = loop.edges[(i + 1) % loop.edges.size()];
+            const Vec2 from = unit_tangent(part.edges[at(edge)].curve, 1), to = unit_tangent(part.edges[at(next)].curve, 0);
+            all.push_back(
+                {edge, next, point(part.edges[at(edge)].curve, 1), std::atan2(geometry::cross(from, to), from.dot(to))});
+        }
+    return all;
+}
+
+double at_corner(double turn) {
+    return missed_at_slit * std::pow(turn / std::numbers::pi, 2);
+}
+
+/// turn: of the boundary where the support ends.
+double at_support_end(double turn) {
+    return std::max(missed_at_clamp, missed_at_support * std::pow(std::max(0.0, 1 - 2 * turn / std::numbers::pi), 2));
+}
+
+/// Holds both components where it holds one?
+bool is_clamp(const Support& support) {
+    return (support.kind == Support::Kind::fix || support.kind == Support::Kind::displacement) && support.x && support.y;
+}
+
+/// Stress has a limit where a support ends at a corner of at most a right angle and the part slides along it (there the support
+/// is a plane of symmetry of a smooth boundary), and where another support goes on; else it has none.
+void append_support_ends(const Scene& scene, const ResolvedConditions& conditions, int part,
+                         std::vector<SingularPlace>& places) {
+    struct End {
+        Vec2 at;
+        bool is_limited;
+        int portions;
+        double turn;
+    };
+    const geometry::Part& shape = scene.parts[at(part)].part;
+    const double merge = merge_length(shape);
+    const std::vector<Vertex> corners = vertices(shape);
+    std::vector<End> ends;
+    for (std::size_t s = 0; s < conditions.supports.size(); ++s) {
+        if (scene.supports[s].kind == Support::Kind::spring) continue;
+        for (const EdgePortion& portion : conditions.supports[s]) {
+            if (portion.part != part) continue;
+            for (double t : {portion.t0, portion.t1}) {
+                const Vec2 place = point(shape.edges[at(portion.edge)].curve, t);
+                const auto is_here = [&](const auto& other) { return (other.at - place).norm() <= merge; };
+                const auto vertex = std::find_if(corners.begin(), corners.end(), is_here);
+                const double right_angle = 0.5 * std::numbers::pi - 1e-3;
+                const bool is_limited = !is_clamp(scene.supports[s]) && vertex != corners.end() && vertex->turn >= right_angle;
+                const auto known = std::find_if(ends.begin(), ends.end(), is_here);
+                if (known == ends.end())
+                    ends.push_back({place, is_limited, 1, vertex == corners.end() ? 0 : vertex->turn});
+                else
+                    ++known->portions;
+            }
+        }
+    }
+    for (const End& end : ends)
+        if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn)});
+}
+
+}  // namespace
+
+std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
+                                           const SolvedAssembly& solved, int part) {
+    std::vector<SingularPlace> places;
+    for (const Vertex& v : vertices(scene.parts[at(part)].part))
+        if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn)});
+    append_support_ends(scene, conditions, part, places);
+    for (const Support& s : scene.supports)
+        if (s.kind == Support::Kind::points && s.part == scene.parts[at(part)].name)
+            for (const Vec2& held : s.at) places.push_back({held, 0});
+    for (std::size_t k = 0; k < solved.runs.size(); ++k) {
+        const ContactInterface& contact = solved.contacts[k];
+        for (int side : {0, 1}) {
+            if (contact.part[at(side)] != part) continue;
+            for (const ContactRun& run : solved.runs[k])
+                for (const auto& [end, s] : {std::pair(run.at_begin, run.begin), std::pair(run.at_end, run.end)}) {
+                    if (end.kind != RunEnd::Kind::corner) continue;
+                    const geometry::FacingPair pair = pair_at(scene, contact, s);
+                    places.push_back({side == 0 ? pair.on1.x : pair.on2.x, missed_at_contact, true});
+                }
+        }
+    }
+    return places;
+}
+
+}  // namespace abut

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the stress of a part has no limit: re-entrant corners, ends of supports, held points, ends of contact at corners.
+#pragma once
+#include <vector>
+
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+struct SingularPlace {
+    Vec2 at;              ///< assembly coordinates
+    double missed_share;  ///< what splines miss of the strain energy in the cells within a cell's size; 0 where not known
+    bool is_of_contact = false;
+};
+
+/// Of one part of the scene.
+std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
+                                           const SolvedAssembly& solved, int part);
+
+}  // namespace abut
