@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/analysis/missed_contacts.hpp"
+#include "src/analysis/static_forces.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
@@ -22,13 +23,19 @@ std::string percent(double fraction) {
     return number_text(100 * fraction, 2) + " %";
 }
 
-/// A force that statics alone give has no error. Others err like the energy, whose error a change from grid to grid can miss;
-/// but where the change is a small part of it, statics give nearly all of the force. What the change says, and the energy, over
-/// the true error: vise 0.14 to 0.7 and 0.25 to 1.8, the beam's four pins 0.06 to 4 and 0.2 to 11 (below 1e-4 of the force), a
-/// cylinder on a block 2 to 12 and 40 to 160 (2e-6 of the force).
-double force_error(const ContactError& contact, const std::optional<double>& energy) {
-    constexpr double most_missed = 16;  // by the share of the change: 1 over the least of these
-    return std::clamp(energy.value_or(0), contact.force, most_missed * contact.force);
+/// A force that statics alone give errs by what its change from grid to grid shows, which the energy bounds: a cylinder on a
+/// block 2 to 12 times what the change says, 2e-6 of the force. Others err like the energy, in absolute terms of the largest on
+/// the same parts: those that share the loads with much larger ones by more, however little they change.
+double force_error(const ErrorEstimate& error, const Result& result, std::size_t contact, bool is_static) {
+    constexpr double most_missed = 16;
+    const double change = error.contacts[contact]->force, energy = error.energy.value_or(0);
+    if (is_static) return std::clamp(energy, change, most_missed * change);
+    const ContactResult& own = result.contacts[contact];
+    double largest = 0;
+    for (const ContactResult& c : result.contacts)
+        if (c.part[0] == own.part[0] || c.part[0] == own.part[1] || c.part[1] == own.part[0] || c.part[1] == own.part[1])
+            largest = std::max(largest, c.force.norm());
+    return std::max(change, std::min(1.0, own.force.norm() > 0 ? energy * largest / own.force.norm() : energy));
 }
 
 /// What is to be said of largest pressures.
@@ -36,10 +43,10 @@ struct DoubtfulPeaks {
     std::vector<Finding> at_corner, uncertain;
 };
 
-void fill_contact(const ContactError& e, const std::optional<double>& energy, std::size_t k, ContactResult& c,
-                  DoubtfulPeaks& peaks) {
+void fill_contact(const ContactError& e, double of_force, std::size_t k, ContactResult& c, DoubtfulPeaks& peaks) {
     c.error_estimate = e.pressure;
-    c.errors = ContactErrors{e.pressure, e.peak, force_error(e, energy), e.length, e.at_corner};
+    c.errors =
+        ContactErrors{e.pressure, std::max(e.peak, 0.5 * of_force), of_force, std::max(e.length, 0.5 * of_force), e.at_corner};
     const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,
@@ -125,8 +132,10 @@ void fill_errors(const Outcome& out, Result& result) {
     result.error_estimate.contact_pressure = error.contact_pressure;
     result.error_estimate.stress = error.stress;
     DoubtfulPeaks peaks;
+    const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
-        if (error.contacts[k]) fill_contact(*error.contacts[k], error.energy, k, result.contacts[k], peaks);
+        if (error.contacts[k])
+            fill_contact(*error.contacts[k], force_error(error, result, k, is_static[k]), k, result.contacts[k], peaks);
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();
     tell(std::move(peaks.at_corner), "corner", result);

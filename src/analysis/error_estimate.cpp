@@ -18,10 +18,10 @@ constexpr double missing_of_peak = 0.75;
 /// to a ninth, the error not at all).
 constexpr double most_fall = 0.25;
 constexpr double same_cells = 0.95;  // ratio of knot spacings above which they are no finer
-/// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.2 of it, and the contact's length by
+/// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
 /// 0.1 to 0.6 (150 contacts of generated assemblies, seeds 1 and 2): of use where the change from the grid before is small by
 /// chance.
-constexpr double ends_in_peak = 0.2, ends_in_length = 0.6;
+constexpr double ends_in_peak = 0.3, ends_in_length = 0.6;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
 

@@ -106,7 +106,7 @@ std::vector<Change> changes_of(std::uint64_t seed) {
     return {{"turned", turn}, {"mirrored", 0, true}, {"reordered", 0, false, 1, seed}, {"in metres", 0, false, 1000}};
 }
 
-std::vector<std::string> faults_of_assembly(const std::string& text, const std::vector<Change>& changes) {
+std::vector<std::string> faults_of_assembly(const std::string& text, const std::vector<Change>& changes, double balanced) {
     std::vector<std::string> lines;
     std::optional<Answer> drawn;
     const auto run = [&](const Change& change) {
@@ -114,7 +114,7 @@ std::vector<std::string> faults_of_assembly(const std::string& text, const std::
         Answer answer = answer_of(scene);
         const std::string name = change.name.empty() ? "drawn" : change.name;
         if (!answer.refused)
-            for (const std::string& fault : faults_of(scene, answer.result)) lines.push_back(name + ": " + fault);
+            for (const std::string& fault : faults_of(scene, answer.result, balanced)) lines.push_back(name + ": " + fault);
         if (drawn)
             for (const std::string& line : differences(*drawn, answer, change)) lines.push_back(name + ": " + line);
         return answer;

@@ -14,7 +14,9 @@ namespace abut::test {
 std::vector<std::string> differences(const Answer& drawn, const Answer& other, const Change& change);
 
 /// Everything that is wrong with an assembly: of the answer as drawn, and of all changes; each line begins with the change.
-std::vector<std::string> faults_of_assembly(const std::string& scene, const std::vector<Change>& changes);
+/// balanced: as faults_of has it.
+std::vector<std::string> faults_of_assembly(const std::string& scene, const std::vector<Change>& changes,
+                                            double balanced = 1e-9);
 
 /// Turned, mirrored, in another order, in metres; by the seed.
 std::vector<Change> changes_of(std::uint64_t seed);

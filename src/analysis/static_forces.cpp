@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/static_forces.hpp"
+
+#include <Eigen/SVD>
+
+#include "geometry/curves/vec2.hpp"
+#include "src/solution/contact_measures.hpp"
+
+namespace abut {
+
+namespace {
+
+using Eigen::Index;
+
+/// Singular values below this fraction of the largest one, and components of null vectors: zero.
+constexpr double rounding = 1e-6;
+
+struct Line {
+    std::size_t contact;
+    ContactForce unit;  ///< on the first part, of magnitude 1
+};
+
+/// What a unit force works in a part's free motion, lengths over the part's size.
+double work(const ContactForce& unit, const PartOnGrid& g, const solver::RigidMotion& motion) {
+    const Vec2 translation = g.frame.vector_to_global(motion.translation), center = g.frame.to_global(motion.center);
+    return unit.force.dot(translation) + motion.rotation * (unit.moment - geometry::cross(center, unit.force));
+}
+
+}  // namespace
+
+std::vector<char> given_by_statics(const SolvedAssembly& solved) {
+    std::vector<Line> lines;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        if (solved.interface_of[k] < 0) continue;
+        ContactForce f = contact_force(solved, k);
+        const double size = f.force.norm();
+        if (!(size > 0)) continue;
+        f.force /= size;
+        f.moment /= size;
+        lines.push_back({k, f});
+    }
+    std::vector<char> given(solved.contacts.size(), 0);
+    Index equations = 0;
+    for (const solver::PartSystem& part : solved.problem.parts) equations += static_cast<Index>(part.free_motions.size());
+    if (lines.empty() || equations == 0) return given;
+    Eigen::MatrixXd balance = Eigen::MatrixXd::Zero(equations, static_cast<Index>(lines.size()));
+    Index row = 0;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+        for (const solver::RigidMotion& motion : solved.problem.parts[i].free_motions) {
+            for (std::size_t j = 0; j < lines.size(); ++j)
+                for (int side : {0, 1})
+                    if (solved.contacts[lines[j].contact].face.part[static_cast<std::size_t>(side)] == static_cast<int>(i))
+                        balance(row, static_cast<Index>(j)) +=
+                            (side == 0 ? 1 : -1) * work(lines[j].unit, solved.grids[i], motion);
+            ++row;
+        }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(balance, Eigen::ComputeFullV);
+    Index rank = 0;
+    while (rank < svd.singularValues().size() && svd.singularValues()[rank] > rounding * svd.singularValues()[0]) ++rank;
+    const auto null = svd.matrixV().rightCols(balance.cols() - rank);
+    for (std::size_t j = 0; j < lines.size(); ++j)
+        given[lines[j].contact] = null.cols() == 0 || null.row(static_cast<Index>(j)).norm() < rounding;
+    return given;
+}
+
+}  // namespace abut

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact forces that equilibrium alone gives: they know nothing of how parts yield, and err by what their lines of action do.
+#pragma once
+#include <vector>
+
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// By contact: do its magnitude and those of all others on the same free parts follow from statics, with the lines of action as
+/// they were found? False where there is no force.
+std::vector<char> given_by_statics(const SolvedAssembly& solved);
+
+}  // namespace abut
