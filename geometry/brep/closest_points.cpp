@@ -16,9 +16,9 @@ namespace {
 /// Differences below this fraction of the size do not make another pair the closer one: equal distances come out in any order.
 constexpr double rounding_fraction = 1e-14;
 
-class Nearest {
+class ClosestPair {
 public:
-    Nearest(const Curve& curve1, const Curve& curve2) : curve1_(&curve1), curve2_(&curve2) {
+    ClosestPair(const Curve& curve1, const Curve& curve2) : curve1_(&curve1), curve2_(&curve2) {
         best_.distance = std::numeric_limits<double>::infinity();
     }
     /// Takes the pair if it is closer than the best one by more than `lead`.
@@ -84,15 +84,15 @@ ParameterPair downhill(const Curve& curve1, const Curve& curve2, ParameterPair t
 
 /// Where at least one curve is an ellipse or a spline. A pair of parallel normals is taken even where a rounding makes another
 /// one closer: along the curves, points of equal distance to rounding lie far apart.
-void try_arcs(const Curve& curve1, const Curve& curve2, double rounding, Nearest& nearest) {
-    Nearest ends = nearest;
+void try_arcs(const Curve& curve1, const Curve& curve2, double rounding, ClosestPair& nearest) {
+    ClosestPair ends = nearest;
     for (const double end : {0.0, 1.0}) {
         ends.try_first(end);
         ends.try_second(end);
     }
     for (const ArcPair& pair : close_arcs(curve1, curve2, ends.best().distance)) {
         const ParameterPair start = downhill(curve1, curve2, pair.t);
-        Nearest here(curve1, curve2);
+        ClosestPair here(curve1, curve2);
         here.try_pair(start.a, start.b);
         if (const auto t = polished_crossing(curve1, curve2, start)) here.try_pair(t->a, t->b, rounding);
         if (const auto t = polished_parallel(curve1, curve2, start)) here.try_pair(t->a, t->b, -rounding);
@@ -104,7 +104,7 @@ void try_arcs(const Curve& curve1, const Curve& curve2, double rounding, Nearest
 }  // namespace
 
 ClosestPoints closest_points(const Curve& curve1, const Curve& curve2) {
-    Nearest nearest(curve1, curve2);
+    ClosestPair nearest(curve1, curve2);
     const double rounding = rounding_fraction * (bounding_box(curve1).diagonal() + bounding_box(curve2).diagonal());
     if (!is_line_or_circle(curve1) || !is_line_or_circle(curve2)) {
         try_arcs(curve1, curve2, rounding, nearest);

@@ -5,13 +5,12 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/curves/index.hpp"
+
 namespace abut::geometry {
 
 namespace {
 constexpr int leaf_size = 4;
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 std::vector<Box2> boxes_of(const Part& part) {
     std::vector<Box2> boxes;
     for (const Edge& edge : part.edges) boxes.push_back(bounding_box(edge.curve));
@@ -32,20 +31,20 @@ int EdgeTree::build(int first, int last) {
     nodes_.push_back({{}, first, last, -1, -1});
     Box2 box, centers;
     for (int i = first; i < last; ++i) {
-        box.extend(boxes_[index(order_[index(i)])]);
-        centers.extend(boxes_[index(order_[index(i)])].center());
+        box.extend(boxes_[at(order_[at(i)])]);
+        centers.extend(boxes_[at(order_[at(i)])].center());
     }
-    nodes_[index(id)].box = box;
+    nodes_[at(id)].box = box;
     if (last - first <= leaf_size) return id;
     const int axis = centers.size().x() >= centers.size().y() ? 0 : 1;
     const int middle = first + (last - first) / 2;
     std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int a, int b) {
-        const double ca = boxes_[index(a)].center()[axis], cb = boxes_[index(b)].center()[axis];
+        const double ca = boxes_[at(a)].center()[axis], cb = boxes_[at(b)].center()[axis];
         return ca < cb || (ca == cb && a < b);
     });
     const int left = build(first, middle), right = build(middle, last);
-    nodes_[index(id)].left = left;
-    nodes_[index(id)].right = right;
+    nodes_[at(id)].left = left;
+    nodes_[at(id)].right = right;
     return id;
 }
 
@@ -53,7 +52,7 @@ std::vector<int> EdgeTree::near(const Box2& box, double margin) const {
     std::vector<int> found, open;
     if (!nodes_.empty()) open.push_back(0);
     while (!open.empty()) {
-        const Node& node = nodes_[index(open.back())];
+        const Node& node = nodes_[at(open.back())];
         open.pop_back();
         if (!node.box.overlaps(box, margin)) continue;
         if (node.left >= 0) {
@@ -62,7 +61,7 @@ std::vector<int> EdgeTree::near(const Box2& box, double margin) const {
             continue;
         }
         for (int i = node.first; i < node.last; ++i)
-            if (boxes_[index(order_[index(i)])].overlaps(box, margin)) found.push_back(order_[index(i)]);
+            if (boxes_[at(order_[at(i)])].overlaps(box, margin)) found.push_back(order_[at(i)]);
     }
     std::sort(found.begin(), found.end());
     return found;

@@ -74,12 +74,12 @@ double distance_to(const Box2& box, const Vec2& p) {
     return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
 }
 
-struct Nearest {
+struct NearestEdge {
     int edge = -1;
     double distance = std::numeric_limits<double>::infinity();
 };
-Nearest nearest_edge(const Part& part, const std::vector<Box2>& boxes, const Vec2& p) {
-    Nearest nearest;
+NearestEdge nearest_edge(const Part& part, const std::vector<Box2>& boxes, const Vec2& p) {
+    NearestEdge nearest;
     for (std::size_t e = 0; e < part.edges.size(); ++e) {
         if (distance_to(boxes[e], p) >= nearest.distance) continue;
         const Curve& curve = part.edges[e].curve;
@@ -101,7 +101,7 @@ void find_deepest(const std::array<const Part*, 2>& parts, const Region& region,
         const auto other = static_cast<std::size_t>(1 - which);
         for (int i = 1; i < samples; ++i) {
             const Vec2 p = point(region.boundary.edges[k].curve, static_cast<double>(i) / samples);
-            const Nearest nearest = nearest_edge(*parts[other], boxes[other], p);
+            const NearestEdge nearest = nearest_edge(*parts[other], boxes[other], p);
             if (nearest.distance <= deepest) continue;
             deepest = nearest.distance;
             found.edge1 = which == 0 ? edge : nearest.edge;

@@ -37,6 +37,12 @@ double signed_area(const Part& part, const Loop& loop) {
 
 }  // namespace
 
+const Loop* loop_of(const Part& part, int edge) {
+    for (const Loop& loop : part.loops)
+        if (std::find(loop.edges.begin(), loop.edges.end(), edge) != loop.edges.end()) return &loop;
+    return nullptr;
+}
+
 Box2 bounding_box(const Part& part) {
     Box2 box;
     for (const Edge& edge : part.edges) box.extend(bounding_box(edge.curve));

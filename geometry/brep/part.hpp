@@ -28,6 +28,12 @@ struct Part {
     std::vector<Loop> loops;
 };
 
+inline const Curve& curve_of(const Part& part, int edge) {
+    return part.edges[static_cast<std::size_t>(edge)].curve;
+}
+/// The loop that the edge belongs to; nullptr if to none.
+const Loop* loop_of(const Part& part, int edge);
+
 Box2 bounding_box(const Part& part);
 /// By Green's theorem (curve_moments.hpp), to rounding; length^2. Holes count negative.
 double area(const Part& part);

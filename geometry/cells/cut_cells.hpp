@@ -61,6 +61,9 @@ struct BoundaryPiece {
 };
 
 enum class CellSide : std::uint8_t { bottom, right, top, left, none };
+inline CellSide opposite(CellSide side) {
+    return side == CellSide::none ? side : static_cast<CellSide>((static_cast<int>(side) + 2) % 4);
+}
 
 /// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
 struct ContourPiece {

@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::array<CellSide, 4> all_sides = {CellSide::bottom, CellSide::right, CellSide::top, CellSide::left};
 
-CellSide opposite(CellSide side) {
-    return all_sides[(static_cast<std::size_t>(side) + 2) % 4];
-}
-
 struct Sides {
     const CutCells& cells;
     const ElementSides& of_boundary;

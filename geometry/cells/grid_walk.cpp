@@ -2,7 +2,6 @@
 #include "geometry/cells/grid_walk.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "geometry/brep/monotone.hpp"
 
@@ -41,12 +40,6 @@ void sort_by_progress(Steps& steps) {
 
 bool inside(const Grid& grid, int column, int row) {
     return column >= 0 && column < grid.columns() && row >= 0 && row < grid.rows();
-}
-
-CellSide opposite(CellSide side) {
-    constexpr std::array<CellSide, 5> across = {CellSide::top, CellSide::left, CellSide::bottom, CellSide::right,
-                                                CellSide::none};
-    return across[static_cast<std::size_t>(side)];
 }
 
 CellSide side_of(const Step& step) {

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "geometry/csg/junction.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 /// Turns within this of a full one, radians, are the start itself: rounding of atan2.
 constexpr double turn_rounding = 1e-12;
 
@@ -161,7 +160,7 @@ double run_length(const Run& run, const Curve& source) {
         const double turn = own->sweep > 0 ? sign : -sign;
         const auto angle = [&](const Vec2& from, const Vec2& to) {
             const Vec2 a = from - own->center, b = to - own->center;
-            return turn * std::atan2(cross(a, b), a.dot(b));
+            return turn * angle_between(a, b);
         };
         double turned = angle(run.from.vertex, run.to.vertex);
         if (turned <= 0) turned += two_pi;

@@ -6,6 +6,8 @@
 #include <complex>
 #include <limits>
 
+#include "geometry/curves/numbers.hpp"
+
 namespace abut::geometry {
 
 namespace {
@@ -75,7 +77,7 @@ ArcFit fit_arc(const Portion& portion, double tolerance) {
     const Vec2 chord = portion.to - portion.from, d = portion.via - portion.from;
     const double offset = cross(chord.normalized(), d), negligible = straight_fraction * tolerance;
     const Through circle = through(d, chord);
-    if (std::abs(offset) <= negligible && std::numeric_limits<double>::epsilon() >= negligible * circle.curvature) {
+    if (std::abs(offset) <= negligible && epsilon >= negligible * circle.curvature) {
         const Segment segment{portion.from, portion.to};
         return {segment, excess(portion, segment, gap_bound(portion.span, {left_of(chord.normalized()), 0}), tolerance)};
     }

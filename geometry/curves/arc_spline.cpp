@@ -5,18 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geometry/curves/arc_portion.hpp"
 #include "geometry/curves/general_curve.hpp"
 #include "geometry/curves/homogeneous_span.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Below this fraction of the curve's size rounding decides what is within tolerance.
 constexpr double least_tolerance = 64 * epsilon;
@@ -109,13 +107,13 @@ ArcFit fit(const Carrier& carrier, double u0, double u1, double tolerance) {
     return fit_arc(portion, tolerance);
 }
 
-struct Piece {
+struct CarrierPiece {
     double u0, u1;
     Curve curve;
 };
 
 /// One arc, or halves until they fit.
-void append(std::vector<Piece>& pieces, const Carrier& carrier, double u0, double u1, double tolerance) {
+void append(std::vector<CarrierPiece>& pieces, const Carrier& carrier, double u0, double u1, double tolerance) {
     const ArcFit found = fit(carrier, u0, u1, tolerance);
     const double middle = 0.5 * (u0 + u1);
     if (found.excess <= 1 || !(u0 < middle && middle < u1)) {
@@ -185,7 +183,7 @@ std::vector<double> portion_joints(const Carrier& carrier, double tolerance) {
     return joints;
 }
 
-ArcPiece as_part_of(const Curve& curve, const Carrier& carrier, const Piece& piece) {
+ArcPiece as_part_of(const Curve& curve, const Carrier& carrier, const CarrierPiece& piece) {
     const auto parameter = [&](double u) {
         if (u == carrier.lo) return carrier.backwards ? 1.0 : 0.0;
         if (u == carrier.hi) return carrier.backwards ? 0.0 : 1.0;
@@ -213,9 +211,9 @@ std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
     tolerance = std::max(tolerance, least_tolerance * size);
     carrier.smallest = std::min(smallest_portion * size, smallest_of_tolerance * tolerance);
     const std::vector<double> joints = portion_joints(carrier, tolerance);
-    std::vector<Piece> pieces;
+    std::vector<CarrierPiece> pieces;
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) append(pieces, carrier, joints[i], joints[i + 1], tolerance);
-    for (const Piece& piece : pieces) result.push_back(as_part_of(curve, carrier, piece));
+    for (const CarrierPiece& piece : pieces) result.push_back(as_part_of(curve, carrier, piece));
     if (carrier.backwards) std::reverse(result.begin(), result.end());
     return result;
 }

@@ -3,17 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr int most_halvings = std::numeric_limits<double>::digits - 1;  // beyond, neighbouring parameters near 1 are one
-
 /// The polynomial over [a, b] with a running bound of what rounding did to each coefficient.
-struct Piece {
+struct PolynomialPiece {
     double a, b;
     std::vector<double> coefficients, errors;
 };
@@ -24,21 +22,21 @@ struct Zero {
 };
 
 /// -1, 0, 1; zero as far as the coefficient is known.
-int sign(const Piece& piece, std::size_t i) {
+int coefficient_sign(const PolynomialPiece& piece, std::size_t i) {
     const double c = piece.coefficients[i];
     return std::abs(c) <= piece.errors[i] ? 0 : c < 0 ? -1 : 1;
 }
 
-int first_sign(const Piece& piece) {
+int first_sign(const PolynomialPiece& piece) {
     for (std::size_t i = 0; i < piece.coefficients.size(); ++i)
-        if (const int s = sign(piece, i)) return s;
+        if (const int s = coefficient_sign(piece, i)) return s;
     return 0;
 }
 
-int sign_changes(const Piece& piece) {
+int sign_changes(const PolynomialPiece& piece) {
     int changes = 0, last = 0;
     for (std::size_t i = 0; i < piece.coefficients.size(); ++i) {
-        const int s = sign(piece, i);
+        const int s = coefficient_sign(piece, i);
         if (s != 0 && s == -last) ++changes;
         if (s != 0) last = s;
     }
@@ -46,10 +44,10 @@ int sign_changes(const Piece& piece) {
 }
 
 /// Both halves; the right one stays in `piece`. Each mean adds half a rounding to the mean of the errors.
-Piece take_left_half(Piece& piece) {
+PolynomialPiece take_left_half(PolynomialPiece& piece) {
     std::vector<double>&c = piece.coefficients, &e = piece.errors;
     const double middle = 0.5 * (piece.a + piece.b);
-    Piece left{piece.a, middle, {c.front()}, {e.front()}};
+    PolynomialPiece left{piece.a, middle, {c.front()}, {e.front()}};
     for (std::size_t n = c.size() - 1; n > 0; --n) {
         for (std::size_t i = 0; i < n; ++i) {
             c[i] = 0.5 * (c[i] + c[i + 1]);
@@ -82,16 +80,16 @@ double bisected(const std::vector<double>& c, double a, double b, int sign_at_a)
     }
 }
 
-void collect_zeros(Piece piece, const std::vector<double>& c, int halvings, std::vector<Zero>& zeros) {
+void collect_zeros(PolynomialPiece piece, const std::vector<double>& c, int halvings, std::vector<Zero>& zeros) {
     const int changes = sign_changes(piece);
-    if (sign(piece, 0) == 0) zeros.push_back({piece.a, piece.a});
+    if (coefficient_sign(piece, 0) == 0) zeros.push_back({piece.a, piece.a});
     if (changes == 1) {
         const double root = bisected(c, piece.a, piece.b, first_sign(piece));
         zeros.push_back({root, root});
-    } else if (first_sign(piece) == 0 || (changes > 1 && halvings == most_halvings)) {
+    } else if (first_sign(piece) == 0 || (changes > 1 && halvings == most_parameter_halvings)) {
         zeros.push_back({piece.a, piece.b});
     } else if (changes > 1) {
-        Piece left = take_left_half(piece);
+        PolynomialPiece left = take_left_half(piece);
         collect_zeros(std::move(left), c, halvings + 1, zeros);
         collect_zeros(std::move(piece), c, halvings + 1, zeros);
     }
@@ -107,11 +105,11 @@ double bernstein_value(const std::vector<double>& coefficients, double t) {
 }
 
 std::vector<double> bernstein_roots(const std::vector<double>& coefficients, const std::vector<double>& errors) {
-    Piece all{0, 1, coefficients, errors};
+    PolynomialPiece all{0, 1, coefficients, errors};
     if (errors.empty()) all.errors.assign(coefficients.size(), 0.0);
     if (coefficients.empty() || first_sign(all) == 0) return {};
     std::vector<Zero> zeros;
-    const bool ends_in_zero = sign(all, coefficients.size() - 1) == 0;
+    const bool ends_in_zero = coefficient_sign(all, coefficients.size() - 1) == 0;
     collect_zeros(std::move(all), coefficients, 0, zeros);
     if (ends_in_zero) zeros.push_back({1, 1});
     std::vector<double> roots;

@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/curves/gauss.hpp"
+#include "geometry/curves/homogeneous_span.hpp"
+#include "geometry/curves/numbers.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 template <class T>
 using Coefficients = std::array<T, max_spline_degree + 1>;
@@ -75,12 +74,6 @@ double halved_length(const BezierSpan& span, double s0, double s1, double whole,
     const double m = 0.5 * (s0 + s1), a = speed_integral(span, s0, m), b = speed_integral(span, m, s1);
     if (!(std::abs(a + b - whole) > rounding)) return a + b;
     return halved_length(span, s0, m, a, rounding) + halved_length(span, m, s1, b, rounding);
-}
-
-double binomial(std::size_t n, std::size_t k) {
-    double value = 1;
-    for (std::size_t i = 1; i <= k; ++i) value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
-    return value;
 }
 
 }  // namespace

@@ -4,19 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/general_curve.hpp"
 #include "geometry/curves/homogeneous_span.hpp"
+#include "geometry/curves/numbers.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 Vec2 on_circle(const Arc& arc, double angle) {
     return arc.center + arc.radius * Vec2(std::cos(angle), std::sin(angle));
@@ -71,7 +69,7 @@ double shape_parameter(const Spline& spline, double t) {
 
 /// Parameters of the shape, ascending, as those of the curve inside it, ascending; what is an end but for rounding is left out.
 std::vector<double> curve_parameters(const Spline& spline, const std::vector<double>& shape_parameters) {
-    const double rounding = 4 * std::numeric_limits<double>::epsilon() / std::abs(spline.end - spline.begin);
+    const double rounding = 4 * epsilon / std::abs(spline.end - spline.begin);
     std::vector<double> found;
     for (const double u : shape_parameters) {
         const double t = (u - spline.begin) / (spline.end - spline.begin);
@@ -95,10 +93,6 @@ std::vector<double> stationary(const Curve& curve, int axis) {
     return {};
 }
 
-double angle_between(const Vec2& u, const Vec2& v) {
-    return std::abs(std::atan2(cross(u, v), u.dot(v)));
-}
-
 /// An ellipse turns one way, and between two of its extrema by a quarter turn.
 double turning_of_ellipse(const Curve& curve, double t0, double t1) {
     double sum = 0;
@@ -106,10 +100,10 @@ double turning_of_ellipse(const Curve& curve, double t0, double t1) {
     for (const double t : axis_extrema(curve)) {
         if (t <= t0 || t >= t1) continue;
         const Vec2 here = derivative(curve, t);
-        sum += angle_between(before, here);
+        sum += std::abs(angle_between(before, here));
         before = here;
     }
-    return sum + angle_between(before, derivative(curve, t1));
+    return sum + std::abs(angle_between(before, derivative(curve, t1)));
 }
 
 double turning_bound(const Spline& spline, double t0, double t1) {

@@ -94,14 +94,14 @@ Moments by_halving(const SplineShape& shape, double u0, double u1, const Vec2& o
 
 /// Area within which two rules agree "to rounding": the integrand's own roundings, of the size of the span's control polygon.
 constexpr double rounding_fraction = 1e-15;
-constexpr int most_halvings = 30;
+constexpr int most_moment_halvings = 30;
 
 Moments of_span_portion(const SplineShape& shape, std::size_t span, double u0, double u1, const Vec2& o) {
     if (!shape.rational) return by_gauss(shape, u0, u1, (3 * shape.degree + 1) / 2, o);
     Box2 box;
     const std::size_t n = static_cast<std::size_t>(shape.degree) + 1;
     for (std::size_t i = 0; i < n; ++i) box.extend(shape.points[span * n + i]);
-    return by_halving(shape, u0, u1, o, rounding_fraction * box.size().squaredNorm(), most_halvings);
+    return by_halving(shape, u0, u1, o, rounding_fraction * box.size().squaredNorm(), most_moment_halvings);
 }
 
 /// u0 < u1.

@@ -5,16 +5,18 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/curves/numbers.hpp"
+
 namespace abut::geometry {
 
 namespace {
 
-constexpr int most_steps = 30;
+constexpr int most_newton_steps = 30;
 /// Parameters are of order one: smaller steps are rounding.
-constexpr double settled = 4 * std::numeric_limits<double>::epsilon();
+constexpr double settled_step = 4 * epsilon;
 /// Where the curve is slow in its parameter, rounding keeps the steps above that: steps this small that no longer halve have
 /// settled as well.
-constexpr double nearly_settled = 1e-8;
+constexpr double nearly_settled_step = 1e-8;
 
 /// Two equations and their derivatives by the two parameters.
 struct System {
@@ -23,13 +25,13 @@ struct System {
 
 /// An end that is missed by rounding is the end.
 double snapped(double t) {
-    return t <= settled ? 0.0 : t >= 1 - settled ? 1.0 : t;
+    return t <= settled_step ? 0.0 : t >= 1 - settled_step ? 1.0 : t;
 }
 
 template <class Equations>
 std::optional<ParameterPair> newton(Equations equations, ParameterPair t) {
     double before = 1;
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < most_newton_steps; ++k) {
         const System f = equations(t);
         const double det = cross(f.by_a, f.by_b);
         const double da = -cross(f.value, f.by_b) / det, db = -cross(f.by_a, f.value) / det;
@@ -37,7 +39,7 @@ std::optional<ParameterPair> newton(Equations equations, ParameterPair t) {
         const ParameterPair next{std::clamp(t.a + da, 0.0, 1.0), std::clamp(t.b + db, 0.0, 1.0)};
         const double step = std::max(std::abs(next.a - t.a), std::abs(next.b - t.b));
         t = next;
-        if (step <= settled || (step <= nearly_settled && step > 0.5 * before))
+        if (step <= settled_step || (step <= nearly_settled_step && step > 0.5 * before))
             return ParameterPair{snapped(t.a), snapped(t.b)};
         before = step;
     }
@@ -77,12 +79,12 @@ std::optional<ParameterPair> polished_parallel(const Curve& a, const Curve& b, P
 
 double nearby_closest_parameter(const Curve& curve, const Vec2& p, double start) {
     double t = start, squared = (point(curve, t) - p).squaredNorm();
-    for (int k = 0; k < most_steps; ++k) {
+    for (int k = 0; k < most_newton_steps; ++k) {
         const Vec2 d = point(curve, t) - p, d1 = derivative(curve, t);
         const double slope = d.dot(d1), bend = d1.squaredNorm() + d.dot(second_derivative(curve, t));
         double step = -slope / (bend > 0 ? bend : d1.squaredNorm());
         double next = std::clamp(t + step, 0.0, 1.0), there = (point(curve, next) - p).squaredNorm();
-        while (there > squared && std::abs(next - t) > settled) {  // too far: on curves that turn away
+        while (there > squared && std::abs(next - t) > settled_step) {  // too far: on curves that turn away
             step = 0.5 * (next - t);
             next = t + step;
             there = (point(curve, next) - p).squaredNorm();
@@ -91,7 +93,7 @@ double nearby_closest_parameter(const Curve& curve, const Vec2& p, double start)
         if (there > squared) break;
         t = next;
         squared = there;
-        if (moved <= settled) break;
+        if (moved <= settled_step) break;
     }
     return snapped(newton_closest(curve, p, t));
 }

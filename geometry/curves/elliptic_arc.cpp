@@ -3,15 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Roundings of an angle start + t sweep: within this, two angles are one.
 double angle_rounding(const EllipticArc& arc) {

@@ -11,8 +11,6 @@ namespace abut::geometry {
 
 namespace {
 
-constexpr int max_points = 128;
-
 struct Legendre {
     double value, derivative;
 };
@@ -47,9 +45,9 @@ GaussRule make_rule(int n) {
 }  // namespace
 
 const GaussRule& gauss_rule(int n) {
-    static std::array<GaussRule, max_points + 1> rules;
-    static std::array<std::once_flag, max_points + 1> made;
-    if (n < 1 || n > max_points) throw std::logic_error("gauss_rule: n outside 1..128");
+    static std::array<GaussRule, most_gauss_points + 1> rules;
+    static std::array<std::once_flag, most_gauss_points + 1> made;
+    if (n < 1 || n > most_gauss_points) throw std::logic_error("gauss_rule: n outside 1..128");
     const auto k = static_cast<std::size_t>(n);
     std::call_once(made[k], [&] { rules[k] = make_rule(n); });
     return rules[k];

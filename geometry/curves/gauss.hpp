@@ -9,7 +9,9 @@ struct GaussRule {
     std::vector<double> points, weights;
 };
 
-/// n from 1 to 128; computed at its first use, then shared. Safe to call from several threads.
+inline constexpr int most_gauss_points = 128;
+
+/// n from 1 to most_gauss_points; computed at its first use, then shared. Safe to call from several threads.
 const GaussRule& gauss_rule(int n);
 
 }  // namespace abut::geometry

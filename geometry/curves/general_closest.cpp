@@ -5,18 +5,16 @@
 // the best point known are left out before that.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "geometry/curves/bernstein.hpp"
 #include "geometry/curves/general_curve.hpp"
 #include "geometry/curves/homogeneous_span.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Halvings after which neighbouring parameters are one.
-constexpr int most_halvings = std::numeric_limits<double>::digits - 1;
 /// Roundings of a coefficient of N: products of up to nine terms, each rounded a few times.
 constexpr double slope_roundings = 16;
 /// Roundings of a coordinate of the curve's points.
@@ -33,7 +31,7 @@ struct Search {
     const Curve& curve;
     Vec2 p;
     double t = 0;
-    double least = std::numeric_limits<double>::infinity();  ///< distance squared
+    double least = infinity;  ///< distance squared
     double rounding = 0;
 };
 
@@ -129,7 +127,7 @@ template <class Parameter>
 void offer_span(Search& search, const HomogeneousSpan& relative_to_p, const Parameter& parameter) {
     double rounding;
     const Bernstein slope = distance_slope(relative_to_p, rounding);
-    offer_minima(search, slope, rounding, 0, 1, most_halvings, parameter);
+    offer_minima(search, slope, rounding, 0, 1, most_parameter_halvings, parameter);
 }
 
 /// Distance squared of p from a box.
@@ -180,7 +178,7 @@ void search_spline(Search& search, const Spline& spline) {
     offer(search, 0);
     offer(search, 1);
     std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     const auto each_span = [&](auto visit) {
         for (std::size_t k = 0; k + 1 < shape.breaks.size(); ++k)
             if (shape.breaks[k + 1] > lo && shape.breaks[k] < hi) visit(k);

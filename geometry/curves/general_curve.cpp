@@ -3,18 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "geometry/curves/numbers.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// Where the rules of two halves agree with that of the whole by this fraction, their own error is far smaller still: halving
 /// divides it by up to 2^32, the rule's degree.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geometry/curves/index.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
@@ -21,10 +23,6 @@ constexpr Binomials make_binomials() {
 }
 
 constexpr Binomials binomials = make_binomials();
-
-double binomial(int n, int k) {
-    return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
-}
 
 template <class Operation>
 Bernstein combined(const Bernstein& a, const Bernstein& b, Operation operation) {
@@ -58,7 +56,7 @@ double polygon_turning(const Bernstein& x, const Bernstein& y, double rounding, 
     for (int i = 0; i <= x.degree; ++i) {
         const Vec2 d(x[i], y[i]);
         if (d.norm() <= rounding) continue;
-        if (any) sum += std::abs(std::atan2(cross(before, d), before.dot(d)));
+        if (any) sum += std::abs(angle_between(before, d));
         before = d;
         any = true;
     }
@@ -66,6 +64,10 @@ double polygon_turning(const Bernstein& x, const Bernstein& y, double rounding, 
 }
 
 }  // namespace
+
+double binomial(std::size_t n, std::size_t k) {
+    return binomials[n][k];
+}
 
 Bernstein operator+(const Bernstein& a, const Bernstein& b) {
     return combined(a, b, [](double x, double y) { return x + y; });
@@ -83,10 +85,10 @@ Bernstein operator*(const Bernstein& a, const Bernstein& b) {
     Bernstein product;
     product.degree = a.degree + b.degree;
     for (int i = 0; i <= a.degree; ++i) {
-        const double scaled = binomial(a.degree, i) * a[i];
-        for (int j = 0; j <= b.degree; ++j) product[i + j] += scaled * binomial(b.degree, j) * b[j];
+        const double scaled = binomial(at(a.degree), at(i)) * a[i];
+        for (int j = 0; j <= b.degree; ++j) product[i + j] += scaled * binomial(at(b.degree), at(j)) * b[j];
     }
-    for (int k = 0; k <= product.degree; ++k) product[k] /= binomial(product.degree, k);
+    for (int k = 0; k <= product.degree; ++k) product[k] /= binomial(at(product.degree), at(k));
     return product;
 }
 
@@ -167,7 +169,7 @@ double turning_bound(const HomogeneousSpan& span) {
         x = x * span.w - span.x * dw;
         y = y * span.w - span.y * dw;
     }
-    constexpr double direction_rounding = 64 * std::numeric_limits<double>::epsilon();
+    constexpr double direction_rounding = 64 * epsilon;
     constexpr int halvings = 2;
     return polygon_turning(x, y, direction_rounding * std::hypot(largest(x), largest(y)), halvings);
 }

@@ -18,6 +18,9 @@ struct Bernstein {
     double operator[](int i) const { return c[static_cast<std::size_t>(i)]; }
 };
 
+/// n over k, exact; n up to Bernstein::max_degree.
+double binomial(std::size_t n, std::size_t k);
+
 Bernstein operator+(const Bernstein& a, const Bernstein& b);  ///< of equal degree
 Bernstein operator-(const Bernstein& a, const Bernstein& b);  ///< of equal degree
 Bernstein operator*(double factor, const Bernstein& a);

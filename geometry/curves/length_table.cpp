@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "geometry/curves/general_curve.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double settled_fraction = 1.0 / 16;  // of a rounding: what is estimated to be left after the last step
 
 /// The halves of [t0, t1] on which the rule agrees with that of their halves.

@@ -2,10 +2,10 @@
 // What is wrong with the numbers of a spline, as one line for the user.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "geometry/curves/bernstein.hpp"
+#include "geometry/curves/numbers.hpp"
 #include "geometry/curves/spline_spans.hpp"
 
 namespace abut::geometry {
@@ -68,7 +68,7 @@ std::string knots_fault(const Nurbs& nurbs) {
 
 /// Of the length of the control polygon (the mean speed, at most): where a curve slows down to this, it turns back within the
 /// square of it, which is rounding.
-const double cusp_fraction = std::sqrt(std::numeric_limits<double>::epsilon());
+const double cusp_fraction = std::sqrt(epsilon);
 
 /// Inside a span only: where it stands still at an end, the spline is cut.
 bool stands_still_inside(const BezierSpan& span, double s) {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
@@ -101,7 +102,7 @@ bool continues(const KnotSpan& before, const KnotSpan& after, std::size_t multip
 
 std::vector<double> settled_knots(std::vector<double> knots) {
     const double largest = std::max(std::abs(knots.front()), std::abs(knots.back()));
-    const double rounding = 2 * std::numeric_limits<double>::epsilon() * largest;
+    const double rounding = 2 * epsilon * largest;
     for (std::size_t i = 1; i < knots.size(); ++i)
         if (knots[i] > knots[i - 1] && knots[i] - knots[i - 1] <= rounding) knots[i] = knots[i - 1];
     return knots;

@@ -2,13 +2,12 @@
 #include "geometry/curves/tangent_ball.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 double arc_parameter(const Arc& arc, const Vec2& direction) {
     const double middle = arc.start + arc.sweep / 2;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <limits>
 
 namespace abut::geometry {
@@ -11,6 +12,11 @@ using Vec2 = Eigen::Vector2d;
 /// z component of a x b: positive when b lies counter-clockwise of a.
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
+}
+
+/// Angle by which a is to be turned to point along b: in [-pi, pi], positive counter-clockwise.
+inline double angle_between(const Vec2& a, const Vec2& b) {
+    return std::atan2(cross(a, b), a.dot(b));
 }
 
 /// v turned by +90 degrees.
@@ -43,6 +49,9 @@ struct Box2 {
     bool overlaps(const Box2& b, double margin) const {
         return min.x() - margin <= b.max.x() && b.min.x() <= max.x() + margin && min.y() - margin <= b.max.y() &&
                b.min.y() <= max.y() + margin;
+    }
+    bool is_within(const Box2& outer, double margin) const {
+        return (min.array() >= outer.min.array() - margin).all() && (max.array() <= outer.max.array() + margin).all();
     }
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "geometry/curves/numbers.hpp"
 #include "geometry/dxf/dxf_numbers.hpp"
 #include "geometry/dxf/dxf_placement.hpp"
 #include "geometry/dxf/dxf_splines.hpp"
@@ -13,8 +14,7 @@ namespace abut::geometry::dxf {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double one_degree = std::numbers::pi / 180;
 
 Outline outline_of(const Numbers& numbers, const Curve& curve) {
     if (!numbers.is_good()) return {{}, false, numbers.wrong()};
@@ -42,7 +42,7 @@ double radius_of(Numbers& numbers) {
 Outline read_circle(const Record& record) {
     Numbers numbers(record);
     const Vec2 center = numbers.point(10);
-    return outline_of(numbers, arc_or_point(center, radius_of(numbers), 0, full_turn));
+    return outline_of(numbers, arc_or_point(center, radius_of(numbers), 0, two_pi));
 }
 
 /// Counter-clockwise from one angle to the other (degrees); equal angles are a full turn.
@@ -53,7 +53,7 @@ Outline read_arc(const Record& record) {
     const double start = std::fmod(from, 360.0);
     double sweep = std::fmod(std::fmod(to, 360.0) - start, 360.0);
     if (sweep <= 0) sweep += 360;
-    return outline_of(numbers, arc_or_point(center, radius, start * degree, sweep * degree));
+    return outline_of(numbers, arc_or_point(center, radius, start * one_degree, sweep * one_degree));
 }
 
 /// Eccentric angles that differ by a full turn but for this are one: six decimals of 2 pi are 3e-7 off.
@@ -62,9 +62,9 @@ constexpr double angle_rounding = 1e-6;
 constexpr double least_ratio = 1e-6;
 
 double elliptic_sweep(double from, double to) {
-    double sweep = std::fmod(to - from, full_turn);
-    if (sweep < 0) sweep += full_turn;
-    return sweep <= angle_rounding || sweep >= full_turn - angle_rounding ? full_turn : sweep;
+    double sweep = std::fmod(to - from, two_pi);
+    if (sweep < 0) sweep += two_pi;
+    return sweep <= angle_rounding || sweep >= two_pi - angle_rounding ? two_pi : sweep;
 }
 
 /// The second axis is the normal times the first, times their ratio.
@@ -72,10 +72,10 @@ Outline read_ellipse(const Record& record) {
     Numbers numbers(record);
     const Vec2 center = numbers.point(10), a = numbers.point(11);
     const double side = record.number(230, 1) < 0 ? -1 : 1, ratio = numbers(40);
-    const double from = numbers(41, 0), to = numbers(42, full_turn);
+    const double from = numbers(41, 0), to = numbers(42, two_pi);
     if (std::abs(ratio) < least_ratio) numbers.fail("its axes have a ratio of less than 1e-6");
     if (!numbers.is_good() || a == Vec2(0, 0)) return outline_of(numbers, Segment{center, center});
-    const double start = std::fmod(from, full_turn);  // billions of turns would leave no digit for the place on the ellipse
+    const double start = std::fmod(from, two_pi);  // billions of turns would leave no digit for the place on the ellipse
     return outline_of(numbers, circle_or_ellipse(center, a, side * ratio * left_of(a), start, elliptic_sweep(from, to)));
 }
 

@@ -16,10 +16,6 @@ namespace abut::geometry {
 
 namespace {
 
-void require(bool ok, const char* what) {
-    if (!ok) throw std::logic_error(what);
-}
-
 BlendedDistance completed(const Part& part, BlendedDistance options) {
     if (options.delta == 0) options.delta = strip_width(part);
     if (options.cell == 0) options.cell = std::max(2 * options.delta, bounding_box(part).diagonal() / finest_default_grid);

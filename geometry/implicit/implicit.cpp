@@ -2,7 +2,6 @@
 #include "geometry/implicit/implicit.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/r_functions.hpp"
@@ -10,10 +9,6 @@
 namespace abut::geometry {
 
 namespace {
-
-void require(bool ok, const char* what) {
-    if (!ok) throw std::logic_error(what);
-}
 
 enum class Join { conjunction, disjunction };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of boundaries given by their edges.
-#include <stdexcept>
 
 #include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/field_shape.hpp"
@@ -16,10 +15,6 @@ NearCurve<T> near_edges(const std::vector<TrimmedEdge>& edges, const PointOf<T>&
     near.reserve(edges.size());
     for (const TrimmedEdge& edge : edges) near.push_back(trimmed(edge, p));
     return joined(near, m);
-}
-
-void require(bool ok, const char* what) {
-    if (!ok) throw std::logic_error(what);
 }
 
 }  // namespace

@@ -14,10 +14,6 @@ namespace {
 /// A groove holds a round part across all directions where their radii differ by no more than a running fit.
 constexpr double conforming_fraction = 0.01;
 
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
-
 std::optional<double> diameter_of(const Curve& curve) {
     const auto* arc = std::get_if<Arc>(&curve);
     return arc ? std::optional<double>(2 * arc->radius) : std::nullopt;

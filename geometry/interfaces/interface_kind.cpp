@@ -16,18 +16,13 @@ namespace {
 
 enum class Shape { flat, convex, concave };
 
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
-
 bool is_general(const Curve& curve) {
     return !std::holds_alternative<Segment>(curve) && !std::holds_alternative<Arc>(curve);
 }
 
 /// Signed angle by which the tangent turns from one parameter to another, less than half a turn apart.
 double turn(const Curve& curve, double t0, double t1) {
-    const Vec2 u = derivative(curve, t0), v = derivative(curve, t1);
-    return std::atan2(cross(u, v), u.dot(v));
+    return angle_between(derivative(curve, t0), derivative(curve, t1));
 }
 
 /// Turning of a curve to the left and to the right, both counted positive.
@@ -67,10 +62,9 @@ Shape shape_at(const Part& part, int edge, double t) {
     return curvature(curve, 0.5) > 0 ? Shape::convex : Shape::concave;
 }
 
-const Loop& loop_of(const Part& part, int edge) {
-    for (const Loop& loop : part.loops)
-        if (std::find(loop.edges.begin(), loop.edges.end(), edge) != loop.edges.end()) return loop;
-    return part.loops.front();
+const Loop& loop_or_first(const Part& part, int edge) {
+    const Loop* loop = loop_of(part, edge);
+    return loop ? *loop : part.loops.front();
 }
 
 /// Drawn circles may come in several arcs whose centres and radii agree to the drawing's digits only.
@@ -81,7 +75,7 @@ double turn_of_circle(const Part& part, int edge) {
     const Arc& arc = std::get<Arc>(curve_of(part, edge));
     const double same = same_circle_fraction * arc.radius;
     double turn = 0;
-    for (const int e : loop_of(part, edge).edges) {
+    for (const int e : loop_or_first(part, edge).edges) {
         const auto* other = std::get_if<Arc>(&curve_of(part, e));
         if (other && other->sweep * arc.sweep > 0 && (other->center - arc.center).norm() <= same &&
             std::abs(other->radius - arc.radius) <= same)
@@ -138,12 +132,12 @@ std::string interface_kind(const Part& part1, int edge1, const Part& part2, int 
 bool is_convex_corner(const Part& part, int edge, double t) {
     constexpr double at_the_end = 1e-9;
     if (t > at_the_end && t < 1 - at_the_end) return false;
-    const std::vector<int>& edges = loop_of(part, edge).edges;
+    const std::vector<int>& edges = loop_or_first(part, edge).edges;
     const auto n = edges.size();
     const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), edge) - edges.begin());
     const int before = t < 0.5 ? edges[(i + n - 1) % n] : edge, after = t < 0.5 ? edge : edges[(i + 1) % n];
     const Vec2 in = unit_tangent(curve_of(part, before), 1), out = unit_tangent(curve_of(part, after), 0);
-    return std::atan2(cross(in, out), in.dot(out)) > chain_angle;
+    return angle_between(in, out) > chain_angle;
 }
 
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2) {

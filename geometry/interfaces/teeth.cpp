@@ -19,12 +19,6 @@ constexpr double uneven = 0.1;
 constexpr double sampled_turning = 0.1;  // radians between sample points
 constexpr int least_samples = 8;         // of an edge: flanks may be straight, and one edge each
 
-const Loop* loop_of(const Part& part, int edge) {
-    for (const Loop& loop : part.loops)
-        if (std::find(loop.edges.begin(), loop.edges.end(), edge) != loop.edges.end()) return &loop;
-    return nullptr;
-}
-
 std::vector<Vec2> sample(const Part& part, const Loop& loop) {
     std::vector<Vec2> points;
     for (int e : loop.edges) {
@@ -55,7 +49,7 @@ double reentrant_turning(const std::vector<Vec2>& p, double sense) {
     double sum = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const Vec2 u = p[(i + 1) % p.size()] - p[i], v = p[(i + 2) % p.size()] - p[(i + 1) % p.size()];
-        sum += std::max(0.0, -sense * std::atan2(cross(u, v), u.dot(v)));
+        sum += std::max(0.0, -sense * angle_between(u, v));
     }
     return sum;
 }
@@ -72,7 +66,7 @@ std::vector<double> tip_angles(const std::vector<Vec2>& p, const Vec2& center, d
     bool up = false;
     for (std::size_t i = lowest; i < lowest + p.size(); ++i) {
         const Vec2 a = p[i % p.size()] - center, b = p[(i + 1) % p.size()] - center;
-        angle += std::atan2(cross(a, b), a.dot(b));
+        angle += angle_between(a, b);
         if (!up && height(i + 1) >= at_tip) angles.push_back(angle);
         up = up ? height(i + 1) > at_root : height(i + 1) >= at_tip;
     }

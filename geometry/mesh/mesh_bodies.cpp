@@ -20,7 +20,7 @@ std::string counted(int n, const std::string& one, const std::string& many) {
     return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-std::string place_text(const Vec3& p) {
+std::string place_in_space(const Vec3& p) {
     return "(" + number_text(p.x()) + ", " + number_text(p.y()) + ", " + number_text(p.z()) + ")";
 }
 
@@ -59,11 +59,11 @@ void report_shells(const Shells& done, const std::string& name, std::vector<Repa
 void report_faults(const Shell& shell, const std::string& body, std::vector<SketchProblem>& problems) {
     if (shell.branching.n > 0)
         problems.push_back({"bodies share faces and cannot be told apart: " + counted(shell.branching.n, "edge", "edges") +
-                                " where faces branch, the first at " + place_text(shell.branching.at),
+                                " where faces branch, the first at " + place_in_space(shell.branching.at),
                             in_plan(shell.branching.at), body, 0, "export the parts as separate objects"});
     if (shell.open.n > 0)
         problems.push_back({"the mesh has holes: " + counted(shell.open.n, "edge", "edges") +
-                                " with a triangle on one side only, the first at " + place_text(shell.open.at) +
+                                " with a triangle on one side only, the first at " + place_in_space(shell.open.at) +
                                 ", the longest of length " + number_text(shell.open.length),
                             in_plan(shell.open.at), body, 0, "export the part as a closed solid"});
 }
@@ -94,7 +94,7 @@ void MeshBodies::check(const Mesh& object) const {
     for (const Vec3& v : object.vertices) {
         if (!v.allFinite()) throw InputError(file_.file, "a vertex of " + name + " is not a number", "export the file again");
         if (v.cwiseAbs().maxCoeff() > largest_mesh_coordinate)
-            throw InputError(file_.file, "a vertex of " + name + " is absurdly far away, at " + place_text(v),
+            throw InputError(file_.file, "a vertex of " + name + " is absurdly far away, at " + place_in_space(v),
                              "export the file again");
     }
     const int n = static_cast<int>(object.vertices.size());

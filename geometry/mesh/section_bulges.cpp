@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "geometry/brep/edge_tree.hpp"
+#include "geometry/curves/index.hpp"
 
 namespace abut::geometry {
 
@@ -18,10 +19,6 @@ using std::size_t;
 
 /// Where on a facet feelers stand.
 constexpr std::array<double, 5> feelers = {0.1, 0.3, 0.5, 0.7, 0.9};
-
-size_t index(int i) {
-    return static_cast<size_t>(i);
-}
 
 /// One curve of a piece.
 struct Item {
@@ -105,8 +102,8 @@ private:
         return boxes;
     }
 
-    const Outline& outline(const Item& i) const { return bodies_[index(i.body)].outlines[index(i.outline)]; }
-    const OutlinePiece& piece(const Item& i) const { return outline(i).pieces[index(i.piece)]; }
+    const Outline& outline(const Item& i) const { return bodies_[at(i.body)].outlines[at(i.outline)]; }
+    const OutlinePiece& piece(const Item& i) const { return outline(i).pieces[at(i.piece)]; }
 
     std::optional<BulgeConflict> conflict_of(const Item& own) const {
         const Outline& line = outline(own);
@@ -117,7 +114,7 @@ private:
             box.extend(a);
             box.extend(b);
             for (int i : tree_.near(box, recovered.sagitta)) {
-                const Item& other = items_[index(i)];
+                const Item& other = items_[at(i)];
                 if (other.body == own.body && other.outline == own.outline && other.piece == own.piece) continue;
                 if (auto conflict = conflict_at(own, k, other)) return conflict;
             }
@@ -147,7 +144,7 @@ private:
 
     std::optional<BulgeConflict> conflict_along(const Ray& feeler, const Item& own, const Item& other) const {
         const OutlinePiece& recovered = piece(own);
-        const double tolerance = bodies_[index(own.body)].tolerance;
+        const double tolerance = bodies_[at(own.body)].tolerance;
         std::optional<double> height;
         for (const Curve& curve : recovered.curves) {
             const auto here = first_beyond(crossings_of(feeler, curve), 0, 2 * recovered.sagitta + tolerance);
@@ -193,7 +190,7 @@ private:
         if (own.body == other.body) return false;
         const Outline &mine = outline(own), &its = outline(other);
         const OutlinePiece &my_piece = piece(own), &its_piece = piece(other);
-        const double tolerance = bodies_[index(own.body)].tolerance;
+        const double tolerance = bodies_[at(own.body)].tolerance;
         if (facets_cross(other, feeler, -height - its_piece.sagitta - tolerance, -tolerance)) return true;
         for (int j = its_piece.first; j < its_piece.first + its_piece.n_facets; ++j) {
             const Segment facet{point_of(its, j), point_of(its, j + 1)};

@@ -109,7 +109,7 @@ private:
         for (int k : nodes_[static_cast<size_t>(node)].out) {
             if (is_used_[static_cast<size_t>(k)]) continue;
             const Vec2 way = at(links_[static_cast<size_t>(k)].to) - at(node);
-            const double turn = std::atan2(cross(direction, way), direction.dot(way));
+            const double turn = angle_between(direction, way);
             if (best < 0 || turn > most) best = k, most = turn;
         }
         return best;

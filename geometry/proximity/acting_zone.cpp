@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/curves/index.hpp"
 #include "geometry/proximity/facing.hpp"
 
 namespace abut::geometry {
@@ -11,12 +12,8 @@ namespace {
 
 /// Of the curvature beside a straight stretch: less than any curvature that is drawn.
 constexpr double flat_sharpness = 1e-12;
-/// Ends of a zone this little from an end of its chain are there. And sides that are less inclined than this are parallel.
-constexpr double end_slack = 1e-9, parallel = 1e-9;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
+/// Sides that are less inclined than this are parallel.
+constexpr double parallel = 1e-9;
 
 /// The largest curvature of the edges that a stretch of a chain has a part of.
 double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
@@ -37,7 +34,7 @@ bool is_end(const Chain& chain, double s) {
 }
 
 /// Does the gap have its least value at a corner of a side, and open from there?
-std::array<bool, 2> corners_of(const Part& part1, const Part& part2, const FacingZone& zone) {
+std::array<bool, 2> is_gap_least_at_corner(const Part& part1, const Part& part2, const FacingZone& zone) {
     const FacingPair begin = pair_from_first(part1, part2, zone, zone.begin1, zone.begin2),
                      end = pair_from_first(part1, part2, zone, zone.end1, zone.end2);
     const double rounding = end_slack * (zone.chain1.length + zone.chain2.length);
@@ -79,7 +76,7 @@ void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, doub
 }  // namespace
 
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
-    zone.at_corner = corners_of(part1, part2, zone);
+    zone.at_corner = is_gap_least_at_corner(part1, part2, zone);
     zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
                       flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
     zone.is_acting = true;

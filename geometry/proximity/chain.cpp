@@ -8,10 +8,6 @@ namespace abut::geometry {
 
 namespace {
 
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
-
 bool is_corner(const Part& part, int before, int after) {
     const Vec2 t0 = unit_tangent(curve_of(part, before), 1), t1 = unit_tangent(curve_of(part, after), 0);
     return std::atan2(std::abs(cross(t0, t1)), t0.dot(t1)) > chain_angle;

@@ -111,9 +111,6 @@ Range search_range(const Chain& chain, double guess) {
     return {guess - chain.length / 2, guess + chain.length / 2};
 }
 
-/// Rounding of the ends of a zone, as a fraction of the chain: a partner this little beyond the end is the end.
-constexpr double end_slack = 1e-9;
-
 /// Rounding of the condition at a point: what is left when coordinates are subtracted.
 double noise_at(const Vec2& x) {
     return 16 * std::numeric_limits<double>::epsilon() * x.lpNorm<Eigen::Infinity>();

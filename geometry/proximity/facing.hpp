@@ -74,6 +74,10 @@ struct FacingPair {
 FacingPair pair_from_first(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess2);
 FacingPair pair_from_second(const Part& part1, const Part& part2, const FacingZone& zone, double s2, double guess1);
 
+/// Rounding of the ends of a zone, as a fraction of the chain: this close to the chain's end, or a partner this little beyond
+/// it, is there.
+inline constexpr double end_slack = 1e-9;
+
 /// All zones where the gap is at most `distance` (overlaps: gaps down to -distance) and the normals oppose each other within
 /// 60 degrees; the nearest partner where there are several, nothing that material lies between. Ordered along part 1.
 std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance);

@@ -11,7 +11,6 @@ namespace abut::geometry {
 
 namespace {
 
-constexpr double same_fraction = 1e-11;  ///< lengths below are rounding, as in FacingModel
 /// A gap that varies by less than this per length is uniform: its extrema would be those of rounding.
 constexpr double uniform_slope = 1e-10;
 
@@ -25,7 +24,7 @@ struct Sample {
 class Carrier {
 public:
     Carrier(const Part& part1, const Part& part2, const CarriedZone& found, const CarryLimits& limits)
-        : part1_(part1), part2_(part2), found_(found), limits_(limits), same_(same_fraction * limits.size) {
+        : part1_(part1), part2_(part2), found_(found), limits_(limits), same_(FacingModel::same_fraction * limits.size) {
         chains_.chain1 = found.chain1;
         chains_.chain2 = found.chain2;
     }

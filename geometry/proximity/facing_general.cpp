@@ -6,6 +6,7 @@
 
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/curve_polish.hpp"
+#include "geometry/curves/index.hpp"
 #include "geometry/curves/piece_pairs.hpp"
 #include "geometry/proximity/facing_carry.hpp"
 #include "geometry/proximity/facing_search.hpp"
@@ -13,10 +14,6 @@
 namespace abut::geometry {
 
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Where an arc lies on the part that it follows.
 struct Origin {
@@ -35,7 +32,7 @@ struct ArcChains {
 
 Box2 box_of(const Part& part, const Chain& chain) {
     Box2 box;
-    for (const int e : chain.edges) box.extend(bounding_box(part.edges[index(e)].curve));
+    for (const int e : chain.edges) box.extend(bounding_box(part.edges[at(e)].curve));
     return box;
 }
 
@@ -47,7 +44,7 @@ void append_chain(const Part& part, const Chain& chain, ArcChains& all) {
     Chain arcs;
     arcs.closed = chain.closed;
     for (std::size_t i = 0; i < chain.edges.size(); ++i)
-        for (const ArcPiece& piece : calm_arc_spline(part.edges[index(chain.edges[i])].curve, tolerance)) {
+        for (const ArcPiece& piece : calm_arc_spline(part.edges[at(chain.edges[i])].curve, tolerance)) {
             arcs.edges.push_back(static_cast<int>(all.part.edges.size()));
             arcs.begin.push_back(arcs.length);
             arcs.length += length(piece.curve);
@@ -68,11 +65,11 @@ ArcChains arc_chains(const Part& part) {
 
 /// Arc length on the true chain of the point closest to the one at s of its arcs. Ends of arcs are points of the curve.
 double true_length(const Part& part, const ArcChains& all, int chain, double s) {
-    const Chain &arcs = all.arcs[index(chain)], &curves = all.curves[index(chain)];
+    const Chain &arcs = all.arcs[at(chain)], &curves = all.curves[at(chain)];
     const double turns = arcs.closed ? std::floor(s / arcs.length) : 0.0;
     const ChainPoint p = at(all.part, arcs, s);
-    const Origin& origin = all.origin[index(p.edge)];
-    const Curve& curve = part.edges[index(origin.edge)].curve;
+    const Origin& origin = all.origin[at(p.edge)];
+    const Curve& curve = part.edges[at(origin.edge)].curve;
     const double start = origin.t0 + p.t * (origin.t1 - origin.t0);
     const double t = p.t == 0 ? origin.t0 : p.t == 1 ? origin.t1 : nearby_closest_parameter(curve, p.x, start);
     return turns * curves.length + origin.edge_begin + length(curve, 0, t);
@@ -91,7 +88,7 @@ std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part
     const std::vector<FoundZone> all =
         search_zones(arcs1.part, arcs1.arcs, arcs2.part, arcs2.arcs, far_enough, arc_joint_angle);
     for (const FoundZone& found : all) {
-        CarriedZone zone{arcs1.curves[index(found.chain1)], arcs2.curves[index(found.chain2)], found.zone.closed, {}};
+        CarriedZone zone{arcs1.curves[at(found.chain1)], arcs2.curves[at(found.chain2)], found.zone.closed, {}};
         for (const FoundZone::Break& b : found.breaks)
             zone.breaks.push_back(
                 {true_length(part1, arcs1, found.chain1, b.s1), true_length(part2, arcs2, found.chain2, b.s2)});

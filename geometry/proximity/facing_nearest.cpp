@@ -16,10 +16,6 @@ struct Span {
     double begin, end;
 };
 
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
-
 /// Position on edge 1 of the partner of the point at s2 of edge 2; clamped to the stretch.
 double image_on_first(const FacingModel& model, const FacingStretch& stretch, double s2) {
     const Curve &curve1 = curve_of(model.part1, stretch.edge1), &curve2 = curve_of(model.part2, stretch.edge2);

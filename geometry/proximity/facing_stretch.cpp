@@ -12,7 +12,6 @@ namespace abut::geometry {
 
 namespace {
 
-constexpr double same_fraction = 1e-11;
 /// A sheet thinner than this fraction of the model cannot hide one surface from another.
 constexpr double thin_fraction = 1e-6;
 /// Places looked at between two events. Between events the gap is monotone and the angle has at most one maximum, so that the
@@ -21,10 +20,6 @@ constexpr int samples_per_interval = 8;
 /// The first and last sample lie this close to the event, to see what holds right beside it: a fraction of the interval, but
 /// well clear of rounding (in units of FacingModel::same), and never beyond the next sample.
 constexpr double beside = 1e-9, beside_rounding = 100, beside_at_most = 0.05;
-
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
 
 /// Bisects for the place in (a, b) where the predicate stops having the value it has at a.
 template <class Predicate>

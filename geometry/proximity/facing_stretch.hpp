@@ -38,8 +38,9 @@ struct FacingModel {
     EdgeTree tree1, tree2;
     double distance;
     double size;  ///< both diagonals together
-    double same;  ///< lengths below are rounding: a fraction of the size
+    double same;  ///< lengths below are rounding: same_fraction of the size
     double thin;  ///< gaps below are not looked into for material in between
+    static constexpr double same_fraction = 1e-11;
 };
 
 /// The partner on edge2 (or its continuation) of the point at s1 of edge1; none where the normals do not oppose each other at

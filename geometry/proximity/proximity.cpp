@@ -17,10 +17,6 @@ constexpr double end_parameter = 1e-9;
 /// Boxes are searched this fraction of the size farther, so that their rounding loses nothing.
 constexpr double box_rounding_fraction = 1e-12;
 
-const Curve& curve_of(const Part& part, int edge) {
-    return part.edges[static_cast<std::size_t>(edge)].curve;
-}
-
 void add(OutwardDirections& directions, const Vec2& normal) {
     directions.normals[static_cast<std::size_t>(directions.n_normals++)] = normal;
 }

@@ -7,12 +7,12 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "geometry/curves/homogeneous_span.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr int most_points = 128;   // that gauss_rule has
 constexpr int many_points = 48;    // from here on a portion of a rational spline or an ellipse is halved
 constexpr int most_halvings = 40;  // where a curve stands still, the last portion is a rounding of the parameter
 
@@ -28,7 +28,6 @@ struct Reach {
     double rate;     ///< |dx/dz|
     double density;  ///< |ds/dz|, in units of what it is at the middle, about
 };
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A portion of an ellipse or of one span of a spline, with what its Reach follows from.
 struct Complexity {
@@ -140,7 +139,8 @@ Reach reach(const Complexity& p, double sigma) {
 
 enum class Measure { dy, ds };
 
-/// Gauss points for coordinates (of size 1) to the power `factors`, times dy/dz or ds/dz; more than most_points if too many.
+/// Gauss points for coordinates (of size 1) to the power `factors`, times dy/dz or ds/dz; more than most_gauss_points if too
+/// many.
 int points_for(const Complexity& p, int factors, Measure measure) {
     double fewest = infinity;
     for (double rho = 1.2; rho < 1e4; rho *= 1.3) {
@@ -152,7 +152,7 @@ int points_for(const Complexity& p, int factors, Measure measure) {
         if (n > fewest) break;
         fewest = n;
     }
-    return fewest < most_points ? std::max(1, static_cast<int>(std::ceil(fewest))) : most_points + 1;
+    return fewest < most_gauss_points ? std::max(1, static_cast<int>(std::ceil(fewest))) : most_gauss_points + 1;
 }
 
 /// Does the portion stay within gauss_tolerance of its middle? Then no rule is too coarse, and halving would only see
@@ -172,12 +172,12 @@ void append_general_area(std::vector<GaussPortion>& portions, const Curve& curve
     const bool polynomial = !p.is_ellipse && !p.rational;
     int n = points_for(p, 4 * degree + 1, Measure::dy);
     if (polynomial) n = std::min(n, p.degree * (2 * degree + 1));
-    if (n > (polynomial ? most_points : many_points) && halvings > 0 && !is_negligible(p)) {
+    if (n > (polynomial ? most_gauss_points : many_points) && halvings > 0 && !is_negligible(p)) {
         const double middle = 0.5 * (t0 + t1);
         append_general_area(portions, curve, t0, middle, degree, cell, halvings - 1);
         append_general_area(portions, curve, middle, t1, degree, cell, halvings - 1);
     } else {
-        portions.push_back({t0, t1, std::min(n, most_points)});
+        portions.push_back({t0, t1, std::min(n, most_gauss_points)});
     }
 }
 
@@ -210,13 +210,13 @@ void append_area_portions(std::vector<GaussPortion>& portions, const Curve& curv
                           const Vec2& cell) {
     if (is_general(curve)) return append_general_area(portions, curve, t0, t1, degree, cell, most_halvings);
     const int n = 2 * degree + 1 + extra_points(4 * degree + 2, angle_of(curve, t0, t1));
-    portions.push_back({t0, t1, std::min(n, most_points)});
+    portions.push_back({t0, t1, std::min(n, most_gauss_points)});
 }
 
 void append_length_portions(std::vector<GaussPortion>& portions, const Curve& curve, double t0, double t1, int n,
                             const Vec2& cell) {
     if (is_general(curve)) return append_general_length(portions, curve, t0, t1, n, cell, most_halvings);
-    portions.push_back({t0, t1, std::min(n + extra_points(2 * n, angle_of(curve, t0, t1)), most_points)});
+    portions.push_back({t0, t1, std::min(n + extra_points(2 * n, angle_of(curve, t0, t1)), most_gauss_points)});
 }
 
 }  // namespace abut::geometry

@@ -3,21 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/cells/cell_strands.hpp"
 #include "geometry/cells/grid_walk.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "geometry/curves/numbers.hpp"
 #include "geometry/quadrature/gauss_portions.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-constexpr int most_points = 128;  // that gauss_rule has
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Points are laid along `outer` (0: x, 1: y) first, along the other axis then. A wall is a contour seen from there.
 struct Wall {
@@ -61,7 +58,7 @@ int points_along(const CellContours& cell, std::size_t k, int degree) {
     append_area_portions(portions, cell.curve(k), cell[k].t0, cell[k].t1, degree, cell.box.size());
     int n = 0;
     for (const GaussPortion& portion : portions) n += portion.n;
-    return std::min(n, most_points);
+    return std::min(n, most_gauss_points);
 }
 
 std::vector<Wall> walls_of(const CellContours& cell, const std::vector<std::size_t>& contours, int outer, int degree) {
@@ -273,11 +270,11 @@ int n_outer(const View& view, const Patch& p, const Span& span, int degree, int 
     for (int wall : {p.from, p.to})
         if (!is_constant(view, wall)) n = std::max(n, view.walls[static_cast<std::size_t>(wall)].n);
     if (span.root < infinity) n += degree + 1;
-    return std::min(n + extra, most_points);
+    return std::min(n + extra, most_gauss_points);
 }
 
 int n_inner(int degree, int extra) {
-    return std::min(degree + 1 + extra, most_points);
+    return std::min(degree + 1 + extra, most_gauss_points);
 }
 
 std::size_t count_points(const View& view, int degree, int extra) {

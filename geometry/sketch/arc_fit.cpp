@@ -8,29 +8,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
 /// Points of a polyline from one of them on, around a closed one as far as wanted.
-struct Walk {
+struct PolylineWalk {
     const std::vector<Vec2>& points;
     std::size_t start = 0;
     const Vec2& operator[](std::size_t i) const { return points[(start + i) % points.size()]; }
     int index(std::size_t i) const { return static_cast<int>((start + i) % points.size()); }
 };
 
-double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
-}
-
 // ---- lines ----
 
-std::optional<FittedPiece> line_through(const Walk& p, std::size_t i, std::size_t j, double tolerance) {
+std::optional<FittedPiece> line_through(const PolylineWalk& p, std::size_t i, std::size_t j, double tolerance) {
     const Vec2 chord = p[j] - p[i];
     if (chord.norm() <= tolerance) return std::nullopt;
     const Vec2 u = chord.normalized();
@@ -48,11 +43,8 @@ std::optional<FittedPiece> line_through(const Walk& p, std::size_t i, std::size_
 
 // ---- arcs ----
 
-/// Radius of an arc in units of its chord: a flatter one is a line, and its angles carry the points no more.
-constexpr double flattest = 1e5;
-
 /// Angle from first to last, seen from the centre, over all the points between; nothing if they turn back or too far at once.
-std::optional<double> sweep_about(const Walk& p, std::size_t i, std::size_t j, const Vec2& center) {
+std::optional<double> sweep_about(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& center) {
     double sweep = 0;
     for (std::size_t k = i; k < j; ++k) {
         const double turn = angle_between(p[k] - center, p[k + 1] - center);
@@ -64,7 +56,7 @@ std::optional<double> sweep_about(const Walk& p, std::size_t i, std::size_t j, c
 
 /// h with |p_k - c(h)| = |p_i - c(h)| in the mean, c(h) = middle + h n: Newton's method for least squares, started from the
 /// circle through the run's middle point. The squares' difference is linear in h, so that few steps do.
-double best_offset(const Walk& p, std::size_t i, std::size_t j, const Vec2& middle, const Vec2& n, double half_chord) {
+double best_offset(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& middle, const Vec2& n, double half_chord) {
     const auto through = [&](const Vec2& q) {
         const Vec2 d = q - middle;
         return (d.squaredNorm() - half_chord * half_chord) / (2 * d.dot(n));
@@ -87,7 +79,7 @@ double best_offset(const Walk& p, std::size_t i, std::size_t j, const Vec2& midd
     return h;
 }
 
-double largest_miss(const Walk& p, std::size_t i, std::size_t j, const Vec2& center, double radius) {
+double largest_miss(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& center, double radius) {
     double largest = 0;
     for (std::size_t k = i; k <= j; ++k) largest = std::max(largest, std::abs((p[k] - center).norm() - radius));
     return largest;
@@ -98,14 +90,14 @@ Arc arc_from(const Vec2& center, const Vec2& first, double sweep) {
     return {center, d.norm(), std::atan2(d.y(), d.x()), sweep};
 }
 
-std::optional<FittedPiece> arc_through(const Walk& p, std::size_t i, std::size_t j, double tolerance) {
+std::optional<FittedPiece> arc_through(const PolylineWalk& p, std::size_t i, std::size_t j, double tolerance) {
     if (j - i < least_facets) return std::nullopt;
     const Vec2 chord = p[j] - p[i], middle = 0.5 * (p[i] + p[j]);
     if (chord.norm() <= tolerance) return std::nullopt;
     const Vec2 n = left_of(chord).normalized();
     const double h = best_offset(p, i, j, middle, n, chord.norm() / 2);
     const Vec2 center = middle + h * n;
-    if (!(std::abs(h) <= flattest * chord.norm())) return std::nullopt;
+    if (!(std::abs(h) <= flattest_radius * chord.norm())) return std::nullopt;
     const double residual = largest_miss(p, i, j, center, (p[i] - center).norm());
     if (!(residual <= tolerance)) return std::nullopt;
     const auto sweep = sweep_about(p, i, j, center);
@@ -135,7 +127,7 @@ std::optional<FittedPiece> full_circle(const std::vector<Vec2>& points, double t
     if (points.size() < least_facets) return std::nullopt;
     const std::optional<Vec2> center = center_of_all(points);
     if (!center) return std::nullopt;
-    const Walk p{points};
+    const PolylineWalk p{points};
     const std::size_t n = points.size();
     const double residual = largest_miss(p, 0, n, *center, (points[0] - *center).norm());
     if (!(residual <= tolerance)) return std::nullopt;
@@ -178,7 +170,7 @@ std::optional<FittedPiece> longest(std::size_t i, std::size_t end, std::size_t l
 /// would take in what follows, as far as that stays near.
 constexpr double exact_fraction = 1e-3;
 /// The exact arc is taken if it has at least this part of the other's facets; what is drawn roughly is not broken up.
-constexpr double exact_share = 0.8;
+constexpr double exact_facet_share = 0.8;
 
 struct ArcRun {
     FittedPiece piece;
@@ -186,7 +178,7 @@ struct ArcRun {
 };
 
 /// The arc that begins at i or, where the facet from i to i + 1 is not quite on it, one facet later.
-std::optional<ArcRun> longest_arc(const Walk& p, std::size_t i, std::size_t end, double tolerance) {
+std::optional<ArcRun> longest_arc(const PolylineWalk& p, std::size_t i, std::size_t end, double tolerance) {
     const auto within = [&](double limit) {
         return [&p, limit](std::size_t a, std::size_t b) { return arc_through(p, a, b, limit); };
     };
@@ -196,14 +188,14 @@ std::optional<ArcRun> longest_arc(const Walk& p, std::size_t i, std::size_t end,
     for (const std::size_t begin : {i, i + 1}) {
         std::size_t exact_end = begin;
         const auto exact = longest(begin, end, least_facets, within(exact_fraction * tolerance), exact_end);
-        if (exact && static_cast<double>(exact_end - begin) >= exact_share * static_cast<double>(rough_end - i))
+        if (exact && static_cast<double>(exact_end - begin) >= exact_facet_share * static_cast<double>(rough_end - i))
             return ArcRun{*exact, begin, exact_end};
     }
     return ArcRun{*rough, i, rough_end};
 }
 
 /// Pieces of the walk's points 0..end, greedily: the run that reaches farther, the line of two that reach as far.
-std::vector<FittedPiece> pieces_of(const Walk& p, std::size_t end, double tolerance) {
+std::vector<FittedPiece> fitted_pieces(const PolylineWalk& p, std::size_t end, double tolerance) {
     const auto as_line = [&](std::size_t i, std::size_t j) {
         return j == i + 1 ? std::optional(FittedPiece{Segment{p[i], p[j]}, p.index(i), p.index(j), 0})
                           : line_through(p, i, j, tolerance);
@@ -252,20 +244,20 @@ std::vector<Vec2> sampled(const Curve& curve) {
 
 std::vector<FittedPiece> fit_lines_and_arcs(const std::vector<Vec2>& points, bool closed, double tolerance) {
     if (points.size() < 2) return {};
-    if (!closed) return pieces_of({points}, points.size() - 1, tolerance);
+    if (!closed) return fitted_pieces({points}, points.size() - 1, tolerance);
     if (auto circle = full_circle(points, tolerance)) return {*circle};
     // Where the runs begin matters on a closed polyline. From the longest facet, which is a line's if there are lines; then
     // once more from the first joint that was found, so that no run is cut in two where the first walk happened to begin.
-    const Walk first{points, begin_of_longest_facet(points)};
-    const std::vector<FittedPiece> found = pieces_of(first, points.size(), tolerance);
+    const PolylineWalk first{points, begin_of_longest_facet(points)};
+    const std::vector<FittedPiece> found = fitted_pieces(first, points.size(), tolerance);
     if (found.size() < 2) return found;
-    return pieces_of({points, static_cast<std::size_t>(found[1].first)}, points.size(), tolerance);
+    return fitted_pieces({points, static_cast<std::size_t>(found[1].first)}, points.size(), tolerance);
 }
 
 std::optional<Curve> as_line_or_arc(const Curve& curve, double tolerance) {
     if (std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve)) return curve;
     std::vector<Vec2> points = sampled(curve);
-    const Walk p{points};
+    const PolylineWalk p{points};
     const std::size_t last = points.size() - 1;
     if ((points.back() - points.front()).norm() <= tolerance) {
         points.pop_back();

@@ -19,6 +19,8 @@ struct FittedPiece {
 inline constexpr double largest_facet_turn = 0.27;
 /// An arc needs at least so many facets.
 inline constexpr int least_facets = 4;
+/// Radius of an arc in units of its chord: a flatter one is a line, and its angles carry the points no more.
+inline constexpr double flattest_radius = 1e5;
 
 /// Greedy longest runs whose vertices lie on one line or one circle within the tolerance. Corners (turns that fit no arc) are
 /// never rounded off. A closed polyline wholly on one circle is one full arc. Deterministic; cost near linear.

@@ -23,16 +23,10 @@ using std::size_t;
 constexpr double tangent_share = 0.25;
 /// An arc whose points are off it by less than this part of the tolerance, and by less than its facets, is one: rounding to
 /// single precision is less. Others may be pieces of a curve.
-constexpr double exact_share = 0.05;
-/// Radius of an arc in units of its chord: a flatter one is a line.
-constexpr double flattest_radius = 1e5;
+constexpr double exact_tolerance_share = 0.05;
 /// Limits the work on vertices between two arcs, and how far these turn.
 constexpr int most_spanned = 64;
 constexpr double most_turn_spanned = 1.0;
-
-double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
-}
 
 Vec2 turned(const Vec2& v, double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
@@ -85,7 +79,8 @@ public:
           beside_(points.size()) {
         for (const FittedPiece& piece : pieces) {
             const int n_facets = n_facets_of(piece);
-            const bool is_rough = n_facets < n_ && piece.residual > std::min(exact_share * tolerance_, sagitta_of(piece));
+            const bool is_rough =
+                n_facets < n_ && piece.residual > std::min(exact_tolerance_share * tolerance_, sagitta_of(piece));
             const bool is_free = n_facets == 1 || is_rough;
             for (int k = 0; k < n_facets; ++k) {
                 is_free_[index(piece.first + k)] = is_free;

@@ -2,29 +2,19 @@
 #include "geometry/sketch/sketch_arcs.hpp"
 
 #include <algorithm>
-#include <sstream>
 
+#include "geometry/brep/message_text.hpp"
+#include "geometry/curves/index.hpp"
 #include "geometry/sketch/arc_fit.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-std::string short_number(double value) {
-    std::ostringstream text;
-    text.precision(6);
-    text << value;
-    return text.str();
-}
-
 std::string description(const Curve& curve) {
     const auto* arc = std::get_if<Arc>(&curve);
     if (!arc) return "a line";
-    return std::string(is_full_turn(curve) ? "a circle" : "an arc") + " of radius " + short_number(arc->radius);
+    return std::string(is_full_turn(curve) ? "a circle" : "an arc") + " of radius " + number_text(arc->radius);
 }
 
 // ---- chains of segments ----
@@ -40,9 +30,9 @@ struct FacetChains {
     const std::vector<SketchPiece>& entities;
     const Joints& joints;
 
-    bool is_segment(int e) const { return std::holds_alternative<Segment>(entities[index(e)].curve); }
+    bool is_segment(int e) const { return std::holds_alternative<Segment>(entities[at(e)].curve); }
     const Joint& joint(const EntityEnd& end) const {
-        return joints.joints[index((end.is_begin ? joints.at_begin : joints.at_end)[index(end.entity)])];
+        return joints.joints[at((end.is_begin ? joints.at_begin : joints.at_end)[at(end.entity)])];
     }
     /// The segment's end that continues this one; entity -1 if none does.
     EntityEnd partner(const EntityEnd& end) const {
@@ -96,17 +86,16 @@ Replacement replacement(const std::vector<SketchPiece>& entities, const FacetRun
                         std::size_t n_facets) {
     Replacement found;
     const std::size_t n = run.entities.size();
-    std::size_t first_at = index(piece.first) % n;
+    std::size_t first_at = at(piece.first) % n;
     for (std::size_t k = 0; k < n_facets; ++k) {
-        const std::size_t at = (index(piece.first) + k) % n;
-        if (run.entities[at] < run.entities[first_at]) first_at = at;
+        const std::size_t here = (at(piece.first) + k) % n;
+        if (run.entities[here] < run.entities[first_at]) first_at = here;
     }
     found.first = run.entities[first_at];
     found.curve = run.along[first_at] ? piece.curve : reversed(piece.curve);
     found.n_facets = static_cast<int>(n_facets);
-    const std::size_t last_at = (index(piece.first) + n_facets - 1) % n;
-    found.names =
-        entities[index(run.entities[index(piece.first) % n])].name + "..." + entities[index(run.entities[last_at])].name;
+    const std::size_t last_at = (at(piece.first) + n_facets - 1) % n;
+    found.names = entities[at(run.entities[at(piece.first) % n])].name + "..." + entities[at(run.entities[last_at])].name;
     found.residual = piece.residual;
     return found;
 }
@@ -118,10 +107,10 @@ void find_arcs(const FacetChains& chains, const FacetRun& run, double tolerance,
     const std::size_t n = run.entities.size();
     for (const FittedPiece& piece : fit_lines_and_arcs(chains.points(run), run.is_closed, tolerance)) {
         if (!std::holds_alternative<Arc>(piece.curve)) continue;
-        const std::size_t begin = index(piece.first), end = index(piece.last);
+        const std::size_t begin = at(piece.first), end = at(piece.last);
         const std::size_t n_facets = end > begin ? end - begin : end + n - begin;  // all the way around: n
         arcs.push_back(replacement(chains.entities, run, piece, n_facets));
-        for (std::size_t k = 0; k < n_facets; ++k) is_replaced[index(run.entities[(begin + k) % n])] = true;
+        for (std::size_t k = 0; k < n_facets; ++k) is_replaced[at(run.entities[(begin + k) % n])] = true;
     }
 }
 
@@ -148,12 +137,12 @@ bool recognise_facets(std::vector<SketchPiece>& entities, const Joints& joints, 
         const int e = static_cast<int>(i);
         if (is_seen[i] || !chains.is_segment(e)) continue;
         const FacetRun run = chains.run_through(e);
-        for (const int other : run.entities) is_seen[index(other)] = true;
+        for (const int other : run.entities) is_seen[at(other)] = true;
         find_arcs(chains, run, tolerance, arcs, is_replaced);
     }
     for (const Replacement& arc : arcs) {
-        is_replaced[index(arc.first)] = false;
-        entities[index(arc.first)].curve = arc.curve;
+        is_replaced[at(arc.first)] = false;
+        entities[at(arc.first)].curve = arc.curve;
         repairs.push_back({std::to_string(arc.n_facets) + " lines recognised as " + description(arc.curve) + ", " + arc.names,
                            point(arc.curve, 0.5), arc.residual});
     }

@@ -16,7 +16,7 @@ struct Step {
     std::size_t next_end = 0;
 };
 
-struct Search {
+struct BlockSearch {
     const Joints& joints;
     std::vector<bool>& is_seen;
     std::unordered_map<int, int> order{}, low{};  ///< by joint: when it was reached; the earliest joint reached from below it
@@ -88,7 +88,7 @@ struct Search {
 }  // namespace
 
 std::vector<std::vector<int>> connected_blocks(const Joints& joints, int first, std::vector<bool>& is_seen) {
-    Search search{joints, is_seen};
+    BlockSearch search{joints, is_seen};
     search.run(first);
     std::sort(search.blocks.begin(), search.blocks.end());
     return std::move(search.blocks);

@@ -13,7 +13,7 @@ namespace abut::geometry {
 
 namespace {
 
-std::string short_number(double value) {
+std::string four_digits(double value) {
     std::ostringstream text;
     text.precision(4);
     text << value;
@@ -172,11 +172,11 @@ struct Tracer {
         const bool is_same = end.entity == other.entity;
         const std::string names = is_same ? a.name : a.name + ", " + b.name;
         const double gap = (p - q).norm();
-        return {"open outline on layer " + a.layer + ": the ends of " + names + " are " + short_number(gap) + " apart",
+        return {"open outline on layer " + a.layer + ": the ends of " + names + " are " + four_digits(gap) + " apart",
                 0.5 * (p + q), names, std::min(a.line, b.line),
                 gap > bridgeable * tolerance
                     ? "complete the outline in CAD, or switch the layer off if it is none"
-                    : "close the gap in CAD or give a larger tolerance (it was " + short_number(tolerance) + ")"};
+                    : "close the gap in CAD or give a larger tolerance (it was " + four_digits(tolerance) + ")"};
     }
 
     /// Does it hang together with nothing, with no end that something else nearly continues? Centre lines do.

@@ -58,7 +58,7 @@ double tolerance_between(const Layout& layout, int chain, int other, double tole
 }
 
 /// What the chain bounds, run counter-clockwise.
-Part region_of(const Layout& layout, int chain) {
+Part part_inside(const Layout& layout, int chain) {
     const auto c = static_cast<std::size_t>(chain);
     Part region;
     region.edges.assign(layout.all.edges.begin() + layout.first[c], layout.all.edges.begin() + layout.first[c + 1]);
@@ -86,7 +86,7 @@ struct Meeting {
 
 /// Where a chain meets another, its pieces between the meetings lie on one side each: they cross if both sides occur.
 bool do_cross(const Layout& layout, int chain, int other, const std::vector<Meeting>& meetings, double tolerance) {
-    const Part region = region_of(layout, other);
+    const Part region = part_inside(layout, other);
     const std::vector<MonotonePiece> pieces = monotone_pieces(region);
     bool is_in = false, is_out = false;
     for (int e = layout.first[static_cast<std::size_t>(chain)]; e < layout.first[static_cast<std::size_t>(chain) + 1]; ++e) {

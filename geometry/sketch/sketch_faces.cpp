@@ -9,13 +9,11 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/curves/index.hpp"
+
 namespace abut::geometry {
 
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct HalfEdges {
     const std::vector<SketchPiece>& entities;
@@ -24,7 +22,7 @@ struct HalfEdges {
     std::unordered_map<int, std::vector<int>> leaving;  ///< half edges by joint, counter-clockwise once sorted
     std::vector<int> next;                              ///< by half edge: along the area on its left
 
-    const Curve& curve(int half) const { return entities[index(block[index(half / 2)])].curve; }
+    const Curve& curve(int half) const { return entities[at(block[at(half / 2)])].curve; }
     bool along(int half) const { return half % 2 == 0; }
 };
 
@@ -74,7 +72,7 @@ void sort_about(const HalfEdges& halves, std::vector<int>& leaving) {
 HalfEdges half_edges(const std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<int>& block) {
     HalfEdges halves{entities, block, {}, {}, {}};
     for (const int e : block)
-        for (const int joint : {joints.at_begin[index(e)], joints.at_end[index(e)]}) {
+        for (const int joint : {joints.at_begin[at(e)], joints.at_end[at(e)]}) {
             halves.leaving[joint].push_back(static_cast<int>(halves.from.size()));
             halves.from.push_back(joint);
         }
@@ -84,7 +82,7 @@ HalfEdges half_edges(const std::vector<SketchPiece>& entities, const Joints& joi
         // Arriving against `here`, an area on the left goes on with what leaves next to it clockwise.
         for (std::size_t k = 0; k < leaving.size(); ++k) {
             const int here = leaving[k], clockwise = leaving[(k + leaving.size() - 1) % leaving.size()];
-            halves.next[index(twin(here))] = clockwise;
+            halves.next[at(twin(here))] = clockwise;
         }
     }
     return halves;
@@ -92,7 +90,7 @@ HalfEdges half_edges(const std::vector<SketchPiece>& entities, const Joints& joi
 
 // ---- areas ----
 
-struct Walk {
+struct FaceWalk {
     std::vector<int> halves;
     double area = 0;  ///< signed
 };
@@ -106,14 +104,14 @@ double signed_area(const HalfEdges& halves, const std::vector<int>& walk) {
     return area(part);
 }
 
-std::vector<Walk> all_walks(const HalfEdges& halves, std::vector<int>& walk_of) {
-    std::vector<Walk> walks;
+std::vector<FaceWalk> all_walks(const HalfEdges& halves, std::vector<int>& walk_of) {
+    std::vector<FaceWalk> walks;
     walk_of.assign(halves.next.size(), -1);
     for (std::size_t h = 0; h < halves.next.size(); ++h) {
         if (walk_of[h] >= 0) continue;
-        Walk walk;
-        for (int half = static_cast<int>(h); walk_of[index(half)] < 0; half = halves.next[index(half)]) {
-            walk_of[index(half)] = static_cast<int>(walks.size());
+        FaceWalk walk;
+        for (int half = static_cast<int>(h); walk_of[at(half)] < 0; half = halves.next[at(half)]) {
+            walk_of[at(half)] = static_cast<int>(walks.size());
             walk.halves.push_back(half);
         }
         walk.area = signed_area(halves, walk.halves);
@@ -124,7 +122,7 @@ std::vector<Walk> all_walks(const HalfEdges& halves, std::vector<int>& walk_of) 
 
 EntityChain chain_of(const HalfEdges& halves, const std::vector<int>& walk) {
     EntityChain chain;
-    for (const int half : walk) chain.push_back({halves.block[index(half / 2)], halves.along(half)});
+    for (const int half : walk) chain.push_back({halves.block[at(half / 2)], halves.along(half)});
     std::rotate(chain.begin(),
                 std::min_element(chain.begin(), chain.end(), [](const auto& a, const auto& b) { return a.entity < b.entity; }),
                 chain.end());
@@ -142,31 +140,31 @@ EntityChain backwards(EntityChain chain) {
 /// How often each entity of the block counts; empty where some line stands for two outlines.
 std::vector<int> crossings_by_entity(const HalfEdges& halves) {
     std::vector<int> times;
-    for (const int e : halves.block) times.push_back(halves.entities[index(e)].times_drawn);
+    for (const int e : halves.block) times.push_back(halves.entities[at(e)].times_drawn);
     if (std::all_of(times.begin(), times.end(), [](int n) { return n % 2 == 0; }))
         for (int& n : times) n /= 2;
     for (const auto& [joint, leaving] : halves.leaving) {
         int n_ends = 0;
-        for (const int half : leaving) n_ends += times[index(half / 2)];
+        for (const int half : leaving) n_ends += times[at(half / 2)];
         if (n_ends % 2 != 0) return {};
     }
     return times;
 }
 
 /// Parity of the lines crossed from outside, by walk.
-std::vector<bool> parities(const std::vector<Walk>& walks, const std::vector<int>& walk_of, int outside,
+std::vector<bool> parities(const std::vector<FaceWalk>& walks, const std::vector<int>& walk_of, int outside,
                            const std::vector<int>& times) {
     std::vector<bool> is_odd(walks.size(), false), is_known(walks.size(), false);
     std::vector<int> open{outside};
-    is_known[index(outside)] = true;
+    is_known[at(outside)] = true;
     while (!open.empty()) {
         const int here = open.back();
         open.pop_back();
-        for (const int half : walks[index(here)].halves) {
-            const int beyond = walk_of[index(twin(half))];
-            if (is_known[index(beyond)]) continue;
-            is_known[index(beyond)] = true;
-            is_odd[index(beyond)] = is_odd[index(here)] != (times[index(half / 2)] % 2 != 0);
+        for (const int half : walks[at(here)].halves) {
+            const int beyond = walk_of[at(twin(half))];
+            if (is_known[at(beyond)]) continue;
+            is_known[at(beyond)] = true;
+            is_odd[at(beyond)] = is_odd[at(here)] != (times[at(half / 2)] % 2 != 0);
             open.push_back(beyond);
         }
     }
@@ -178,9 +176,9 @@ std::vector<bool> parities(const std::vector<Walk>& walks, const std::vector<int
 DividedOutline walk_faces(const std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<int>& block) {
     const HalfEdges halves = half_edges(entities, joints, block);
     std::vector<int> walk_of;
-    const std::vector<Walk> walks = all_walks(halves, walk_of);
+    const std::vector<FaceWalk> walks = all_walks(halves, walk_of);
     const auto outside =
-        std::min_element(walks.begin(), walks.end(), [](const Walk& a, const Walk& b) { return a.area < b.area; });
+        std::min_element(walks.begin(), walks.end(), [](const FaceWalk& a, const FaceWalk& b) { return a.area < b.area; });
     const std::vector<int> times = crossings_by_entity(halves);
     const int outer = static_cast<int>(outside - walks.begin());
 

@@ -11,12 +11,12 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/curves/moved_ends.hpp"
+#include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 /// A sweep that misses the full turn by less is one: the gap is a rounding error of the circumference.
 constexpr double full_turn_angle = 1e-12;
 

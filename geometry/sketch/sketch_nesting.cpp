@@ -11,15 +11,12 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
+#include "geometry/curves/index.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// What answers fast where a point lies, of regions that are asked.
 struct Finder {
@@ -58,7 +55,7 @@ void turn(Region& region) {
 Region region_of(const std::vector<SketchPiece>& entities, const EntityChain& chain) {
     Region region;
     for (const ChainLink& link : chain) {
-        region.outline.edges.push_back(edge_of(entities[index(link.entity)], link.along));
+        region.outline.edges.push_back(edge_of(entities[at(link.entity)], link.along));
         region.entity.push_back(link.entity);
     }
     region.area = area(region.outline);
@@ -79,14 +76,10 @@ bool is_on_boundary(const Region& region, const Vec2& p, double tolerance) {
     Box2 here;
     here.extend(p);
     for (const int e : finder_of(region).tree.near(here, tolerance)) {
-        const Curve& curve = region.outline.edges[index(e)].curve;
+        const Curve& curve = region.outline.edges[at(e)].curve;
         if ((point(curve, closest_parameter(curve, p)) - p).norm() <= tolerance) return true;
     }
     return false;
-}
-
-bool is_within(const Box2& inner, const Box2& outer, double margin) {
-    return (inner.min.array() >= outer.min.array() - margin).all() && (inner.max.array() <= outer.max.array() + margin).all();
 }
 
 /// How close to an outline is on it.
@@ -97,7 +90,7 @@ struct Margins {
 /// Outlines do not cross here by more than the tolerance, so one point decides that is farther than that from the other's
 /// boundary, which the inner one may touch; or, in a narrow clearance, one that is not on it.
 bool is_inside(const Region& inner, const Region& outer, const Margins& margins) {
-    if (inner.area >= outer.area || !is_within(inner.box, outer.box, margins.tolerance)) return false;
+    if (inner.area >= outer.area || !inner.box.is_within(outer.box, margins.tolerance)) return false;
     for (const double margin : {margins.tolerance, margins.coincidence})
         for (const Edge& edge : inner.outline.edges)
             for (const double t : {0.0, 0.5}) {
@@ -115,15 +108,15 @@ int directly_around(const std::vector<Region>& regions, std::size_t i, const Edg
     corner.extend(inner.box.min);
     std::vector<int> candidates = tree.near(corner, margins.tolerance);
     std::erase_if(candidates, [&](int k) {
-        const Region& outer = regions[index(k)];
+        const Region& outer = regions[at(k)];
         const bool is_sibling = inner.divided >= 0 && outer.divided == inner.divided;
-        return index(k) == i || is_sibling || outer.area <= inner.area || !is_within(inner.box, outer.box, margins.tolerance);
+        return at(k) == i || is_sibling || outer.area <= inner.area || !inner.box.is_within(outer.box, margins.tolerance);
     });
-    const auto is_larger = [&](int a, int b) { return rank[index(a)] > rank[index(b)]; };
+    const auto is_larger = [&](int a, int b) { return rank[at(a)] > rank[at(b)]; };
     std::make_heap(candidates.begin(), candidates.end(), is_larger);  // the smallest on top: mostly one or two are asked
     while (!candidates.empty()) {
         std::pop_heap(candidates.begin(), candidates.end(), is_larger);
-        if (is_inside(inner, regions[index(candidates.back())], margins)) return candidates.back();
+        if (is_inside(inner, regions[at(candidates.back())], margins)) return candidates.back();
         candidates.pop_back();
     }
     return -1;
@@ -132,10 +125,9 @@ int directly_around(const std::vector<Region>& regions, std::size_t i, const Edg
 void find_surroundings(std::vector<Region>& regions, const Margins& margins) {
     std::vector<int> by_size(regions.size());
     std::iota(by_size.begin(), by_size.end(), 0);
-    std::stable_sort(by_size.begin(), by_size.end(),
-                     [&](int a, int b) { return regions[index(a)].area < regions[index(b)].area; });
+    std::stable_sort(by_size.begin(), by_size.end(), [&](int a, int b) { return regions[at(a)].area < regions[at(b)].area; });
     std::vector<int> rank(regions.size());
-    for (std::size_t k = 0; k < by_size.size(); ++k) rank[index(by_size[k])] = static_cast<int>(k);
+    for (std::size_t k = 0; k < by_size.size(); ++k) rank[at(by_size[k])] = static_cast<int>(k);
     std::vector<Box2> boxes;
     for (const Region& region : regions) boxes.push_back(region.box);
     const EdgeTree tree(boxes);
@@ -146,13 +138,13 @@ void fill(std::vector<Region>& regions, const std::vector<DividedOutline>& divid
     std::vector<int> outermost_first(regions.size());
     std::iota(outermost_first.begin(), outermost_first.end(), 0);
     std::stable_sort(outermost_first.begin(), outermost_first.end(),
-                     [&](int a, int b) { return regions[index(a)].area > regions[index(b)].area; });
+                     [&](int a, int b) { return regions[at(a)].area > regions[at(b)].area; });
     for (const int i : outermost_first) {
-        Region& region = regions[index(i)];
-        const bool is_inside_material = region.around >= 0 && regions[index(region.around)].is_filled;
+        Region& region = regions[at(i)];
+        const bool is_inside_material = region.around >= 0 && regions[at(region.around)].is_filled;
         if (region.divided < 0)
             region.is_filled = !is_inside_material;
-        else if (divided[index(region.divided)].is_even_odd)
+        else if (divided[at(region.divided)].is_even_odd)
             region.is_filled = region.is_face_filled != is_inside_material;
         else
             region.is_filled = true;
@@ -178,21 +170,21 @@ void assemble(const std::vector<Region>& regions, std::vector<Region>& holes, Ne
         append_loop(nested.parts.emplace_back(), nested.entity.emplace_back(), regions[i]);
     }
     for (Region& hole : holes) {
-        const auto part = index(part_of[index(hole.around)]);
+        const auto part = at(part_of[at(hole.around)]);
         turn(hole);
         append_loop(nested.parts[part], nested.entity[part], hole);
     }
 }
 
 bool is_in_material(const std::vector<Region>& regions, const Region& region) {
-    return region.around >= 0 && regions[index(region.around)].is_filled;
+    return region.around >= 0 && regions[at(region.around)].is_filled;
 }
 
 Repair remark(const std::vector<SketchPiece>& entities, const DividedOutline& divided) {
     const auto n_filled = std::count_if(divided.faces.begin(), divided.faces.end(), [](const Face& f) { return f.is_filled; });
-    const SketchPiece& first = entities[index(divided.contour.front().entity)];
+    const SketchPiece& first = entities[at(divided.contour.front().entity)];
     Box2 box;
-    for (const ChainLink& link : divided.contour) box.extend(bounding_box(entities[index(link.entity)].curve));
+    for (const ChainLink& link : divided.contour) box.extend(bounding_box(entities[at(link.entity)].curve));
     return {"outlines on layer " + first.layer + " share edges (near " + first.name + "): taken as " +
                 std::to_string(n_filled) + (n_filled == 1 ? " part" : " parts that touch") +
                 (n_filled < static_cast<std::ptrdiff_t>(divided.faces.size()) ? ", with what lies between left open" : ""),
@@ -219,7 +211,7 @@ void remove_without_area(const std::vector<SketchPiece>& entities, std::vector<R
                          std::vector<SketchProblem>& problems) {
     std::erase_if(regions, [&](const Region& region) {
         if (region.area > coincidence * perimeter(region.outline) / 2) return false;
-        const SketchPiece& first = entities[index(region.first_entity)];
+        const SketchPiece& first = entities[at(region.first_entity)];
         problems.push_back(
             {"the outline that begins with " + first.kind + " " + first.name + " on layer " + first.layer + " encloses no area",
              point(first.curve, 0.5), first.name, first.line, "delete what is drawn twice in CAD"});
@@ -236,9 +228,9 @@ std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>
         if (region.divided < 0) {
             holes.push_back({region.outline, region.entity, region.box, region.area, region.first_entity});
             holes.back().around = region.around;
-        } else if (!is_done[index(region.divided)]) {
-            is_done[index(region.divided)] = true;
-            holes.push_back(region_of(outlines.entities, outlines.divided[index(region.divided)].contour));
+        } else if (!is_done[at(region.divided)]) {
+            is_done[at(region.divided)] = true;
+            holes.push_back(region_of(outlines.entities, outlines.divided[at(region.divided)].contour));
             holes.back().around = region.around;
         }
     }
@@ -259,16 +251,16 @@ std::vector<EntityChain> all_chains(const Outlines& outlines) {
 std::vector<bool> construction_circles(const Outlines& outlines, const std::vector<EntityChain>& chains,
                                        const std::vector<Crossing>& crossings, std::vector<Repair>& remarks) {
     const auto is_circle = [&](int chain) {
-        const EntityChain& links = chains[index(chain)];
-        return links.size() == 1 && is_full_turn(outlines.entities[index(links.front().entity)].curve);
+        const EntityChain& links = chains[at(chain)];
+        return links.size() == 1 && is_full_turn(outlines.entities[at(links.front().entity)].curve);
     };
     std::vector<bool> is_construction(chains.size(), false);
     for (const Crossing& crossing : crossings) {
         if (is_circle(crossing.chain) == is_circle(crossing.other)) continue;
         const int chain = is_circle(crossing.chain) ? crossing.chain : crossing.other;
-        if (is_construction[index(chain)]) continue;
-        is_construction[index(chain)] = true;
-        const SketchPiece& circle = outlines.entities[index(chains[index(chain)].front().entity)];
+        if (is_construction[at(chain)]) continue;
+        is_construction[at(chain)] = true;
+        const SketchPiece& circle = outlines.entities[at(chains[at(chain)].front().entity)];
         remarks.push_back({circle.kind + " " + circle.name + " on layer " + circle.layer +
                                " left out: it crosses an outline, as circles of construction do",
                            crossing.problem.at, length(circle.curve)});
@@ -283,8 +275,8 @@ Outlines without_crossings(const Outlines& outlines, double tolerance, NestedPar
     std::vector<bool> is_out = construction_circles(outlines, all, crossings, nested.remarks);
     const std::vector<bool> is_construction = is_out;
     for (const Crossing& crossing : crossings) {
-        if (is_construction[index(crossing.chain)] || is_construction[index(crossing.other)]) continue;
-        is_out[index(crossing.chain)] = is_out[index(crossing.other)] = true;
+        if (is_construction[at(crossing.chain)] || is_construction[at(crossing.other)]) continue;
+        is_out[at(crossing.chain)] = is_out[at(crossing.other)] = true;
         nested.problems.push_back(crossing.problem);
     }
     Outlines sound{outlines.entities, {}, {}};

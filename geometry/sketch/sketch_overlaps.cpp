@@ -21,10 +21,6 @@ bool lies_on(const Curve& curve, const Curve& other, double tolerance) {
     });
 }
 
-bool is_within(const Box2& inner, const Box2& outer, double margin) {
-    return (inner.min.array() >= outer.min.array() - margin).all() && (inner.max.array() <= outer.max.array() + margin).all();
-}
-
 Repair removal(const SketchPiece& gone, const SketchPiece& kept) {
     return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve)};
 }
@@ -71,7 +67,7 @@ std::vector<int> find_covers(const std::vector<SketchPiece>& entities, const std
         Box2 middle;
         middle.extend(point(entities[i].curve, 0.5));
         for (const int j : tree.near(middle, tolerance)) {
-            if (static_cast<std::size_t>(j) == i || !is_within(boxes[i], boxes[static_cast<std::size_t>(j)], tolerance))
+            if (static_cast<std::size_t>(j) == i || !boxes[i].is_within(boxes[static_cast<std::size_t>(j)], tolerance))
                 continue;
             if (!lies_on(entities[i].curve, entities[static_cast<std::size_t>(j)].curve, tolerance)) continue;
             covers[i] = j;

@@ -49,12 +49,12 @@ bool note(Cuts& cuts, const SketchPiece& entity, std::size_t index, double t, do
 }
 
 /// Entities that are asked for, by their boxes.
-struct Search {
+struct AskedEntities {
     std::vector<std::size_t> entity;
     EdgeTree tree;
 };
 
-Search search_among(const std::vector<SketchPiece>& entities, const std::vector<bool>& is_asked) {
+AskedEntities asked_entities(const std::vector<SketchPiece>& entities, const std::vector<bool>& is_asked) {
     std::vector<Box2> boxes;
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < entities.size(); ++i) {
@@ -83,20 +83,20 @@ std::vector<EntityEnd> different_ends(const std::vector<SketchPiece>& entities, 
 
 Cuts find_cuts(const std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
                double tolerance, double coincidence, std::vector<Repair>& repairs) {
-    const Search all = search_among(entities, std::vector<bool>(entities.size(), true));
-    const Search in_trouble = search_among(entities, troubled);
+    const AskedEntities all = asked_entities(entities, std::vector<bool>(entities.size(), true));
+    const AskedEntities in_trouble = asked_entities(entities, troubled);
     Cuts cuts;
     for (const EntityEnd& end : different_ends(entities, troubled)) {
         const auto i = static_cast<std::size_t>(end.entity);
-        const Search& search = troubled[i] ? all : in_trouble;
+        const AskedEntities& asked = troubled[i] ? all : in_trouble;
         const Vec2 p = position(entities, end);
         const int joint = joint_of(joints, end);
         const bool is_alone = joints.joints[static_cast<std::size_t>(joint)].ends.size() == 1;
         const double reach = is_alone ? tolerance : coincidence;
         Box2 here;
         here.extend(p);
-        for (const int near : search.tree.near(here, reach)) {
-            const std::size_t j = search.entity[static_cast<std::size_t>(near)];
+        for (const int near : asked.tree.near(here, reach)) {
+            const std::size_t j = asked.entity[static_cast<std::size_t>(near)];
             if (i == j || joints.at_begin[j] == joint || joints.at_end[j] == joint) continue;
             const std::optional<double> t = place_inside(entities[j], p, reach, coincidence);
             if (!t || runs_beside(entities[i], end.is_begin, entities[j], *t, coincidence) ||

@@ -9,10 +9,6 @@ namespace abut::geometry {
 
 namespace {
 
-double angle_between(const Vec2& a, const Vec2& b) {
-    return std::atan2(cross(a, b), a.dot(b));
-}
-
 /// Signed angle by which the tangent turns along the curve.
 double signed_turning(const Curve& curve) {
     if (std::holds_alternative<Segment>(curve)) return 0;

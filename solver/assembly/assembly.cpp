@@ -19,10 +19,6 @@ Eigen::Map<const VectorXd> as_vector(const std::vector<double>& v) {
     return {v.data(), static_cast<Index>(v.size())};
 }
 
-bool is_full(const SplineSpace& s, int cell) {
-    return s.fraction[static_cast<std::size_t>(cell)] == 1;
-}
-
 /// Calls f(cell) for every cell that is wholly inside.
 template <class F>
 void for_full_cells(const SplineSpace& s, F f) {

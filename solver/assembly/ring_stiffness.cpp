@@ -94,10 +94,6 @@ void add_hoop(const HoopIntegrals& h, const Elasticity& d, double thickness, std
         }
 }
 
-bool is_full(const SplineSpace& s, int cell) {
-    return s.fraction[static_cast<std::size_t>(cell)] == 1;
-}
-
 /// The assembly under way.
 struct RingStiffness {
     const PartInput& input;

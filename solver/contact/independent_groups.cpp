@@ -6,15 +6,12 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Union-find by the smallest member.
 int root_of(std::vector<int>& parent, int i) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "solver/linear_algebra/index.hpp"
 #include "solver/parts/fold.hpp"
 
 namespace abut::solver {
@@ -15,10 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 using Fields = std::vector<VectorXd>;  // by part
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// set: 0 or 1.
 Fields test_fields(const AssemblyProblem& problem, std::uint64_t set) {

@@ -10,6 +10,7 @@
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/mirrored_rows.hpp"
 #include "solver/contact/neutral_motions.hpp"
+#include "solver/linear_algebra/index.hpp"
 #include "solver/parts/fold.hpp"
 
 namespace abut::solver {
@@ -19,10 +20,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 const PartMirror& mirror_of(const PartSystem& part) {
     return *part.input.mirror;

@@ -24,7 +24,7 @@ constexpr double energy_rounding = 1e-15;    // of the terms that the energy is 
 constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
 
 /// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
-constexpr double free_fraction = 1e-3;
+constexpr double free_pivot = 1e-3;
 
 VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
     const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
@@ -130,7 +130,7 @@ std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& 
         if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
     const Eigen::LDLT<MatrixXd> factor(weighted_gram(qp.modes, foundation));
     const VectorXd pivots = factor.vectorD();
-    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_fraction * pivots.maxCoeff())) return std::nullopt;
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_pivot * pivots.maxCoeff())) return std::nullopt;
     return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
 }
 

@@ -6,15 +6,13 @@
 #include <numeric>
 #include <optional>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
 
 using Nodes = std::vector<int>;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Line {
     std::size_t direction;

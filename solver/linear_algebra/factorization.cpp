@@ -14,6 +14,7 @@
 #include "solver/linear_algebra/condition.hpp"
 #include "solver/linear_algebra/frontal_factor.hpp"
 #include "solver/linear_algebra/grid_dissection.hpp"
+#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/ordering.hpp"
 #include "solver/linear_algebra/schur_complement.hpp"
 #include "solver/linear_algebra/signed_factor.hpp"
@@ -23,10 +24,6 @@ namespace abut::solver {
 namespace {
 
 using Eigen::VectorXd;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// FNV-1a.
 std::uint64_t checksum(const SparseSymmetric& m) {

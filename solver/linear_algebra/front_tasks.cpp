@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {
@@ -17,10 +18,6 @@ namespace {
 constexpr double least_work = 2e7;
 /// Subtrees for each thread, at least.
 constexpr double subtrees_of_thread = 4;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double work_of(const Fronts& f, int front) {
     const double w = f.width(front), under = f.rows(front) - w;

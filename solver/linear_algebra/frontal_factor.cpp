@@ -7,6 +7,7 @@
 
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/front_tasks.hpp"
+#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/supernodal_form.hpp"
 
 namespace abut::solver {
@@ -16,10 +17,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// One front of L: columns by columns, `rows` apart.
 struct Front {
@@ -39,7 +36,7 @@ void add(const double* from, int n, double* to) {
 }
 
 /// The elimination under way.
-struct Elimination {
+struct FrontalElimination {
     const Fronts& fronts;
     const FrontTasks& tasks;
     double* values;
@@ -117,7 +114,7 @@ FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<cons
     : fronts_(std::move(fronts)), values_(zeros(at(fronts_->first_value.back()))) {
     for (std::size_t k = 0; k < matrix.value.size(); ++k) values_[at(fronts_->target[k])] = matrix.value[k];
     const FrontTasks tasks = make_front_tasks(*fronts_, largest_for(*fronts_, threads));
-    Elimination elimination{*fronts_, tasks, values_.get()};
+    FrontalElimination elimination{*fronts_, tasks, values_.get()};
     elimination.rooms.resize(tasks.task.size());
     std::vector<int> failed(tasks.task.size(), -1);
     std::vector<std::atomic<bool>> is_stuck(tasks.task.size());  // one below has failed

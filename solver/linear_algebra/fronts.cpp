@@ -5,13 +5,11 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The fronts in nodes: what each of them has below its own, by position, ascending; and the front above.
 struct NodeFronts {

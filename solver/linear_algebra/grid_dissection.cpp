@@ -6,13 +6,11 @@
 #include <optional>
 #include <tuple>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct IndexBox {
     std::array<int, 2> low, high;

@@ -7,13 +7,11 @@
 #include <numeric>
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Whether column c + 1 has the rows of column c below the diagonal.
 bool same_below(const SparseSymmetric& m, int c) {

@@ -3,15 +3,13 @@
 
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
 
 using Eigen::VectorXd;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Calls f(row, column, value) for the entries of the lower triangle.
 template <class F>

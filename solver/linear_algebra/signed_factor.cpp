@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "solver/linear_algebra/blas.hpp"
+#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/supernodal_form.hpp"
 
 namespace abut::solver {
@@ -22,10 +23,6 @@ using Block = Map<MatrixXd, 0, Eigen::OuterStride<>>;
 using ConstBlock = Map<const MatrixXd, 0, Eigen::OuterStride<>>;
 
 constexpr int panel_width = 48;  // columns that are eliminated one by one before their product is taken off the others
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Supernode {
     int begin, width, rows;

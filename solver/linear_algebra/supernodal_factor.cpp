@@ -82,7 +82,7 @@ const T* array(void* values) {
 
 /// One supernode of L: columns begin to end, a dense matrix of `rows` rows whose numbers are at `row` (the first are its own
 /// columns).
-struct Supernode {
+struct CholmodSupernode {
     int begin, width, rows;
     const int* row;
     const double* values;
@@ -92,7 +92,8 @@ template <class F>
 void for_supernodes(const cholmod_factor& l, F f) {
     const int *super = array<int>(l.super), *pi = array<int>(l.pi), *px = array<int>(l.px);
     for (std::size_t s = 0; s < l.nsuper; ++s)
-        f(Supernode{super[s], super[s + 1] - super[s], pi[s + 1] - pi[s], array<int>(l.s) + pi[s], array<double>(l.x) + px[s]});
+        f(CholmodSupernode{super[s], super[s + 1] - super[s], pi[s + 1] - pi[s], array<int>(l.s) + pi[s],
+                           array<double>(l.x) + px[s]});
 }
 
 SupernodePattern pattern_of(const cholmod_factor& l) {
@@ -175,7 +176,7 @@ int SupernodalFactor::failed_at() const {
 
 double SupernodalFactor::smallest_pivot(int& row) const {
     double least = std::numeric_limits<double>::infinity();
-    for_supernodes(*data_->factor, [&](const Supernode& s) {
+    for_supernodes(*data_->factor, [&](const CholmodSupernode& s) {
         for (int k = 0; k < s.width; ++k) {
             const double pivot = s.values[k * (s.rows + 1)];
             if (pivot >= least) continue;
@@ -203,7 +204,7 @@ VectorXd SupernodalFactor::product(const VectorXd& x) const {
     const Eigen::Map<const Eigen::VectorXi> order(array<int>(data_->factor->Perm), x.size());
     const VectorXd px = x(order);
     VectorXd y = VectorXd::Zero(x.size()), below, part;
-    for_supernodes(*data_->factor, [&](const Supernode& s) {
+    for_supernodes(*data_->factor, [&](const CholmodSupernode& s) {
         // y += L_s (L_s' x): the whole columns of one supernode, L L' being the sum over all of them
         const Eigen::Map<const Eigen::VectorXi> rows(s.row, s.rows);
         const int one = 1, under = s.rows - s.width;

@@ -27,7 +27,7 @@ struct Share {
     MatrixXd values;
 };
 
-struct Supernode {
+struct FormSupernode {
     int begin, width, rows;
     const int* row;
     const double* values;
@@ -88,7 +88,7 @@ public:
 private:
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 
-    Supernode supernode(std::size_t s) const {
+    FormSupernode supernode(std::size_t s) const {
         const SupernodePattern& p = pattern_;
         return {p.first_column[s], p.first_column[s + 1] - p.first_column[s], p.first_row[s + 1] - p.first_row[s],
                 p.row.data() + p.first_row[s], values_ + p.first_value[s]};
@@ -104,7 +104,7 @@ private:
             }
         Columns all;
         for (std::size_t s = 0; s < shares_.size(); ++s) {
-            const Supernode node = supernode(s);
+            const FormSupernode node = supernode(s);
             const Columns& own = shares_[s].columns;
             if (own.empty() || node.under() == 0) continue;
             Columns& next = shares_[owner_of(node.row[node.width])].columns;
@@ -136,7 +136,7 @@ private:
     Share eliminate(std::size_t s) {
         values_of(s);
         Share own = std::exchange(shares_[s], {});
-        const Supernode node = supernode(s);
+        const FormSupernode node = supernode(s);
         const int n = static_cast<int>(own.columns.size());
         const double one = 1;
         dtrsm_("L", "L", "N", "N", &node.width, &n, &one, node.values, &node.rows, own.values.data(), &node.width);
@@ -144,7 +144,7 @@ private:
     }
 
     /// Takes L Y of the rows below off the supernodes that they belong to.
-    void pass_on(const Supernode& node, const Share& own) {
+    void pass_on(const FormSupernode& node, const Share& own) {
         const int n = static_cast<int>(own.columns.size()), under = node.under();
         if (under == 0) return;
         const double one = 1, zero = 0;
@@ -168,7 +168,7 @@ private:
     }
 
     /// Adds Y' S Y.
-    void add_to_form(const Supernode& node, const Share& own) {
+    void add_to_form(const FormSupernode& node, const Share& own) {
         const int n = static_cast<int>(own.columns.size()), ld = static_cast<int>(form_.rows());
         const double zero = 0, one = 1;
         if (are_consecutive(own.columns)) {
@@ -182,7 +182,7 @@ private:
     }
 
     /// c = factor c + Y' S Y, its lower triangle.
-    void product_of(const Supernode& node, const Share& own, double factor, double* c, int ld) {
+    void product_of(const FormSupernode& node, const Share& own, double factor, double* c, int ld) {
         const int n = static_cast<int>(own.columns.size());
         const double one = 1;
         const double* y = own.values.data();

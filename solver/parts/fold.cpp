@@ -8,16 +8,14 @@
 #include <span>
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Calls f(row, column, value) for every entry of T'A T with row >= column, places that several entries share several times.
 template <class F>

@@ -5,13 +5,11 @@
 #include <cmath>
 #include <map>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The mirror's action on the grids.
 class GridImage {

@@ -3,15 +3,9 @@
 
 #include <array>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
-
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 FullCellFit::Samples FullCellFit::samples_on(const KnotVector& displacement, const KnotVector& fit, int interval,
                                              const std::vector<double>& abscissas) {

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 
+#include "solver/linear_algebra/index.hpp"
+
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 template <class OnElement>
 void for_support(const KnotVector& x, const KnotVector& y, const ElementGraph& graph, int tensor, OnElement on_element) {

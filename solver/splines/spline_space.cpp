@@ -8,15 +8,12 @@
 #include <span>
 #include <utility>
 
+#include "solver/linear_algebra/index.hpp"
 #include "solver/splines/branches.hpp"
 
 namespace abut::solver {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 double distance_squared(const SplineSpace& s, int element, const Vec2& p) {
     const auto middle = [](const std::vector<double>& b, int i) { return 0.5 * (b[at(i)] + b[at(i) + 1]); };

@@ -69,6 +69,11 @@ struct SplineSpace {
     }
 };
 
+/// Is a cell full of material?
+inline bool is_full(const SplineSpace& s, int cell) {
+    return s.fraction[static_cast<std::size_t>(cell)] == 1;
+}
+
 /// What a space is made for.
 struct SpaceInput {
     KnotVector x, y;

@@ -19,10 +19,6 @@ namespace {
 /// A peak that still changes by more than this from grid to grid.
 constexpr double doubtful = 0.1;
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
 /// A force that statics alone give errs by what its change from grid to grid shows, which the energy bounds: a cylinder on a
 /// block 2 to 12 times what the change says, 2e-6 of the force. Others err like the energy, in absolute terms of the largest on
 /// the same parts: those that share the loads with much larger ones by more, however little they change.
@@ -51,12 +47,13 @@ void fill_contact(const ContactError& e, double of_force, std::size_t k, Contact
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,
                                    largest + " stands at a sharp corner, where it grows with every finer grid (by " +
-                                       percent(e.peak) + " yet, or more); error estimates leave out what is beside it",
+                                       percent_text(e.peak) + " yet, or more); error estimates leave out what is beside it",
                                    largest + " stands at a sharp corner, where it has no limit"});
     else if (e.peak > doubtful && c.max_pressure.value > 0)
         peaks.uncertain.push_back(
-            {e.peak, name, largest + " is uncertain by " + percent(std::min(e.peak, 1.0)) + ": the grids are too coarse for it",
-             largest + " known to " + percent(std::min(e.peak, 1.0))});
+            {e.peak, name,
+             largest + " is uncertain by " + percent_text(std::min(e.peak, 1.0)) + ": the grids are too coarse for it",
+             largest + " known to " + percent_text(std::min(e.peak, 1.0))});
 }
 
 std::string why_it_ended(PathEnd end) {
@@ -102,7 +99,7 @@ void fill_target(const Outcome& out, Result& result) {
                               ? "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take "
                                 "a larger contacts.penalty, or none"
                               : why_it_ended(out.end);
-    const std::string estimate = percent(result.accuracy.estimate.value_or(1)), target = percent(out.target);
+    const std::string estimate = percent_text(result.accuracy.estimate.value_or(1)), target = percent_text(out.target);
     tell({{0, "",
            "the estimated error of the " + result.accuracy.of + ", " + estimate + ", is above the " + target +
                " aimed at: " + result.accuracy.why,
@@ -151,7 +148,7 @@ void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
             findings.push_back({m.depth, pair,
                                 pair + " overlap by " + number_text(m.depth, 3) +
                                     " where no contact was found: the cells are too coarse there for a force of up to " +
-                                    percent(std::min(1.0, m.share)) +
+                                    percent_text(std::min(1.0, m.share)) +
                                     " of the largest on one of them; ask for a higher accuracy",
                                 pair + " overlap where no contact was found"});
         }
@@ -177,7 +174,7 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         p.max_displacement_error = std::min(1.0, own);
     }
     if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;
-    const std::string known = percent(std::min(1.0, energy));
+    const std::string known = percent_text(std::min(1.0, energy));
     tell({{energy, "",
            "displacements and the strain energy are uncertain by " + known +
                ": cells are too large where the stress has no limit (re-entrant corners, ends of supports); round the corners, "
@@ -202,7 +199,7 @@ void warn_of_largest_stress(Result& result) {
              "corner", result);
     else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
         tell({{0, most->name,
-               which + " is uncertain by " + percent(std::min(*most->max_von_mises_error, 1.0)) +
+               which + " is uncertain by " + percent_text(std::min(*most->max_von_mises_error, 1.0)) +
                    ": the grid is too coarse for it",
                result.accuracy.why.empty() ? "the largest stress is uncertain" : ""}},
              "stress", result);

@@ -23,6 +23,7 @@
 #include "src/answers/part_results.hpp"
 #include "src/answers/probes.hpp"
 #include "src/contact/candidate_faces.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/mirror_symmetry.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
@@ -37,10 +38,6 @@ namespace {
 /// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
 /// pictures.
 constexpr double drawn_patch = 1.0 / 160;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     result.status = "failed";

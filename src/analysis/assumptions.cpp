@@ -9,6 +9,7 @@
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "src/answers/field_results.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"
@@ -27,10 +28,6 @@ constexpr double large_motion = 0.05;  // of the part's size
 constexpr double noted_tension = 1e-3;
 /// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
 constexpr double noted_rounding = 1e-3;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct PlacedValue {
     double value = 0;
@@ -76,10 +73,6 @@ LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displac
     return largest;
 }
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
 std::string place_text(const Vec2& p) {
     return "(" + number_text(p.x(), 4) + ", " + number_text(p.y(), 4) + ")";
 }
@@ -97,7 +90,7 @@ void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& 
             motions.push_back({motion.value / g.size, name,
                                "large displacement would matter: part " + name + " moves by " + number_text(motion.value, 3) +
                                    " at " + place_text(motion.at) + "; contacts are paired where they are drawn",
-                               name + " moves by " + percent(motion.value / g.size) + " of its size"});
+                               name + " moves by " + percent_text(motion.value / g.size) + " of its size"});
         if (rotation.value > large_rotation)
             rotations.push_back({rotation.value, name,
                                  "large displacement would matter: rotation " + number_text(degrees, 3) + " degrees at part " +
@@ -109,7 +102,7 @@ void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& 
                                "large strain: part " + name + " strains by up to " + number_text(100 * strain.value, 3) +
                                    " % near " + place_text(g.frame.to_global(strain.at)) +
                                    "; the answer is that of linear elasticity",
-                               name + " strains by " + percent(strain.value)});
+                               name + " strains by " + percent_text(strain.value)});
     }
     tell(std::move(motions), "displacement", result);
     tell(std::move(rotations), "rotation", result);

@@ -22,8 +22,8 @@ namespace {
 constexpr int few_knots = 6;
 /// Of the half width that was found: beyond, the parts are not like half planes. And knot spacings between a fillet's joint and
 /// a contact's end that is put there: as far off as the first grids' ends are.
-constexpr double most_growth = 2, near_joint = 2;
-constexpr int places = 16;                     // along the run, between which the gap may be lowest
+constexpr double most_extent = 2, near_joint = 2;
+constexpr int run_samples = 16;                // along the run, between which the gap may be lowest
 constexpr int gauss_points = 8;                // of the integral over the angle, between joints
 constexpr int max_steps = 20;                  // of a root
 constexpr double half_width_tolerance = 1e-4;  // relative
@@ -100,9 +100,9 @@ std::optional<double> gap_slope(const Scene& scene, const ContactInterface& cont
 
 /// Where within the run the drawn gap is lowest: a coarse pressure's middle is farther off than a small contact is wide.
 std::optional<double> lowest_place(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
-    const auto place = [&](int i) { return run.begin + (run.end - run.begin) * i / places; };
+    const auto place = [&](int i) { return run.begin + (run.end - run.begin) * i / run_samples; };
     std::optional<double> before = gap_slope(scene, contact, place(0));
-    for (int i = 1; i <= places; ++i) {
+    for (int i = 1; i <= run_samples; ++i) {
         const std::optional<double> now = gap_slope(scene, contact, place(i));
         if (before && now && *before < 0 && *now >= 0) {
             const auto slope = [&](double s) { return gap_slope(scene, contact, s).value_or(0); };
@@ -174,7 +174,7 @@ std::optional<double> galin_integral(const Profile& profile, double a) {
     return sum;
 }
 
-/// At most most_growth times what was found.
+/// At most most_extent times what was found.
 std::optional<double> half_width(const Profile& profile, const PlaneContact& plane) {
     bool is_known = true;
     // the root: linear in the half width for gaps that grow with the square
@@ -183,7 +183,7 @@ std::optional<double> half_width(const Profile& profile, const PlaneContact& pla
         is_known = is_known && integral;
         return std::sqrt(std::max(0.0, integral.value_or(0))) - std::sqrt(plane.force);
     };
-    const double largest = std::min(most_growth * plane.half_width, profile.largest());
+    const double largest = std::min(most_extent * plane.half_width, profile.largest());
     if (!(largest > 0)) return std::nullopt;
     const double at_largest = excess(largest);
     if (!is_known || !(at_largest > 0)) return std::nullopt;

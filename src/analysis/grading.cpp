@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/index.hpp"
 #include "src/solution/contact_joints.hpp"
 
 namespace abut {
@@ -20,10 +21,6 @@ constexpr double fast_end = 0.02;
 /// At least this of the run: a joint at the very end tells nothing.
 constexpr double lengths_beside_joint = 4, least_steep_end = 1e-3;
 constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 void want(WantedSizes& wanted, int part, const std::vector<Vec2>& points, double size, double growth) {
     if (!points.empty() && size > 0) wanted[at(part)].push_back({points, size, growth});

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "src/contact/part_reach.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 
@@ -14,17 +16,9 @@ namespace {
 using geometry::ChainPoint;
 using geometry::FacingPair;
 
-constexpr int samples = 64;  // along a zone, and along a stretch of contact
+constexpr int zone_samples = 64;  // along a zone, and along a stretch of contact
 /// A single direction that is this near to the normal holds it (cosine of 1 degree).
 constexpr double along_normal = 0.99985;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-const geometry::Part& part_of(const Scene& scene, int i) {
-    return scene.parts[at(i)].part;
-}
 
 /// Pairs that touch as drawn: of a zone that does, those that are as close as it comes.
 void append_drawn(const Scene& scene, const Candidate& c, std::vector<FacingPair>& touching) {
@@ -33,8 +27,8 @@ void append_drawn(const Scene& scene, const Candidate& c, std::vector<FacingPair
     if (c.zone.gap_min - c.closing > rounding) return;
     std::vector<FacingPair> pairs;
     double guess = c.zone.begin2, closest = c.zone.gap_max;
-    for (int k = 0; k < samples; ++k) {
-        const double s1 = c.zone.begin1 + (c.zone.end1 - c.zone.begin1) * (k + 0.5) / samples;
+    for (int k = 0; k < zone_samples; ++k) {
+        const double s1 = c.zone.begin1 + (c.zone.end1 - c.zone.begin1) * (k + 0.5) / zone_samples;
         const FacingPair pair = pair_from_first(first, second, c.zone, s1, guess);
         if (!pair.found) continue;
         guess = pair.s2;
@@ -48,8 +42,8 @@ void append_drawn(const Scene& scene, const Candidate& c, std::vector<FacingPair
 void append_pressed(const Scene& scene, const ContactInterface& contact, const std::vector<ContactRun>& runs,
                     std::vector<FacingPair>& touching) {
     for (const ContactRun& run : runs)
-        for (int k = 0; k < samples; ++k) {
-            const FacingPair pair = pair_at(scene, contact, run.begin + (run.end - run.begin) * (k + 0.5) / samples);
+        for (int k = 0; k < zone_samples; ++k) {
+            const FacingPair pair = pair_at(scene, contact, run.begin + (run.end - run.begin) * (k + 0.5) / zone_samples);
             if (pair.found) touching.push_back(pair);
         }
 }

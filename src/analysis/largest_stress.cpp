@@ -9,16 +9,13 @@
 #include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/discretization/grid_design.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
 namespace {
 
 constexpr double cells_from_corner = 2;  // a largest stress no farther from a corner is the corner's
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
 /// quadrature points of its element. At one point they may agree by chance.

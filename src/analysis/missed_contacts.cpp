@@ -7,15 +7,12 @@
 #include <optional>
 
 #include "solver/terms/solution_structure.hpp"
+#include "src/io/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Of the scene's largest force: a part on which less acts is of no interest to anybody.
 constexpr double negligible_force = 1e-3;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/io/index.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {
@@ -13,10 +14,6 @@ namespace {
 
 /// Of the knot spacing there: ends that are found so near to where they were expected need no other knots.
 constexpr double noted_move = 0.08;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

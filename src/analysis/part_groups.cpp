@@ -7,15 +7,12 @@
 #include <utility>
 
 #include "solver/contact/independent_groups.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/plan.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 template <class T>
 void append(std::vector<T>& to, std::vector<T>& from) {

@@ -6,15 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// A finite turn about the motion's centre, then its translation.
 struct Placement {

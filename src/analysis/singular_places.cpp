@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/io/index.hpp"
+
 namespace abut {
 
 namespace {
@@ -16,10 +18,6 @@ constexpr double sharp_turn = 0.1;  // radians, as for the cells at re-entrant c
 /// turned by 0 to 45 degrees: 0.02 to 0.04, 0.1 to 0.4, 0.3 to 1.4, 0.6 to 2.8; at supports 0.3 to 1.1. Of a clamp at a
 /// corner 0.006 to 0.016; where contact ends at a corner 0.03 (blocks on blocks) to 0.6 (punches).
 constexpr double missed_at_slit = 1.5, missed_at_support = 0.6, missed_at_clamp = 0.012, missed_at_contact = 0.1;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// A vertex of a part: where an edge ends and the next one begins.
 struct Vertex {

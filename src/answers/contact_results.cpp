@@ -7,6 +7,7 @@
 
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/contact/candidate_faces.hpp"
+#include "src/io/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {
@@ -16,10 +17,6 @@ namespace {
 constexpr int profile_points_per_interval = 6;
 constexpr int profile_points_per_penalty_point = 2;  // they stand closer than a pressure spline's knots
 constexpr double margin_fraction = 0.35;             // of the contact's length that a profile shows beyond its ends
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct Side {
     const ScenePart& part;

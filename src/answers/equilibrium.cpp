@@ -6,6 +6,7 @@
 #include <map>
 
 #include "solver/parts/rigid_body.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 
 namespace abut {
@@ -13,10 +14,6 @@ namespace abut {
 namespace {
 
 using solver::Resultant;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// A resultant about a part's local origin, as one about a point of the assembly.
 Resultant to_assembly(const Resultant& local, const Frame& frame, const Vec2& about) {

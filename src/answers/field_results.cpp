@@ -10,6 +10,7 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "solver/splines/local_spline.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
@@ -18,10 +19,6 @@ namespace {
 using geometry::CellClass;
 
 constexpr double drawn_arc = 0.06;  // radians of turning between points of a drawn edge
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 constexpr int most_patches = 256;  // along a side of a cell
 

@@ -6,6 +6,7 @@
 
 #include "src/answers/motion_text.hpp"
 #include "src/contact/candidate_faces.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
 
 namespace abut {
@@ -15,10 +16,6 @@ namespace {
 using geometry::Connection;
 using geometry::force_through;
 using geometry::ScrewScale;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 ScrewScale scale_of(const Scene& scene) {
     geometry::Box2 box;

@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "src/discretization/cut_quality.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 void count_cells(const PartOnGrid& g, PartResult& part) {
     for (geometry::CellClass c : g.cells.cell_class)

@@ -6,6 +6,7 @@
 
 #include "geometry/interfaces/facing_edges.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 
@@ -20,10 +21,6 @@ using geometry::Part;
 constexpr double equal_shares = 1e-9;
 /// Two faces farther from parallel than this make contact at a corner, not along a face (cosine of 1 degree).
 constexpr double least_flush = 0.99985;
-
-const Part& part_of(const Scene& scene, int i) {
-    return scene.parts[static_cast<std::size_t>(i)].part;
-}
 
 geometry::ScrewScale scale_of(const Part& first, const Part& second) {
     geometry::Box2 box = bounding_box(first);

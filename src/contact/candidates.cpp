@@ -7,14 +7,11 @@
 #include <tuple>
 
 #include "src/contact/drawn_overlap.hpp"
+#include "src/scene/scene.hpp"
 
 namespace abut {
 
 namespace {
-
-const geometry::Part& part_of(const Scene& scene, int i) {
-    return scene.parts[static_cast<std::size_t>(i)].part;
-}
 
 /// Is a pair of edges searched at all? Without detection only what rules speak of.
 bool is_searched(const Scene& scene, int rule) {

@@ -24,10 +24,6 @@ constexpr double near_miss_fraction = 0.10;  // of the smaller part's extent
 /// Edges with a smaller share of the facing length are not named: rounding next to the ends of others.
 constexpr double least_share = 1e-3;
 
-const ScenePart& part_of(const Scene& scene, int i) {
-    return scene.parts[static_cast<std::size_t>(i)];
-}
-
 std::string edge_name(const ScenePart& part, int edge) {
     return part.name + "/" + part.part.edges[static_cast<std::size_t>(edge)].name;
 }
@@ -37,8 +33,8 @@ DetectedPair row_of(const Scene& scene, const Meeting& m, const std::array<int, 
     DetectedPair row;
     row.part = {m.first, m.second};
     for (std::size_t side = 0; side < 2; ++side) {
-        row.parts[side] = part_of(scene, row.part[side]).name;
-        row.between[side] = edge_name(part_of(scene, row.part[side]), carrying[side]);
+        row.parts[side] = scene_part(scene, row.part[side]).name;
+        row.between[side] = edge_name(scene_part(scene, row.part[side]), carrying[side]);
     }
     return row;
 }
@@ -51,7 +47,7 @@ void name_edges(const Scene& scene, const CandidateFaces& faces, DetectedPair& r
         for (const auto& [edges, length] : faces.lengths) lengths[edges[side]] += length;
         for (const auto& [edge, length] : lengths)
             if (edge == faces.carrying[side] || length > least_share * whole)
-                row.edges[side].push_back(edge_name(part_of(scene, row.part[side]), edge));
+                row.edges[side].push_back(edge_name(scene_part(scene, row.part[side]), edge));
     }
 }
 
@@ -62,7 +58,8 @@ std::vector<FacingPair> pairs_along(const Scene& scene, const Candidate& c) {
     double guess = c.zone.begin2;
     for (int i = 0; i <= n; ++i) {
         const double s1 = c.zone.begin1 + (c.zone.end1 - c.zone.begin1) * i / n;
-        const FacingPair pair = pair_from_first(part_of(scene, c.first).part, part_of(scene, c.second).part, c.zone, s1, guess);
+        const FacingPair pair =
+            pair_from_first(scene_part(scene, c.first).part, scene_part(scene, c.second).part, c.zone, s1, guess);
         if (!pair.found) continue;
         guess = pair.s2;
         pairs.push_back(pair);
@@ -134,7 +131,8 @@ DetectedPair overlap_row(const Listing& l) {
     row.edges = {std::vector{row.between[0]}, std::vector{row.between[1]}};
     row.gap_min = row.gap_max = -o.depth;
     row.status = "overlap";
-    row.interface = geometry::interface_kind(part_of(l.scene, m.first).part, o.edge1, part_of(l.scene, m.second).part, o.edge2);
+    row.interface =
+        geometry::interface_kind(scene_part(l.scene, m.first).part, o.edge1, scene_part(l.scene, m.second).part, o.edge2);
     row.functional.kind = row.interface;
     row.overlap_area = o.area;
     row.marks = {{o.at, o.at}};
@@ -146,7 +144,7 @@ DetectedPair overlap_row(const Listing& l) {
 DetectedPair place_row(const Listing& l) {
     const Meeting& m = l.meeting;
     const ClosestPoints& c = *m.closest;
-    const Part &first = part_of(l.scene, m.first).part, &second = part_of(l.scene, m.second).part;
+    const Part &first = scene_part(l.scene, m.first).part, &second = scene_part(l.scene, m.second).part;
     DetectedPair row = row_of(l.scene, m, {c.edge1, c.edge2});
     row.edges = {std::vector{row.between[0]}, std::vector{row.between[1]}};
     row.gap_min = row.gap_max = c.distance;
@@ -172,12 +170,12 @@ void list_near_miss(const Listing& l, std::vector<DetectedPair>& near_misses) {
                              ", farther than the distance of pairs " + with_unit(l.shown, 4, l.scene.length_unit);
 }
 
-/// Rows of two parts, those of places without faces apart from the others.
-struct Rows {
+/// PairRows of two parts, those of places without faces apart from the others.
+struct PairRows {
     std::vector<DetectedPair> faces, places;
 };
 
-void list_pairs(const Listing& l, Rows& rows) {
+void list_pairs(const Listing& l, PairRows& rows) {
     const Meeting& m = l.meeting;
     const auto deepest = std::min_element(m.candidates.begin(), m.candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.zone.gap_min < b.zone.gap_min;
@@ -196,7 +194,7 @@ void fill_cell_cases(const Scene& scene, const PartReach& reach, std::vector<Det
     for (DetectedPair& row : rows) {
         std::string& letter = cases[row.part];
         if (letter.empty())
-            letter = {cell_case(part_of(scene, row.part[0]).part, part_of(scene, row.part[1]).part,
+            letter = {cell_case(scene_part(scene, row.part[0]).part, scene_part(scene, row.part[1]).part,
                                 geometry::case_cell_fraction * reach.size(row.part[0], row.part[1]))};
         row.cells_case = letter;
     }
@@ -208,7 +206,7 @@ Detection detect_contacts(const Scene& scene, std::optional<double> distance) {
     Detection found;
     const PairRules rules(scene);
     const PartReach reach(scene);
-    Rows rows;
+    PairRows rows;
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int k = i + 1; k < n; ++k) {

@@ -13,24 +13,20 @@ namespace {
 /// Rounding of areas.
 constexpr double whole_fraction = 1e-6;
 
-const ScenePart& part_of(const Scene& scene, int i) {
-    return scene.parts[static_cast<std::size_t>(i)];
-}
-
 std::string edge_text(const ScenePart& part, int edge) {
     return part.name + "/" + part.part.edges[static_cast<std::size_t>(edge)].name;
 }
 
 /// Is one of the parts all within the other's material?
 bool same_place(const Scene& scene, const Meeting& m) {
-    const double smaller = std::min(area(part_of(scene, m.first).part), area(part_of(scene, m.second).part));
+    const double smaller = std::min(area(scene_part(scene, m.first).part), area(scene_part(scene, m.second).part));
     return m.overlap->area >= (1 - whole_fraction) * smaller;
 }
 
 }  // namespace
 
 std::string overlap_text(const Scene& scene, const Meeting& m) {
-    const ScenePart &a = part_of(scene, m.first), &b = part_of(scene, m.second);
+    const ScenePart &a = scene_part(scene, m.first), &b = scene_part(scene, m.second);
     const geometry::Overlap& o = *m.overlap;
     return std::string(same_place(scene, m) ? "lie in the same place" : "overlap") + " by up to " +
            with_unit(o.depth, 4, scene.length_unit) + " at " + edge_text(a, o.edge1) + " and " + edge_text(b, o.edge2) +
@@ -40,14 +36,14 @@ std::string overlap_text(const Scene& scene, const Meeting& m) {
 std::string overlap_hint(const Scene& scene, const Meeting& m) {
     if (!m.too_deep) return "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\"";
     return "move them apart, cut the one out of the other, or leave them to overlap by contacts.pairs {\"between\": [\"" +
-           part_of(scene, m.first).name + "/*\", \"" + part_of(scene, m.second).name + "/*\"], \"kind\": \"ignore\"}";
+           scene_part(scene, m.first).name + "/*\", \"" + scene_part(scene, m.second).name + "/*\"], \"kind\": \"ignore\"}";
 }
 
 void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems) {
     const bool any = scene.contacts.overlap == "report";
     for (const Meeting& m : meetings) {
         if (!m.overlap || !(any || m.too_deep)) continue;
-        const ScenePart &a = part_of(scene, m.first), &b = part_of(scene, m.second);
+        const ScenePart &a = scene_part(scene, m.first), &b = scene_part(scene, m.second);
         const std::string why_not = any                                     ? ""
                                     : scene.contacts.overlap == "press_fit" ? ": no press fit, which small strains could close"
                                                                             : ": too deep to count as touching";

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/proximity/zone_pieces.hpp"
+#include "src/scene/scene.hpp"
 #include "src/scene/selection.hpp"
 
 namespace abut {
@@ -12,10 +13,6 @@ namespace {
 
 using geometry::FacingPair;
 using geometry::FacingZone;
-
-const geometry::Part& part_of(const Scene& scene, int i) {
-    return scene.parts[static_cast<std::size_t>(i)].part;
-}
 
 /// Pieces of a zone one after the other that fall under one rule.
 struct Run {

@@ -4,16 +4,9 @@
 #include <algorithm>
 
 #include "geometry/brep/extent.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
-
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 double touching_length(const geometry::Part& first, const geometry::Part& second) {
     return touching_fraction * std::min(geometry::extent(first), geometry::extent(second));

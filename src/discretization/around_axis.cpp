@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/discretization/around_axis.hpp"
 
+#include "src/io/index.hpp"
 #include "src/plan/axisymmetric.hpp"
 
 namespace abut {
-
-namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 void put_around_axis(const Scene& scene, PartOnGrid& g) {
     const ScenePart& part = scene.parts[at(g.part)];

@@ -8,6 +8,7 @@
 #include "solver/terms/free_strain.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "src/discretization/boundary_points.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/loads.hpp"
 
 namespace abut {
@@ -15,10 +16,6 @@ namespace abut {
 namespace {
 
 using geometry::BoundaryPoint;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g,
                    PartLoad& result) {

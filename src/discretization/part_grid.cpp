@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/discretization/discretize.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
@@ -12,10 +13,6 @@ namespace {
 
 /// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// More cells than this in one part are a slip of the pen, not a wish.
 constexpr double most_cells = 4e6;

@@ -4,6 +4,7 @@
 #include "geometry/curves/gauss.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/discretization/boundary_points.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/support_components.hpp"
 
@@ -16,10 +17,6 @@ using solver::MotionCondition;
 
 constexpr int cells_across = 6;  // for the quadrature of loads that vary
 constexpr int rule_degree = 3;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 geometry::Grid coarse_grid(const geometry::Part& local) {
     const geometry::Box2 box = bounding_box(local);

@@ -10,16 +10,13 @@
 #include "geometry/quadrature/transformed_gauss.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
 namespace {
 
 using geometry::Jet;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 bool has_rigid_support(const Scene& scene, const PartOnGrid& g) {
     return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) {

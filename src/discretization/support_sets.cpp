@@ -8,6 +8,7 @@
 #include "solver/assembly/ring.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
 
 namespace abut {
@@ -17,10 +18,6 @@ namespace {
 using geometry::BoundaryPoint;
 using solver::GridSide;
 using solver::SupportSet;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Grid side on which an edge lies wholly, if any, with its extent along it.
 struct OnSide {

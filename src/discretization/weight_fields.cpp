@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/implicit/r_functions.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
@@ -16,10 +17,6 @@ using geometry::Jet;
 using geometry::Part;
 using geometry::Segment;
 using geometry::Vec2;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The line of a straight edge: n.(p - a), n outward.
 struct Line {

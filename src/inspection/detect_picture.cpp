@@ -14,12 +14,12 @@ namespace abut {
 
 namespace {
 
-constexpr double width = 1000, max_height = 760, margin = 40, row_height = 18;
-constexpr double badge_radius = 9, font_size = 12;
+constexpr double picture_width = 1000, max_height = 760, page_border = 40, legend_row = 18;
+constexpr double badge_radius = 9, label_size = 12;
 /// Marks farther apart than this many times the usual step belong to different stretches: the line is interrupted.
 constexpr double break_factor = 3;
 
-std::string style() {
+std::string detection_style() {
     return "<style>text{font:12px sans-serif;fill:#222}.part{stroke:#555;stroke-width:1;fill-rule:evenodd;fill-opacity:.45}"
            ".touching{stroke:#c2185b}.gap{stroke:#e08a00}.overlap{stroke:#7b1fa2}.face{fill:none;stroke-width:4;"
            "stroke-linecap:round;stroke-linejoin:round}.miss{stroke:#333;stroke-width:1.2;stroke-dasharray:5 4;fill:none}"
@@ -134,7 +134,7 @@ std::string names_svg(const Scene& scene, const Detection& detection, const View
         if (!p.marks.empty()) labels.take(badge_box(p, view));
     std::string svg;
     for (const ScenePart& p : scene.parts) {
-        const Box2 text = text_box(p.name, font_size, {0, 0});
+        const Box2 text = text_box(p.name, label_size, {0, 0});
         std::vector<Vec2> places = inner_places(p.part, view);
         for (const Vec2& place : outer_places(p.part, view, text.size())) places.push_back(place);
         const auto moved = [&](const Vec2& place) { return Box2{text.min + place, text.max + place}; };
@@ -142,7 +142,7 @@ std::string names_svg(const Scene& scene, const Detection& detection, const View
             std::find_if(places.begin(), places.end(), [&](const Vec2& place) { return labels.is_free(moved(place), true); });
         if (free == places.end()) continue;
         labels.take(moved(*free));
-        svg += text_at(*free + Vec2(0, 0.35 * font_size), "name", p.name);
+        svg += text_at(*free + Vec2(0, 0.35 * label_size), "name", p.name);
     }
     return svg;
 }
@@ -152,9 +152,9 @@ std::string legend_svg(const Scene& scene, const Detection& detection, double to
     std::string svg;
     double y = top;
     const auto line = [&](const std::string& number, const std::string& css, const std::string& text) {
-        svg += "<path class=\"" + css + "\" d=\"M" + point_text({margin, y - 4}) + "h26\"/>\n";
-        svg += text_at({margin + 36, y}, "", number + text);
-        y += row_height;
+        svg += "<path class=\"" + css + "\" d=\"M" + point_text({page_border, y - 4}) + "h26\"/>\n";
+        svg += text_at({page_border + 36, y}, "", number + text);
+        y += legend_row;
     };
     for (std::size_t k = 0; k < detection.pairs.size(); ++k) {
         const DetectedPair& p = detection.pairs[k];
@@ -171,15 +171,15 @@ std::string legend_svg(const Scene& scene, const Detection& detection, double to
 std::string detection_svg(const Scene& scene, const Detection& detection) {
     Box2 box;
     for (const ScenePart& p : scene.parts) box.extend(bounding_box(p.part));
-    const View view = fit_view(box, width, max_height, margin);
+    const View view = fit_view(box, picture_width, max_height, page_border);
     const auto rows = static_cast<double>(detection.pairs.size() + detection.near_misses.size());
-    const double height = view.height + row_height * (rows + 1);
+    const double height = view.height + legend_row * (rows + 1);
     const std::string w = coordinate_text(view.width), h = coordinate_text(height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
            "\">\n" + "<title>" + escape_xml("Contacts of " + (scene.title.empty() ? scene.file : scene.title)) + "</title>\n" +
-           style() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + parts_svg(scene, view) +
+           detection_style() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + parts_svg(scene, view) +
            names_svg(scene, detection, view) + marks_svg(detection, view) +
-           legend_svg(scene, detection, view.height + row_height / 2) + "</svg>\n";
+           legend_svg(scene, detection, view.height + legend_row / 2) + "</svg>\n";
 }
 
 }  // namespace abut

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "src/inspection/inspect_stages.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/results/result_units.hpp"
@@ -18,10 +19,6 @@ constexpr std::array<const char*, 6> zone_colors{"#c1121f", "#0b5cad", "#2a7f3b"
 constexpr double arrow_pixels = 24, pair_distance = 16;  ///< length of a normal; arc length between drawn pairs
 constexpr int least_pairs = 3, most_pairs = 40;          ///< of a zone
 constexpr std::size_t names_listed = 2;                  ///< of a chain's edges: a line of the legend has its length
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The chain from arc length a to b; on closed chains it may run past the end.
 std::string stretch_data(const geometry::Part& part, const geometry::Chain& chain, double a, double b, const View& view) {

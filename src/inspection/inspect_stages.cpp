@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "src/analysis/grading.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 
@@ -12,10 +13,6 @@ namespace abut::inspect {
 namespace {
 
 using geometry::CellClass;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Does one of two cells hold material? Columns and rows count from -1 (outside the grid) to their number.
 bool holds_material(const PartCells& part, int column, int row) {

@@ -9,11 +9,11 @@ namespace abut {
 
 namespace {
 
-constexpr std::int64_t second = 1000000000;
-constexpr std::int64_t clock_step = 2 * second;  // the coarsest in use: FAT, old network file systems
+constexpr std::int64_t ns_per_second = 1000000000;
+constexpr std::int64_t clock_step = 2 * ns_per_second;  // the coarsest in use: FAT, old network file systems
 
 std::int64_t nanoseconds(const timespec& time) {
-    return static_cast<std::int64_t>(time.tv_sec) * second + time.tv_nsec;
+    return static_cast<std::int64_t>(time.tv_sec) * ns_per_second + time.tv_nsec;
 }
 
 }  // namespace

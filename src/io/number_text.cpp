@@ -45,6 +45,10 @@ std::string number_text(double value, int digits) {
     return plain;
 }
 
+std::string percent_text(double fraction) {
+    return number_text(100 * fraction, 2) + " %";
+}
+
 std::string coordinate_text(double pixels) {
     if (!std::isfinite(pixels)) return "0";
     std::string text = to_text(pixels, std::chars_format::fixed, coordinate_decimals);

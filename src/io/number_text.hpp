@@ -7,6 +7,8 @@ namespace abut {
 
 /// Shortest sensible decimal text with the given number of significant digits: "0.0115", "1.2e+05".
 std::string number_text(double value, int digits);
+/// A share as per cent to two digits: "1.5 %".
+std::string percent_text(double fraction);
 /// A coordinate in an SVG attribute, to a hundredth of a pixel: "12.3".
 std::string coordinate_text(double pixels);
 

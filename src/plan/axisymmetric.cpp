@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/index.hpp"
+
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 bool is_on_axis(const geometry::Curve& curve, double t0, double t1, double merge) {
     return std::holds_alternative<geometry::Segment>(curve) && std::abs(point(curve, t0).x()) <= merge &&

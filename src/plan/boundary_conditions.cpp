@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "src/io/index.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/loads.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Value that a support prescribes for component c, where it is one number.
 std::optional<double> constant_value(const Support& s, int c) {

@@ -2,16 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 #include "src/plan/loads.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 constexpr double marks_over_model = 40;  // marks of an edge as long as the whole model
 constexpr int least_marks = 3;

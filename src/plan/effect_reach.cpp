@@ -4,6 +4,7 @@
 #include <set>
 
 #include "src/contact/candidates.hpp"
+#include "src/io/index.hpp"
 #include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
@@ -14,10 +15,6 @@ namespace {
 
 using Pairs = std::vector<std::array<std::string, 2>>;
 using IndexPair = std::array<int, 2>;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Reach {
 public:

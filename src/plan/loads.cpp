@@ -4,14 +4,11 @@
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Integral of the radius along a curve: the area that it sweeps around the axis, over 2 pi.
 double length_times_radius(const geometry::Curve& curve, double t0, double t1) {

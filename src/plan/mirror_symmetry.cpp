@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/loads.hpp"
 #include "src/plan/support_components.hpp"
@@ -19,10 +20,6 @@ constexpr double place_fraction = 1e-9;
 constexpr double value_fraction = 1e-9;
 /// Where an edge is compared: near its ends, since a support may begin anywhere along it.
 constexpr std::array<double, 5> samples{0.003, 0.21, 0.5, 0.83, 0.997};
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Mirror {
 public:

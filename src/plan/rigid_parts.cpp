@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/contact/part_reach.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/loads.hpp"
 #include "src/scene/selection.hpp"
@@ -12,10 +13,6 @@
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 const Material& material_of(const Scene& scene, int part) {
     return scene.materials[at(scene.parts[at(part)].material)];

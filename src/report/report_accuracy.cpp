@@ -10,14 +10,10 @@ namespace abut::report {
 
 namespace {
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
 std::string aimed_and_reached(const Result& result) {
     const auto& a = result.accuracy;
     std::string words =
-        "Estimated error of the " + a.of + ": " + percent(*a.estimate) + "; aimed at: " + percent(a.target) + ".";
+        "Estimated error of the " + a.of + ": " + percent_text(*a.estimate) + "; aimed at: " + percent_text(a.target) + ".";
     if (!a.why.empty()) words += " Not reached: " + a.why + ".";
     if (a.of == "contact pressure")
         words +=
@@ -25,10 +21,10 @@ std::string aimed_and_reached(const Result& result) {
             "contacts, or of the largest pressures if that is more. ";
     else
         words += " Relative: of the stress in the energy norm over all parts, or of its largest value if that is more. ";
-    if (result.error_estimate.energy) words += "Strain energy: " + percent(*result.error_estimate.energy) + ". ";
+    if (result.error_estimate.energy) words += "Strain energy: " + percent_text(*result.error_estimate.energy) + ". ";
     words += "Method: " + result.error_estimate.method + ".";
     if (result.next_level)
-        words += " An error of " + percent(result.next_level->target) + " (--accuracy " + result.next_level->accuracy +
+        words += " An error of " + percent_text(result.next_level->target) + " (--accuracy " + result.next_level->accuracy +
                  ") would take about " + seconds_text(result.next_level->seconds) + ".";
     return words;
 }
@@ -41,7 +37,7 @@ std::string accuracy_table(const Result& result) {
     for (std::size_t k = 0; k < result.passes.size(); ++k) {
         const PassSummary& p = result.passes[k];
         rows.push_back({std::to_string(k + 1), std::to_string(p.unknowns), std::to_string(p.multipliers),
-                        p.estimated_error ? percent(*p.estimated_error) : "–", seconds_text(p.seconds)});
+                        p.estimated_error ? percent_text(*p.estimated_error) : "–", seconds_text(p.seconds)});
     }
     return "<h3>Accuracy</h3>\n<p>" + escape_xml(aimed_and_reached(result)) + "</p>\n" +
            html_table(

@@ -93,10 +93,6 @@ std::string pressure_hairs(const ContactProfile& p, const std::vector<Vec2>& nor
     return areas + "<g stroke=\"" + contact_color + "\" stroke-width=\"0.8\">\n" + hairs + "</g>\n";
 }
 
-double stress_of(const FieldSample& sample) {
-    return von_mises(sample.stress);
-}
-
 }  // namespace
 
 std::string contact_closeup(const Result& result, std::size_t contact) {
@@ -107,7 +103,7 @@ std::string contact_closeup(const Result& result, std::size_t contact) {
     const auto stretches = contact_stretches(result, c);
     const Box2 window = window_around(focus(stretches), model_box(result).diagonal());
     const View view = model_view(window, half_width, 422);
-    const double largest = field_range(result, stress_of, 1, window).largest;
+    const double largest = field_range(result, von_mises_of, 1, window).largest;
     const std::string id = "close" + std::to_string(contact);
 
     std::vector<std::vector<Vec2>> frame{
@@ -116,7 +112,7 @@ std::string contact_closeup(const Result& result, std::size_t contact) {
     std::string svg =
         open_svg(view.width, view.height, "close-up of contact " + contact_number(contact)) + model_axes(view, units.length);
     svg += clip_path(id, frame_data) + "<g clip-path=\"url(#" + id + ")\">\n" + path(frame_data, "fill=\"#f4f4f4\"");
-    svg += field_layer(result, view, {stress_of, largest, 0, window, id + "f"});
+    svg += field_layer(result, view, {von_mises_of, largest, 0, window, id + "f"});
     svg += contact_lines(stretches, view, 3);
     const double peak = *std::max_element(c.profile.pressure.begin(), c.profile.pressure.end());
     if (peak > 0)

@@ -148,7 +148,7 @@ GridPoint unpacked(std::uint64_t p) {
             static_cast<std::int32_t>(static_cast<std::uint32_t>(p) ^ flip)};
 }
 
-std::vector<CountedEdge> counted(const std::vector<DirectedEdge>& edges) {
+std::vector<CountedEdge> with_counts(const std::vector<DirectedEdge>& edges) {
     std::vector<CountedEdge> result;
     result.reserve(edges.size());
     for (const DirectedEdge& e : edges) {
@@ -162,7 +162,7 @@ std::vector<CountedEdge> counted(const std::vector<DirectedEdge>& edges) {
 
 /// What is left when opposite edges have cancelled, ordered by their first points.
 std::vector<DirectedEdge> without_pairs(const std::vector<DirectedEdge>& edges) {
-    const std::vector<CountedEdge> all = counted(edges);
+    const std::vector<CountedEdge> all = with_counts(edges);
     std::vector<DirectedEdge> left;
     for (std::size_t i = 0; i < all.size();) {
         const CountedEdge& first = all[i];

@@ -103,6 +103,10 @@ bool has_fields(const Result& result) {
     return false;
 }
 
+double von_mises_of(const FieldSample& sample) {
+    return von_mises(sample.stress);
+}
+
 std::string field_layer(const Result& result, const View& view, const LayerOptions& options) {
     std::string svg;
     for (std::size_t i = 0; i < result.geometry.size(); ++i) {

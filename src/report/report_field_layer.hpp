@@ -20,6 +20,9 @@ struct LayerOptions {
     std::string id;           ///< prefix of the clip paths' ids, unique in the page
 };
 
+/// What pictures of stress show.
+double von_mises_of(const FieldSample& sample);
+
 /// All parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
 std::string field_layer(const Result& result, const View& view, const LayerOptions& options);
 

@@ -18,9 +18,6 @@ constexpr double shown_fraction = 0.995;     ///< of the area keeps its colours 
 constexpr double peak_ratio = 2.5;           ///< a maximum that many times above the rest hides everything: the scale is capped
 constexpr double drawn_displacement = 0.05;  ///< of the model's diagonal: the largest displacement as it is drawn
 
-double stress_of(const FieldSample& sample) {
-    return von_mises(sample.stress);
-}
 double displacement_of(const FieldSample& sample) {
     return sample.displacement.norm();
 }
@@ -67,7 +64,7 @@ LabelPlaces places_in(const View& view) {
 
 /// The colour scale, capped where a peak would leave one colour for everything else.
 ColorBar stress_bar(const Result& result, const ResultUnits& units) {
-    const FieldRange range = field_range(result, stress_of, shown_fraction, Box2{});
+    const FieldRange range = field_range(result, von_mises_of, shown_fraction, Box2{});
     const double reported = peak(result, &PartResult::max_von_mises).at.value;
     const double largest = reported > 0 ? reported : range.largest;
     ColorBar bar{largest, heading("von Mises stress", units.stress), ""};
@@ -106,7 +103,7 @@ std::string stress_figure(const Result& result, const PictureSize& size) {
     const Peak largest = peak(result, &PartResult::max_von_mises);
     LabelPlaces places = places_in(view);
     std::string svg = open_svg(view.width, view.height, "von Mises stress") + model_axes(view, units.length);
-    svg += field_layer(result, view, {stress_of, bar.top, 0, Box2{}, "vm"});
+    svg += field_layer(result, view, {von_mises_of, bar.top, 0, Box2{}, "vm"});
     if (largest.at.value > 0)
         svg += peak_mark(view(largest.at.at), "max " + largest_stress_text(*most_stressed(result), 4, units.stress), places);
     return figure(svg + "</svg>\n" + color_bar(bar, half_width), "Von Mises stress", size.width);

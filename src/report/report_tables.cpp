@@ -18,8 +18,8 @@ using Rows = std::vector<std::vector<std::string>>;
 std::string count_text(int n) {
     return std::to_string(n);
 }
-std::string percent(const std::optional<double>& fraction) {
-    return fraction ? number_text(100 * *fraction, 2) + " %" : "–";
+std::string percent_or_dash(const std::optional<double>& fraction) {
+    return fraction ? percent_text(*fraction) : "–";
 }
 std::string subsection(const std::string& title, const std::string& html) {
     return "<h3>" + title + "</h3>\n" + html;
@@ -33,7 +33,7 @@ std::string ends_text(const std::vector<Vec2>& ends, double size) {
 
 std::string peak_error(const ContactResult& c) {
     if (!c.errors) return "–";
-    return c.errors->at_corner ? "no limit" : percent(std::max(c.errors->pressure, c.errors->peak));
+    return c.errors->at_corner ? "no limit" : percent_or_dash(std::max(c.errors->pressure, c.errors->peak));
 }
 
 std::string contact_table(const Result& result, const ResultUnits& u) {
@@ -46,7 +46,7 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
         forces.push_back({number, c.between[0], c.between[1], c.interface,
                           c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 5),
                           number_text(c.moment, 5), number_text(c.max_pressure.value, 5), peak_error(c),
-                          place_text(c.max_pressure.at, size), percent(c.error_estimate)});
+                          place_text(c.max_pressure.at, size), percent_or_dash(c.error_estimate)});
         shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5),
                           ends_text(c.ends, size), number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4),
                           number_text(c.max_penetration, 3)});

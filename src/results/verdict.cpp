@@ -16,10 +16,6 @@ namespace {
 /// else.
 constexpr double largest_residual = 1e-2;
 
-std::string percent(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
 bool has_reason(const Result& result, const std::string& kind) {
     return std::any_of(result.reasons.begin(), result.reasons.end(), [&](const Reason& r) { return r.kind == kind; });
 }
@@ -96,7 +92,7 @@ void add(std::string& text, const std::string& more) {
 std::string known_words(const Result& result) {
     if (!result.accuracy.estimate) return "";
     const bool contact = result.accuracy.of == "contact pressure";
-    return (contact ? "contact pressures known to " : "stresses known to ") + percent(*result.accuracy.estimate) +
+    return (contact ? "contact pressures known to " : "stresses known to ") + percent_text(*result.accuracy.estimate) +
            (contact ? has_reason(result, "corner") ? " away from corners" : "" : " in the energy norm");
 }
 
@@ -136,9 +132,9 @@ std::string impossible_in(const Result& result) {
     if (result.strain_energy < -result.energy_rounding)
         add(text, "the strain energy is below zero (" + number_text(result.strain_energy, 3) + ")");
     if (result.equilibrium.relative_residual > largest_residual)
-        add(text, "forces are out of balance by " + percent(result.equilibrium.relative_residual) + " of the largest");
+        add(text, "forces are out of balance by " + percent_text(result.equilibrium.relative_residual) + " of the largest");
     if (result.equilibrium.relative_moment_residual > largest_residual)
-        add(text, "moments are out of balance by " + percent(result.equilibrium.relative_moment_residual) +
+        add(text, "moments are out of balance by " + percent_text(result.equilibrium.relative_moment_residual) +
                       " of the largest force times the model's size");
     return text;
 }

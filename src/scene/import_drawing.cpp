@@ -33,9 +33,10 @@ std::optional<double> factor_to_scene(SceneReading& reading, const Imports& impo
     if (drawing.unit.empty() || imports.length_unit.empty() || drawing.unit == imports.length_unit) return 1;
     const double factor = geometry::unit_factor(drawing.unit, imports.length_unit);
     if (factor > 0) return factor;
-    report(reading, at,
-           "the drawing is in '" + drawing.unit + "', the scene in '" + imports.length_unit + "': no conversion is known",
-           "units are um, mm, cm, m, in, ft");
+    report_problem(
+        reading, at,
+        "the drawing is in '" + drawing.unit + "', the scene in '" + imports.length_unit + "': no conversion is known",
+        "units are um, mm, cm, m, in, ft");
     return std::nullopt;
 }
 
@@ -45,7 +46,7 @@ void report_sketch_problem(SceneReading& reading, const JsonValue& at, const Dra
     if (!problem.entity.empty() && what.find(problem.entity) == std::string::npos) what += " (" + problem.entity + ")";
     what += ", in " + drawing.file;
     if (problem.line > 0) what += ":" + std::to_string(problem.line);
-    report(reading, at, what, problem.hint);
+    report_problem(reading, at, what, problem.hint);
 }
 
 /// One record for each file, however many parts take something from it.
@@ -112,8 +113,8 @@ std::string read_choice(SceneReading& reading, const JsonValue& node, const char
     const JsonValue* value = find_member(node, key);
     const std::string name = value ? member_or(reading, node, key, std::string(), read_text) : "";
     if (!value || std::find(known.begin(), known.end(), name) != known.end()) return name;
-    report(reading, *value, "the file has no " + what + " '" + shortened(name) + "' with anything to read",
-           nearest_name_hint(name, known));
+    report_problem(reading, *value, "the file has no " + what + " '" + shortened(name) + "' with anything to read",
+                   nearest_name_hint(name, known));
     return "";
 }
 
@@ -123,10 +124,10 @@ std::optional<geometry::Part> the_only_part(SceneReading& reading, const JsonVal
     if (sketch->parts.size() == 1) return std::move(sketch->parts.front());
     std::vector<std::string> names;
     for (const geometry::Part& part : sketch->parts) names.push_back(part.name);
-    report(reading, node,
-           "the file bounds " + std::to_string(names.size()) + " parts here, not one" +
-               (names.empty() ? "" : ": " + listed(names)),
-           "choose one by " + choose + ", or use 'assembly'");
+    report_problem(reading, node,
+                   "the file bounds " + std::to_string(names.size()) + " parts here, not one" +
+                       (names.empty() ? "" : ": " + listed(names)),
+                   "choose one by " + choose + ", or use 'assembly'");
     return std::nullopt;
 }
 
@@ -156,7 +157,7 @@ const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, c
         return &imports.drawings.emplace(key, std::move(import)).first->second;
     } catch (const InputError& error) {
         for (const Problem& p : error.problems())
-            report(reading, file, p.where.empty() ? p.what : p.where + ": " + p.what, p.hint);
+            report_problem(reading, file, p.where.empty() ? p.what : p.where + ": " + p.what, p.hint);
         return nullptr;
     }
 }

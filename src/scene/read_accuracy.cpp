@@ -30,9 +30,9 @@ std::vector<Refinement> read_refinements(SceneReading& reading, const JsonValue&
 std::optional<double> read_target(SceneReading& reading, const JsonValue& value) {
     const std::optional<double> target = read_number(reading, value);
     if (!target || is_target(*target)) return target;
-    report(reading, value,
-           "a relative error to aim at is from " + number_text(least_target, 1) + " to " + number_text(most_target, 1),
-           "0.01 is one percent");
+    report_problem(reading, value,
+                   "a relative error to aim at is from " + number_text(least_target, 1) + " to " + number_text(most_target, 1),
+                   "0.01 is one percent");
     return std::nullopt;
 }
 
@@ -50,7 +50,8 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
     if (find_member(accuracy, "level") && find_member(accuracy, "target"))
-        report(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own", "take 'level' away");
+        report_problem(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own",
+                       "take 'level' away");
     if (const JsonValue* target = find_member(accuracy, "target")) result.target = read_target(reading, *target);
     if (const JsonValue* degree = find_member(accuracy, "degree")) {
         result.degree = read_integer(reading, *degree, least_degree, most_degree).value_or(result.degree);

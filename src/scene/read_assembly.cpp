@@ -41,7 +41,7 @@ PartRules read_rules(SceneReading& reading, const JsonValue& assembly, const std
     const JsonValue* parts = find_member(assembly, "parts");
     if (!parts) return rules;
     if (parts->kind != JsonValue::Kind::object) {
-        report(reading, *parts, "expected an object with a key for each layer, found " + described(*parts));
+        report_problem(reading, *parts, "expected an object with a key for each layer, found " + described(*parts));
         return rules;
     }
     for (const JsonValue& item : parts->items) rules[item.key] = read_rule(reading, item, materials);
@@ -89,7 +89,8 @@ void check_rules_used(SceneReading& reading, const PartRules& rules, const std::
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         // An ignored layer may well hold nothing but texts and dimensions, which are not read.
         if (!rule.ignore)
-            report(reading, *rule.at, "the drawing has no part '" + shortened(name) + "'", nearest_name_hint(name, known));
+            report_problem(reading, *rule.at, "the drawing has no part '" + shortened(name) + "'",
+                           nearest_name_hint(name, known));
     }
 }
 
@@ -123,7 +124,8 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
     check_rules_used(reading, rules, layers_of(import->drawing), *sketch);
     // With faults in the rules a part may go by another name than the one meant.
     if (reading.problems.size() > before) reading.all_parts_named = false;
-    if (sketch->parts.empty()) report(reading, *file, "the drawing bounds no part", "lines and arcs must form closed loops");
+    if (sketch->parts.empty())
+        report_problem(reading, *file, "the drawing bounds no part", "lines and arcs must form closed loops");
 
     const bool material_given = find_member(assembly, "material") != nullptr;
     for (std::size_t i = 0; i < sketch->parts.size(); ++i) {
@@ -132,8 +134,8 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
         if (plan.ignore) continue;
         const bool own_material = find_member(*plan.at, "material") != nullptr && plan.at != &assembly;
         if (!plan.material && !own_material && !material_given) {
-            report(reading, *plan.at, "the part '" + plan.name + "' has no material",
-                   "give the assembly a 'material', or this part one under 'parts'");
+            report_problem(reading, *plan.at, "the part '" + plan.name + "' has no material",
+                           "give the assembly a 'material', or this part one under 'parts'");
         }
         note_part_name(reading, *plan.at, plan.name);
         part.name = plan.name;

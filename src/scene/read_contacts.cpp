@@ -16,7 +16,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value)
     rule.where = value.pointer;
     const JsonValue* between = required(reading, value, "between");
     if (between && (between->kind != JsonValue::Kind::array || between->items.size() != 2)) {
-        report(reading, *between, "expected two selections of edges, found " + described(*between));
+        report_problem(reading, *between, "expected two selections of edges, found " + described(*between));
     } else if (between) {
         for (std::size_t i : {0u, 1u}) rule.between[i] = read_selector(reading, between->items[i]).value_or(Selector{});
     }
@@ -26,15 +26,15 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value)
     if (word == "bonded") rule.kind = PairRule::Kind::bonded;
     rule.interference = member_or(reading, value, "interference", 0.0, read_number);
     if (const JsonValue* interference = find_member(value, "interference"); interference && word == "bonded")
-        report(reading, *interference, "bonded edges are held together as they are drawn: they have no interference",
-               "take it away, or make the pair a contact");
+        report_problem(reading, *interference, "bonded edges are held together as they are drawn: they have no interference",
+                       "take it away, or make the pair a contact");
     if (reading.problems.size() > before) return std::nullopt;
     return rule;
 }
 
 void check_friction(SceneReading& reading, const JsonValue& value) {
     const std::optional<double> friction = read_number(reading, value);
-    if (friction && *friction != 0) report(reading, value, "'friction' is not supported yet", "only 0 is");
+    if (friction && *friction != 0) report_problem(reading, value, "'friction' is not supported yet", "only 0 is");
 }
 
 /// "penalty": the formulation's options; "auto", "mortar": none, and its keys do not belong there.
@@ -47,8 +47,8 @@ std::optional<PenaltyOptions> read_penalty(SceneReading& reading, const JsonValu
     if (is_penalty) return options;
     for (const char* key : {"penalty", "penalty_length"})
         if (const JsonValue* member = find_member(contacts, key))
-            report(reading, *member, "'" + std::string(key) + "' belongs to the penalty formulation",
-                   "give \"formulation\": \"penalty\", or leave it out");
+            report_problem(reading, *member, "'" + std::string(key) + "' belongs to the penalty formulation",
+                           "give \"formulation\": \"penalty\", or leave it out");
     return std::nullopt;
 }
 

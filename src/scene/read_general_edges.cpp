@@ -68,7 +68,7 @@ std::optional<int> read_degree(SceneReading& reading, const JsonValue& value) {
 std::optional<Vec2> read_radii(SceneReading& reading, const JsonValue& value) {
     const auto radii = read_vector(reading, value);
     if (!radii || (radii->x() > 0 && radii->y() > 0)) return radii;
-    report(reading, value, "both radii must be greater than 0");
+    report_problem(reading, value, "both radii must be greater than 0");
     return std::nullopt;
 }
 
@@ -93,7 +93,7 @@ std::vector<Curve> read_bezier(SceneReading& reading, const JsonValue& value) {
     if (!points || !weights) return {};
     const std::string fault = geometry::bezier_fault(*points, *weights);
     if (fault.empty()) return {geometry::bezier_curve(*points, *weights)};
-    report(reading, value, "the Bezier curve is not valid: " + fault);
+    report_problem(reading, value, "the Bezier curve is not valid: " + fault);
     return {};
 }
 
@@ -107,7 +107,7 @@ std::vector<Curve> read_nurbs(SceneReading& reading, const JsonValue& value) {
     const geometry::Nurbs nurbs{*degree, *knots, *points, *weights};
     const std::string fault = geometry::spline_fault(nurbs);
     if (fault.empty()) return geometry::nurbs_curves(nurbs);
-    report(reading, value, "the NURBS curve is not valid: " + fault);
+    report_problem(reading, value, "the NURBS curve is not valid: " + fault);
     return {};
 }
 

@@ -20,7 +20,8 @@ std::optional<Shape> read_rectangle(SceneReading& reading, Imports&, const JsonV
                max = required_member(reading, value, "max", read_vector);
     if (!min || !max) return std::nullopt;
     if (min->x() < max->x() && min->y() < max->y()) return geometry::Rectangle{*min, *max};
-    report(reading, value, "the rectangle has no area", "both coordinates of 'max' must be greater than those of 'min'");
+    report_problem(reading, value, "the rectangle has no area",
+                   "both coordinates of 'max' must be greater than those of 'min'");
     return std::nullopt;
 }
 
@@ -48,7 +49,7 @@ std::optional<Shape> read_slot(SceneReading& reading, Imports&, const JsonValue&
     const auto radius = required_member(reading, value, "radius", read_positive);
     if (!from || !to || !radius) return std::nullopt;
     if (*from != *to) return geometry::Slot{*from, *to, *radius};
-    report(reading, value, "the slot begins where it ends", "move 'from' or 'to', or write a 'circle'");
+    report_problem(reading, value, "the slot begins where it ends", "move 'from' or 'to', or write a 'circle'");
     return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ std::vector<double> read_knots(SceneReading& reading, const JsonValue& value) {
         const std::optional<double> knot = read_number(reading, item);
         if (!knot) continue;
         if (!knots.empty() && *knot <= knots.back()) {
-            report(reading, item, "the knots are not in ascending order", "each must be greater than the one before");
+            report_problem(reading, item, "the knots are not in ascending order", "each must be greater than the one before");
             return knots;
         }
         knots.push_back(*knot);
@@ -28,7 +28,7 @@ std::vector<double> read_knots(SceneReading& reading, const JsonValue& value) {
 /// [p, q] within the limits.
 std::optional<std::array<int, 2>> read_integers(SceneReading& reading, const JsonValue& value, int least, int most) {
     if (value.kind != JsonValue::Kind::array || value.items.size() != 2) {
-        report(reading, value, "expected two whole numbers, one for each direction, found " + described(value));
+        report_problem(reading, value, "expected two whole numbers, one for each direction, found " + described(value));
         return std::nullopt;
     }
     const auto first = read_integer(reading, value.items[0], least, most),
@@ -44,10 +44,10 @@ void check_combination(SceneReading& reading, const JsonValue& value) {
     const JsonValue* cells = find_member(value, "cells");
     const JsonValue* offset = find_member(value, "offset");
     if (cells && (x || y))
-        report(reading, *cells, "'cells' cannot be combined with knots", "give 'x' and 'y', or 'cells'");
+        report_problem(reading, *cells, "'cells' cannot be combined with knots", "give 'x' and 'y', or 'cells'");
     else if (!cells && !(x && y))
-        report(reading, value, "the grid is incomplete", "give the knots 'x' and 'y', or 'cells'");
-    if (offset && !cells) report(reading, *offset, "'offset' belongs to 'cells'", "move the knots instead");
+        report_problem(reading, value, "the grid is incomplete", "give the knots 'x' and 'y', or 'cells'");
+    if (offset && !cells) report_problem(reading, *offset, "'offset' belongs to 'cells'", "move the knots instead");
 }
 
 GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
@@ -71,7 +71,7 @@ GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
 std::map<std::string, GridOptions> read_grids(SceneReading& reading, const JsonValue& grids) {
     std::map<std::string, GridOptions> result;
     if (grids.kind != JsonValue::Kind::object) {
-        report(reading, grids, "expected an object with a key for each part, found " + described(grids));
+        report_problem(reading, grids, "expected an object with a key for each part, found " + described(grids));
         return result;
     }
     for (const JsonValue& item : grids.items) {

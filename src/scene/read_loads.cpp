@@ -72,8 +72,8 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
     for (const char* key : {"on", "part"}) {
         const JsonValue* other = find_member(value, key);
         if (!other || key == wanted) continue;
-        report(reading, *other, "'" + other->key + "' does not go with '" + kind.key + "'",
-               wanted.empty() ? "it acts on all parts" : "give '" + wanted + "' alone");
+        report_problem(reading, *other, "'" + other->key + "' does not go with '" + kind.key + "'",
+                       wanted.empty() ? "it acts on all parts" : "give '" + wanted + "' alone");
         return;
     }
     if (on_edges) load.on = required_member(reading, value, "on", read_selection).value_or(Selection{});

@@ -43,7 +43,7 @@ Curves read_line(SceneReading& reading, const JsonValue& value) {
                to = required_member(reading, value, "to", read_vector);
     if (!from || !to) return {};
     if (*from != *to) return {Segment{*from, *to}};
-    report(reading, value, "the line begins where it ends");
+    report_problem(reading, value, "the line begins where it ends");
     return {};
 }
 
@@ -53,14 +53,14 @@ Curves arc_about_center(SceneReading& reading, const JsonValue& value, const Vec
     if (!center) return {};
     const double r0 = (from - *center).norm(), r1 = (to - *center).norm();
     if (std::abs(r0 - r1) > radius_mismatch * std::max(r0, r1)) {
-        report(
+        report_problem(
             reading, value,
             "the arc's ends lie at different distances from its center: " + std::to_string(r0) + " and " + std::to_string(r1),
             "correct one of the points, or give 'from', 'via' and 'to'");
         return {};
     }
     if (!(r0 > 0)) {
-        report(reading, value, "the arc has no radius", "'from' must differ from 'center'");
+        report_problem(reading, value, "the arc has no radius", "'from' must differ from 'center'");
         return {};
     }
     const double start = angle_of(from - *center);
@@ -75,7 +75,7 @@ Curves arc_through(SceneReading& reading, const JsonValue& value, const Vec2& fr
     const Vec2 a = *via - from, b = to - from;
     const double twice = 2 * geometry::cross(a, b);
     if (!(std::abs(twice) > 2 * collinear_sine * a.norm() * b.norm())) {
-        report(reading, value, "the three points of the arc lie on one line", "write a 'line', or move 'via'");
+        report_problem(reading, value, "the three points of the arc lie on one line", "write a 'line', or move 'via'");
         return {};
     }
     const Vec2 c =
@@ -134,7 +134,8 @@ std::string read_edge_prefix(SceneReading& reading, const JsonValue& object) {
     const std::optional<std::string> name = value ? read_text(reading, *value) : std::nullopt;
     if (!name) return "";
     if (name->find_first_of("#*") == std::string::npos) return *name;
-    report(reading, *value, "the name '" + *name + "' contains '#' or '*'", "these have a meaning where edges are selected");
+    report_problem(reading, *value, "the name '" + *name + "' contains '#' or '*'",
+                   "these have a meaning where edges are selected");
     return "";
 }
 
@@ -152,7 +153,7 @@ std::optional<geometry::Loops> read_loops(SceneReading& reading, const JsonValue
             if (name.empty()) name = "e" + std::to_string(n_edges);
             ++n_edges;
             if (!names.insert(name).second)
-                report(reading, edge, "two edges have the name '" + name + "'", "rename one of them");
+                report_problem(reading, edge, "two edges have the name '" + name + "'", "rename one of them");
             append_edges(loops.loops.back(), read_curves(reading, edge), name, edge.pointer);
         }
     }

@@ -28,14 +28,14 @@ bool is_taken(const std::string& name) {
 void check_poisson(SceneReading& reading, const JsonValue& value, double nu, Analysis analysis) {
     const bool stress = analysis == Analysis::plane_stress;
     if (nu > -1 && (nu < 0.5 || (stress && nu == 0.5))) return;
-    report(reading, value,
-           stress ? "Poisson's ratio must be greater than -1 and at most 0.5 in plane stress"
-                  : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain and around an axis");
+    report_problem(reading, value,
+                   stress ? "Poisson's ratio must be greater than -1 and at most 0.5 in plane stress"
+                          : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain and around an axis");
 }
 
 std::optional<double> read_not_negative(SceneReading& reading, const JsonValue& value) {
     const std::optional<double> number = read_number(reading, value);
-    if (number && *number < 0) report(reading, value, "'" + value.key + "' must not be negative");
+    if (number && *number < 0) report_problem(reading, value, "'" + value.key + "' must not be negative");
     return number;
 }
 
@@ -57,15 +57,16 @@ Material read_material(SceneReading& reading, const JsonValue& value, Analysis a
 
 void read_parameters(SceneReading& reading, const JsonValue& parameters) {
     if (parameters.kind != JsonValue::Kind::object) {
-        report(reading, parameters, "expected an object of named numbers, found " + described(parameters));
+        report_problem(reading, parameters, "expected an object of named numbers, found " + described(parameters));
         return;
     }
     for (const JsonValue& item : parameters.items) {
         if (!is_identifier(item.key)) {
-            report(reading, item, "'" + shortened(item.key) + "' cannot name a parameter",
-                   "use letters, digits and _, beginning with a letter");
+            report_problem(reading, item, "'" + shortened(item.key) + "' cannot name a parameter",
+                           "use letters, digits and _, beginning with a letter");
         } else if (is_taken(item.key)) {
-            report(reading, item, "'" + item.key + "' has a meaning in expressions already", "give the parameter another name");
+            report_problem(reading, item, "'" + item.key + "' has a meaning in expressions already",
+                           "give the parameter another name");
         } else if (const auto given = reading.replaced.find(item.key); given != reading.replaced.end()) {
             reading.parameters[item.key] = given->second;
         } else if (const std::optional<double> number = read_number(reading, item)) {
@@ -89,12 +90,12 @@ Material built_in_rigid() {
 std::vector<Material> read_materials(SceneReading& reading, const JsonValue& materials, Analysis analysis) {
     std::vector<Material> result;
     if (materials.kind != JsonValue::Kind::object) {
-        report(reading, materials, "expected an object of named materials, found " + described(materials));
+        report_problem(reading, materials, "expected an object of named materials, found " + described(materials));
         return result;
     }
     for (const JsonValue& item : materials.items) {
         if (item.key == "rigid")
-            report(reading, item, "'rigid' is the name of the built-in material", "give this one another name");
+            report_problem(reading, item, "'rigid' is the name of the built-in material", "give this one another name");
         result.push_back(read_material(reading, item, analysis));
     }
     return result;
@@ -108,8 +109,8 @@ std::optional<int> read_material_name(SceneReading& reading, const JsonValue& va
         if (materials[i].name == *name) return static_cast<int>(i);
         if (!materials[i].rigid) known.push_back(materials[i].name);
     }
-    report(reading, value, "there is no material '" + shortened(*name) + "'",
-           known.empty() ? "the scene has no 'materials'" : nearest_name_hint(*name, known));
+    report_problem(reading, value, "there is no material '" + shortened(*name) + "'",
+                   known.empty() ? "the scene has no 'materials'" : nearest_name_hint(*name, known));
     return std::nullopt;
 }
 

@@ -32,7 +32,7 @@ void report_geometry_problem(SceneReading& reading, const JsonValue& part, const
     what << problem.what;
     const bool has_place = problem.at.isZero(0) || problem.what.find('(') != std::string::npos;
     if (!has_place) what << " near (" << problem.at.x() << ", " << problem.at.y() << ")";
-    report(reading, at ? *at : part, what.str(), problem.hint);
+    report_problem(reading, at ? *at : part, what.str(), problem.hint);
 }
 
 /// What the tree bounds; nothing where it bounds no part (reported).
@@ -84,14 +84,14 @@ void note_part_name(SceneReading& reading, const JsonValue& at, const std::strin
     if (known == reading.part_names.end())
         reading.part_names.push_back(name);
     else
-        report(reading, at, "there are two parts with the name '" + name + "'", "rename one of them");
+        report_problem(reading, at, "there are two parts with the name '" + name + "'", "rename one of them");
 }
 
 std::optional<std::string> read_new_part_name(SceneReading& reading, const JsonValue& value) {
     const std::optional<std::string> name = read_text(reading, value);
     if (!name || name->find_first_of("/#*") == std::string::npos) return name;
-    report(reading, value, "the part's name '" + *name + "' contains '/', '#' or '*'",
-           "these have a meaning where edges are selected");
+    report_problem(reading, value, "the part's name '" + *name + "' contains '/', '#' or '*'",
+                   "these have a meaning where edges are selected");
     return std::nullopt;
 }
 

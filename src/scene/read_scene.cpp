@@ -27,9 +27,9 @@ constexpr std::size_t reported_problems = 20;
 void read_version(SceneReading& reading) {
     const JsonValue* version = find_member(reading.root, "abut");
     if (!version) {
-        report(reading, reading.root, "the key 'abut' is missing", "a scene states its format version: \"abut\": 1");
+        report_problem(reading, reading.root, "the key 'abut' is missing", "a scene states its format version: \"abut\": 1");
     } else if (version->kind != JsonValue::Kind::number || version->number != 1) {
-        report(reading, *version, "this format version is not known", "write \"abut\": 1");
+        report_problem(reading, *version, "this format version is not known", "write \"abut\": 1");
     }
 }
 
@@ -42,7 +42,8 @@ void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
 void read_general(SceneReading& reading, Scene& scene) {
     const JsonValue& root = reading.root;
     const JsonValue* title = find_member(root, "title");
-    if (title && title->kind != JsonValue::Kind::string) report(reading, *title, "expected a text, found " + described(*title));
+    if (title && title->kind != JsonValue::Kind::string)
+        report_problem(reading, *title, "expected a text, found " + described(*title));
     if (title) scene.title = title->text;
     if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* analysis = find_member(root, "analysis")) {
@@ -59,7 +60,7 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     const JsonValue* parts = find_member(root, "parts");
     const JsonValue* assembly = find_member(root, "assembly");
     if (!parts && !assembly) {
-        report(reading, root, "the scene has no parts", "give 'parts' or 'assembly'");
+        report_problem(reading, root, "the scene has no parts", "give 'parts' or 'assembly'");
         reading.all_parts_named = false;
     }
     Imports imports;
@@ -85,7 +86,8 @@ void check_thickness(SceneReading& reading, Scene& scene) {
     const auto refuse = [&](const JsonValue& in) {
         if (in.kind != JsonValue::Kind::object) return;
         if (const JsonValue* thickness = find_member(in, "thickness"))
-            report(reading, *thickness, "parts around an axis have no thickness", "forces are totals over the full circle");
+            report_problem(reading, *thickness, "parts around an axis have no thickness",
+                           "forces are totals over the full circle");
     };
     refuse(reading.root);
     if (const JsonValue* parts = find_member(reading.root, "parts"))
@@ -101,9 +103,10 @@ void check_spin_about(SceneReading& reading, const Scene& scene, const Load& loa
     const JsonValue& spin = *find_member(*find_pointer(reading.root, load.where), "spin");
     const JsonValue* about = find_member(spin, "about");
     const bool is_ring = scene.analysis == Analysis::axisymmetric;
-    if (about && is_ring) report(reading, *about, "axisymmetric parts spin about the axis x = 0 alone", "leave 'about' out");
+    if (about && is_ring)
+        report_problem(reading, *about, "axisymmetric parts spin about the axis x = 0 alone", "leave 'about' out");
     if (!about && !is_ring)
-        report(reading, spin, "the key 'about' is missing", "give the point [x, y] that the part spins about");
+        report_problem(reading, spin, "the key 'about' is missing", "give the point [x, y] that the part spins about");
 }
 
 /// What a load needs of the materials of the parts that it acts on (which may be given as 0).
@@ -114,9 +117,10 @@ void check_needed(SceneReading& reading, const Scene& scene, const Load& load, c
         for (const ScenePart& part : scene.parts)
             used |= part.material == static_cast<int>(m) && (load.part.empty() || load.part == part.name);
         if (!used || has(scene.materials[m])) continue;
-        report(reading, *find_pointer(reading.root, load.where),
-               effect + " needs the '" + key + "' of the material '" + scene.materials[m].name + "'",
-               "give the material " + std::string(key == "density" ? "a" : "an") + " '" + key + "', or 0 for no effect on it");
+        report_problem(
+            reading, *find_pointer(reading.root, load.where),
+            effect + " needs the '" + key + "' of the material '" + scene.materials[m].name + "'",
+            "give the material " + std::string(key == "density" ? "a" : "an") + " '" + key + "', or 0 for no effect on it");
     }
 }
 
@@ -139,7 +143,8 @@ void check_replaced(SceneReading& reading) {
     for (const auto& [name, value] : reading.parameters) known.push_back(name);
     for (const auto& [name, value] : reading.replaced)
         if (!reading.parameters.contains(name))
-            report(reading, reading.root, "there is no parameter '" + shortened(name) + "'", nearest_name_hint(name, known));
+            report_problem(reading, reading.root, "there is no parameter '" + shortened(name) + "'",
+                           nearest_name_hint(name, known));
 }
 
 [[noreturn]] void throw_problems(std::vector<Problem> problems) {

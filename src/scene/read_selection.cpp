@@ -12,13 +12,13 @@ namespace {
 std::optional<double> read_half_angle(SceneReading& reading, const JsonValue& value) {
     const std::optional<double> angle = read_number(reading, value);
     if (!angle || (*angle >= 0 && *angle <= 180)) return angle;
-    report(reading, value, "'within' must lie between 0 and 180 degrees");
+    report_problem(reading, value, "'within' must lie between 0 and 180 degrees");
     return std::nullopt;
 }
 
 std::optional<std::array<Vec2, 2>> read_box(SceneReading& reading, const JsonValue& value) {
     if (value.kind != JsonValue::Kind::array || value.items.size() != 2) {
-        report(reading, value, "expected two corners [[x0, y0], [x1, y1]], found " + described(value));
+        report_problem(reading, value, "expected two corners [[x0, y0], [x1, y1]], found " + described(value));
         return std::nullopt;
     }
     const std::optional<Vec2> a = read_vector(reading, value.items[0]), b = read_vector(reading, value.items[1]);
@@ -31,7 +31,8 @@ void check_selector(SceneReading& reading, const Scene& scene, const Selector& s
     try {
         select(scene, {selector});
     } catch (const InputError& error) {
-        for (const Problem& problem : error.problems()) report(reading, at ? *at : reading.root, problem.what, problem.hint);
+        for (const Problem& problem : error.problems())
+            report_problem(reading, at ? *at : reading.root, problem.what, problem.hint);
     }
 }
 
@@ -46,8 +47,8 @@ std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& va
         return pattern ? std::optional(selector) : std::nullopt;
     }
     if (value.kind != JsonValue::Kind::object) {
-        report(reading, value, "expected an edge, found " + described(value),
-               "write \"part/edge\" or an object with 'part' and 'near', 'box' or 'facing'");
+        report_problem(reading, value, "expected an edge, found " + described(value),
+                       "write \"part/edge\" or an object with 'part' and 'near', 'box' or 'facing'");
         return std::nullopt;
     }
     const std::size_t before = reading.problems.size();
@@ -59,7 +60,7 @@ std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& va
     if (way && way->key == "box") selector.box = read_box(reading, *way);
     if (way && way->key == "facing") selector.facing = read_direction(reading, *way);
     const JsonValue* within = find_member(value, "within");
-    if (within && way && way->key != "facing") report(reading, *within, "'within' belongs to 'facing'", "remove it");
+    if (within && way && way->key != "facing") report_problem(reading, *within, "'within' belongs to 'facing'", "remove it");
     selector.within = member_or(reading, value, "within", selector.within, read_half_angle);
     if (!part || reading.problems.size() > before) return std::nullopt;
     return selector;

@@ -30,12 +30,13 @@ void read_displacement(SceneReading& reading, const JsonValue& value, Support& s
     support.y = y != nullptr;
     if (x) support.value[0] = read_field(reading, *x).value_or(Expression());
     if (y) support.value[1] = read_field(reading, *y).value_or(Expression());
-    if (!x && !y) report(reading, value, "no component is prescribed", "give 'x', 'y' or both");
+    if (!x && !y) report_problem(reading, value, "no component is prescribed", "give 'x', 'y' or both");
 }
 
 void read_symmetry(SceneReading& reading, const JsonValue& value, Support& support) {
     support.kind = Support::Kind::symmetry;
-    if (read_flag(reading, value) == false) report(reading, value, "'" + value.key + "' can only be true", "remove the entry");
+    if (read_flag(reading, value) == false)
+        report_problem(reading, value, "'" + value.key + "' can only be true", "remove the entry");
 }
 
 /// A component of a rigid motion: null leaves it free.
@@ -52,20 +53,20 @@ void read_rigid(SceneReading& reading, const JsonValue& value, Support& support)
         support.rigid_x = read_rigid_component(reading, translation->items[0]);
         support.rigid_y = read_rigid_component(reading, translation->items[1]);
     } else if (translation && translation->kind != Kind::null) {
-        report(reading, *translation, "expected two numbers [tx, ty], found " + described(*translation),
-               "null leaves a component free");
+        report_problem(reading, *translation, "expected two numbers [tx, ty], found " + described(*translation),
+                       "null leaves a component free");
     }
     const JsonValue* rotation = find_member(value, "rotation");
     if (rotation) support.rigid_rotation = read_rigid_component(reading, *rotation);
     if (support.rigid_rotation) *support.rigid_rotation *= std::numbers::pi / 180;
     const bool all_free = !support.rigid_x && !support.rigid_y && !support.rigid_rotation;
     if (all_free && reading.problems.size() == before)
-        report(reading, value, "this leaves the part free", "give 'translation', 'rotation' or both");
+        report_problem(reading, value, "this leaves the part free", "give 'translation', 'rotation' or both");
 }
 
 std::optional<double> read_stiffness(SceneReading& reading, const JsonValue& value) {
     const auto k = read_number(reading, value);
-    if (k && *k < 0) report(reading, value, "a spring's stiffness must not be negative", "0 leaves the direction free");
+    if (k && *k < 0) report_problem(reading, value, "a spring's stiffness must not be negative", "0 leaves the direction free");
     return k;
 }
 
@@ -76,13 +77,13 @@ void read_spring(SceneReading& reading, const JsonValue& value, Support& support
     support.spring_normal = member_or(reading, value, "normal", 0.0, read_stiffness);
     support.spring_tangential = member_or(reading, value, "tangential", 0.0, read_stiffness);
     if (reading.problems.size() == before && support.spring_normal == 0 && support.spring_tangential == 0)
-        report(reading, value, "the spring has no stiffness", "give 'normal', 'tangential' or both");
+        report_problem(reading, value, "the spring has no stiffness", "give 'normal', 'tangential' or both");
 }
 
 /// "at" with "fix": held points. Singular in 2D: the scene gets one warning for all of them (read_supports).
 void read_points(SceneReading& reading, const JsonValue& value, const JsonValue& what, Support& support) {
     if (what.key != "fix") {
-        report(reading, value, "'at' does not go with '" + what.key + "'", "points can be held by 'fix' only");
+        report_problem(reading, value, "'at' does not go with '" + what.key + "'", "points can be held by 'fix' only");
         return;
     }
     support.kind = Support::Kind::points;
@@ -95,9 +96,10 @@ void read_points(SceneReading& reading, const JsonValue& value, const JsonValue&
 void read_place(SceneReading& reading, const JsonValue& value, const JsonValue& what, Support& support) {
     const bool of_part = support.kind == Support::Kind::rigid || support.kind == Support::Kind::points;
     if (const JsonValue* other = find_member(value, of_part ? "on" : "part"))
-        report(reading, *other,
-               "'" + other->key + "' does not go with '" + (support.kind == Support::Kind::points ? "at" : what.key) + "'",
-               of_part ? "name the 'part'" : "select edges by 'on'");
+        report_problem(
+            reading, *other,
+            "'" + other->key + "' does not go with '" + (support.kind == Support::Kind::points ? "at" : what.key) + "'",
+            of_part ? "name the 'part'" : "select edges by 'on'");
     else if (of_part)
         support.part = required_member(reading, value, "part", read_part_name).value_or("");
     else

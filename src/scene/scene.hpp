@@ -175,4 +175,12 @@ struct Scene {
     std::vector<std::string> warnings;
 };
 
+/// A part by its number, and its shape.
+inline const ScenePart& scene_part(const Scene& scene, int part) {
+    return scene.parts[static_cast<std::size_t>(part)];
+}
+inline const geometry::Part& part_of(const Scene& scene, int part) {
+    return scene.parts[static_cast<std::size_t>(part)].part;
+}
+
 }  // namespace abut

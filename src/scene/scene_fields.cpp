@@ -26,41 +26,41 @@ std::string quoted_list(const std::vector<std::string>& words) {
 std::optional<Expression> read_expression(SceneReading& reading, const JsonValue& value, bool field) {
     if (value.kind == Kind::number) return Expression(value.number);
     if (value.kind != Kind::string) {
-        report(reading, value, "expected a number, found " + described(value),
-               "write a number or an expression like \"2*R+gap\"");
+        report_problem(reading, value, "expected a number, found " + described(value),
+                       "write a number or an expression like \"2*R+gap\"");
         return std::nullopt;
     }
     try {
         return parse_expression(value.text, reading.parameters, field);
     } catch (const InputError& error) {
-        for (const Problem& problem : error.problems()) report(reading, value, problem.what, problem.hint);
+        for (const Problem& problem : error.problems()) report_problem(reading, value, problem.what, problem.hint);
         return std::nullopt;
     }
 }
 
 bool check_pair(SceneReading& reading, const JsonValue& value) {
     if (value.kind == Kind::array && value.items.size() == 2) return true;
-    report(reading, value, "expected two numbers [x, y], found " + described(value));
+    report_problem(reading, value, "expected two numbers [x, y], found " + described(value));
     return false;
 }
 
 }  // namespace
 
-void report(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint) {
+void report_problem(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint) {
     reading.problems.push_back({place_of(reading.file, at), what, hint});
 }
 
 bool check_object(SceneReading& reading, const JsonValue& value, const Words& keys) {
     if (value.kind != Kind::object) {
-        report(reading, value, "expected an object, found " + described(value), "its keys are " + listed(keys.known));
+        report_problem(reading, value, "expected an object, found " + described(value), "its keys are " + listed(keys.known));
         return false;
     }
     for (const JsonValue& item : value.items) {
         if (has(keys.known, item.key)) continue;
         if (has(keys.later, item.key)) {
-            report(reading, item, "'" + item.key + "' is not supported yet");
+            report_problem(reading, item, "'" + item.key + "' is not supported yet");
         } else {
-            report(reading, item, "unknown key '" + shortened(item.key) + "'", nearest_name_hint(item.key, keys.known));
+            report_problem(reading, item, "unknown key '" + shortened(item.key) + "'", nearest_name_hint(item.key, keys.known));
         }
     }
     return true;
@@ -68,20 +68,20 @@ bool check_object(SceneReading& reading, const JsonValue& value, const Words& ke
 
 bool check_list(SceneReading& reading, const JsonValue& value, std::size_t least, const std::string& of_what) {
     if (value.kind != Kind::array) {
-        report(reading, value, "expected a list of " + of_what + ", found " + described(value));
+        report_problem(reading, value, "expected a list of " + of_what + ", found " + described(value));
         return false;
     }
     if (value.items.size() >= least) return true;
-    report(reading, value,
-           value.items.empty() ? "this list of " + of_what + " is empty"
-                               : "this list has " + std::to_string(value.items.size()) + " " + of_what,
-           "give at least " + std::to_string(least));
+    report_problem(reading, value,
+                   value.items.empty() ? "this list of " + of_what + " is empty"
+                                       : "this list has " + std::to_string(value.items.size()) + " " + of_what,
+                   "give at least " + std::to_string(least));
     return false;
 }
 
 const JsonValue* required(SceneReading& reading, const JsonValue& object, std::string_view key) {
     const JsonValue* value = find_member(object, key);
-    if (!value) report(reading, object, "the key '" + std::string(key) + "' is missing");
+    if (!value) report_problem(reading, object, "the key '" + std::string(key) + "' is missing");
     return value;
 }
 
@@ -90,12 +90,13 @@ const JsonValue* exactly_one(SceneReading& reading, const JsonValue& object, con
     for (const JsonValue& item : object.items) {
         if (!has(keys, item.key)) continue;
         if (found) {
-            report(reading, item, "'" + item.key + "' cannot be combined with '" + found->key + "'", "make two entries of it");
+            report_problem(reading, item, "'" + item.key + "' cannot be combined with '" + found->key + "'",
+                           "make two entries of it");
             return nullptr;
         }
         found = &item;
     }
-    if (!found) report(reading, object, "nothing says what this is", "give one of the keys " + listed(keys));
+    if (!found) report_problem(reading, object, "nothing says what this is", "give one of the keys " + listed(keys));
     return found;
 }
 
@@ -107,7 +108,7 @@ std::optional<double> read_number(SceneReading& reading, const JsonValue& value)
 std::optional<double> read_positive(SceneReading& reading, const JsonValue& value) {
     const std::optional<double> number = read_number(reading, value);
     if (!number || *number > 0) return number;
-    report(reading, value, (value.key.empty() ? "this" : "'" + value.key + "'") + " must be greater than 0");
+    report_problem(reading, value, (value.key.empty() ? "this" : "'" + value.key + "'") + " must be greater than 0");
     return std::nullopt;
 }
 
@@ -115,19 +116,20 @@ std::optional<int> read_integer(SceneReading& reading, const JsonValue& value, i
     const std::optional<double> number = read_number(reading, value);
     if (!number) return std::nullopt;
     if (*number >= least && *number <= most && *number == std::floor(*number)) return static_cast<int>(*number);
-    report(reading, value, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    report_problem(reading, value, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return std::nullopt;
 }
 
 std::optional<bool> read_flag(SceneReading& reading, const JsonValue& value) {
     if (value.kind == Kind::boolean) return value.boolean;
-    report(reading, value, "expected true or false, found " + described(value));
+    report_problem(reading, value, "expected true or false, found " + described(value));
     return std::nullopt;
 }
 
 std::optional<std::string> read_text(SceneReading& reading, const JsonValue& value) {
     if (value.kind == Kind::string && !value.text.empty()) return value.text;
-    report(reading, value, value.kind == Kind::string ? "this text is empty" : "expected a text, found " + described(value));
+    report_problem(reading, value,
+                   value.kind == Kind::string ? "this text is empty" : "expected a text, found " + described(value));
     return std::nullopt;
 }
 
@@ -135,10 +137,10 @@ std::optional<std::string> read_word(SceneReading& reading, const JsonValue& val
     const std::string word = value.kind == Kind::string ? value.text : "";
     if (has(words.known, word)) return word;
     if (has(words.later, word)) {
-        report(reading, value, "'" + word + "' is not supported yet", "one of " + quoted_list(words.known));
+        report_problem(reading, value, "'" + word + "' is not supported yet", "one of " + quoted_list(words.known));
     } else {
-        report(reading, value, "expected one of " + quoted_list(words.known) + ", found " + described(value),
-               word.empty() ? "" : "did you mean \"" + nearest_name(word, words.known) + "\"?");
+        report_problem(reading, value, "expected one of " + quoted_list(words.known) + ", found " + described(value),
+                       word.empty() ? "" : "did you mean \"" + nearest_name(word, words.known) + "\"?");
     }
     return std::nullopt;
 }
@@ -153,7 +155,7 @@ std::optional<Vec2> read_vector(SceneReading& reading, const JsonValue& value) {
 std::optional<Vec2> read_direction(SceneReading& reading, const JsonValue& value) {
     const std::optional<Vec2> vector = read_vector(reading, value);
     if (!vector || !vector->isZero(0)) return vector;
-    report(reading, value, "a direction cannot be [0, 0]");
+    report_problem(reading, value, "a direction cannot be [0, 0]");
     return std::nullopt;
 }
 
@@ -172,7 +174,7 @@ bool check_part_name(SceneReading& reading, const JsonValue& at, const std::stri
     if (has(reading.part_names, name)) return true;
     // A part whose own entry is faulty may be the one that is meant: no second complaint about it.
     if (reading.all_parts_named) {
-        report(reading, at, "there is no part '" + shortened(name) + "'", nearest_name_hint(name, reading.part_names));
+        report_problem(reading, at, "there is no part '" + shortened(name) + "'", nearest_name_hint(name, reading.part_names));
     }
     return false;
 }

@@ -30,7 +30,7 @@ struct SceneReading {
 };
 
 /// Notes a problem at the place of a value.
-void report(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint = {});
+void report_problem(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint = {});
 
 /// Keys or words of the format: those that are supported, and those that the format reserves for later versions.
 struct Words {

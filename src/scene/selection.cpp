@@ -24,7 +24,7 @@ using Intervals = std::vector<std::pair<double, double>>;
 
 /// A normal at exactly the limit of `within` counts as inside; this much rounding (radians) is forgiven.
 constexpr double angle_rounding = 1e-9;
-constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double all_round = 2 * std::numbers::pi;
 
 /// Glob match with `*` for any run of characters. Greedy with one point of return: linear for one `*`, quadratic at worst.
 bool matches(std::string_view pattern, std::string_view text) {
@@ -100,7 +100,7 @@ Intervals inside_box(const Curve& curve, const std::array<Vec2, 2>& box, double 
 
 // --- facing
 
-double angle_of(const Vec2& v) {
+double direction_angle(const Vec2& v) {
     return std::atan2(v.y(), v.x());
 }
 
@@ -109,8 +109,9 @@ Intervals arc_facing(const Arc& arc, double middle, double within) {
     const double first = arc.start + (arc.sweep > 0 ? 0 : std::numbers::pi);
     const double low = std::min(first, first + arc.sweep), high = std::max(first, first + arc.sweep);
     Intervals result;
-    for (double turn = std::floor((low - middle - within) / two_pi); middle - within + turn * two_pi < high; ++turn) {
-        const double a = std::max(low, middle - within + turn * two_pi), b = std::min(high, middle + within + turn * two_pi);
+    for (double turn = std::floor((low - middle - within) / all_round); middle - within + turn * all_round < high; ++turn) {
+        const double a = std::max(low, middle - within + turn * all_round),
+                     b = std::min(high, middle + within + turn * all_round);
         if (a >= b) continue;
         const double t0 = std::clamp((a - first) / arc.sweep, 0.0, 1.0), t1 = std::clamp((b - first) / arc.sweep, 0.0, 1.0);
         result.emplace_back(std::min(t0, t1), std::max(t0, t1));
@@ -131,14 +132,15 @@ std::vector<double> limit_parameters(const Curve& curve, double middle, double w
 
 Intervals facing(const Curve& curve, const Vec2& direction, double within) {
     if (within >= std::numbers::pi) return {{0, 1}};
-    const double middle = angle_of(direction);
+    const double middle = direction_angle(direction);
     if (const auto* arc = std::get_if<Arc>(&curve)) return arc_facing(*arc, middle, within);
     const std::vector<double> parameters = limit_parameters(curve, middle, within);
     Intervals result;
     for (std::size_t i = 0; i + 1 < parameters.size(); ++i) {
         const double t0 = parameters[i], t1 = parameters[i + 1];
         if (t0 == t1) continue;
-        const double off = std::remainder(angle_of(geometry::outward_normal(curve, 0.5 * (t0 + t1))) - middle, two_pi);
+        const double off =
+            std::remainder(direction_angle(geometry::outward_normal(curve, 0.5 * (t0 + t1))) - middle, all_round);
         if (std::abs(off) <= within + angle_rounding) result.emplace_back(t0, t1);
     }
     return result;

@@ -14,6 +14,7 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/solution/mirrored_grids.hpp"
@@ -23,10 +24,6 @@ namespace abut {
 namespace {
 
 constexpr int max_wall_refinements = 5;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Timed {
 public:

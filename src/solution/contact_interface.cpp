@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/io/index.hpp"
+#include "src/scene/scene.hpp"
 #include "src/solution/contact_pairing.hpp"
 #include "src/solution/penalty_interface.hpp"
 #include "src/solution/table.hpp"
@@ -20,14 +22,6 @@ using geometry::FacingZone;
 
 constexpr int points_per_piece = 3;
 constexpr int min_intervals = 4;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-const geometry::Part& part_of(const Scene& scene, int part) {
-    return scene.parts[at(part)].part;
-}
 
 struct Piece {
     double begin1, end1;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/index.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {
@@ -13,10 +14,6 @@ namespace {
 /// Of the larger curvature: circles that CAD has cut to pieces go on alike. And of the gap's: where it bends before nearly as
 /// much as after, the pressure is hardly any steeper.
 constexpr double least_change = 1e-3, least_share_of_gap = 0.5;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 struct ChainJoint {
     double s;              // on the chain

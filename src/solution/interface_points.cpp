@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/io/index.hpp"
+
 namespace abut {
 
 namespace {
 
 using geometry::Chain;
 using geometry::FacingPair;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Linear interpolation between the zone's ends: a first guess.
 double guess1(const geometry::FacingZone& z, double s2) {

@@ -6,14 +6,11 @@
 
 #include "solver/parts/fold.hpp"
 #include "solver/parts/mirror.hpp"
+#include "src/io/index.hpp"
 
 namespace abut {
 
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 std::vector<double> mirrored_lines(const std::vector<double>& lines, const solver::PlaceImage& place, int direction) {
     std::vector<double> result;

@@ -4,15 +4,12 @@
 #include <algorithm>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/scene/scene.hpp"
 #include "src/solution/contact_pairing.hpp"
 
 namespace abut {
 
 namespace {
-
-const geometry::Part& part_of(const Scene& scene, int part) {
-    return scene.parts[static_cast<std::size_t>(part)].part;
-}
 
 /// Pressure per penetration at a pair of points.
 double stiffness_at(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second, const geometry::FacingPair& pair) {

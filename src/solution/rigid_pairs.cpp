@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 
 namespace abut {
@@ -12,10 +13,6 @@ namespace {
 constexpr int sampled_pairs = 200;  // along a candidate between rigid parts
 /// Rigid faces that overlap by more than this fraction of the smaller diagonal press on each other.
 constexpr double pressed_fraction = 1e-6;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// How deep two rigid parts overlap along a candidate after the solution.
 double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidate& c) {

@@ -17,10 +17,6 @@ RunValue solver_time() {
     return {[](const StudyRun& r) { return r.solver_seconds; }, duration_text, "solver time"};
 }
 
-RunValue unknowns() {
-    return {[](const StudyRun& r) { return static_cast<double>(r.unknowns); }, count_text, "unknowns"};
-}
-
 RunValue error_of(std::size_t measure) {
     return {[measure](const StudyRun& r) { return r.error[measure]; }, percent_text, "error"};
 }
@@ -46,7 +42,7 @@ std::optional<ChartSeries> estimated_passes(const Study& study, bool over_time) 
 }
 
 std::string error_chart(const Study& study, std::size_t measure, bool over_time) {
-    const RunValue x = over_time ? solver_time() : unknowns();
+    const RunValue x = over_time ? solver_time() : unknowns_of_run();
     LogChart chart{
         "error against " + x.title, x.title, "error", x.text, percent_text, study_series(study, x, error_of(measure))};
     if (const auto passes = estimated_passes(study, over_time)) chart.series.push_back(*passes);

@@ -10,7 +10,7 @@ namespace abut {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string kind_text(StudySetting::Kind kind) {
     if (kind == StudySetting::Kind::level) return "level";
@@ -35,20 +35,20 @@ std::string csv_line(const StudyRun& r) {
     return line + "," + csv_field(r.message) + "\n";
 }
 
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
+OrderedJson number(double value) {
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
-Json optional_number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
+OrderedJson optional_number(const std::optional<double>& value) {
+    return value ? number(*value) : OrderedJson(nullptr);
 }
 
-Json setting_json(const StudySetting& s) {
+OrderedJson setting_json(const StudySetting& s) {
     return {{"kind", kind_text(s.kind)}, {"level", s.level}, {"degree", s.degree}, {"basis", s.basis}, {"size", s.size}};
 }
 
-Json passes_json(const StudyRun& r) {
-    Json list = Json::array();
+OrderedJson passes_json(const StudyRun& r) {
+    OrderedJson list = OrderedJson::array();
     for (const PassSummary& p : r.passes)
         list.push_back({{"unknowns", p.unknowns},
                         {"multipliers", p.multipliers},
@@ -57,8 +57,8 @@ Json passes_json(const StudyRun& r) {
     return list;
 }
 
-Json run_json(const StudyRun& r) {
-    Json stages = Json::object(), errors = Json::array();
+OrderedJson run_json(const StudyRun& r) {
+    OrderedJson stages = OrderedJson::object(), errors = OrderedJson::array();
     for (std::size_t s = 0; s < study_stages.size(); ++s) stages[study_stages[s]] = r.stage[s];
     for (double error : r.error) errors.push_back(number(error));
     return {{"setting", setting_json(r.setting)},
@@ -73,18 +73,18 @@ Json run_json(const StudyRun& r) {
             {"seconds", r.seconds},
             {"cpu_seconds", r.cpu_seconds},
             {"stages", stages},
-            {"peak_bytes", r.peak_bytes > 0 ? Json(r.peak_bytes) : Json(nullptr)},
+            {"peak_bytes", r.peak_bytes > 0 ? OrderedJson(r.peak_bytes) : OrderedJson(nullptr)},
             {"estimated_error", optional_number(r.estimated_error)},
             {"passes", passes_json(r)},
             {"errors", errors}};
 }
 
-Json run_index(const std::optional<std::size_t>& run) {
-    return run ? Json(*run) : Json(nullptr);
+OrderedJson run_index(const std::optional<std::size_t>& run) {
+    return run ? OrderedJson(*run) : OrderedJson(nullptr);
 }
 
-Json prices_json(const Study& study, std::size_t measure) {
-    Json cheapest = Json::array(), halving = Json::array();
+OrderedJson prices_json(const Study& study, std::size_t measure) {
+    OrderedJson cheapest = OrderedJson::array(), halving = OrderedJson::array();
     for (const CheapestSetting& c : cheapest_settings(study, measure))
         cheapest.push_back({{"error", c.error}, {"level_run", run_index(c.level)}, {"grid_run", run_index(c.grid)}});
     for (const PriceOfHalving& p : prices_of_halving(study, measure))
@@ -92,8 +92,8 @@ Json prices_json(const Study& study, std::size_t measure) {
     return {{"cheapest", cheapest}, {"halving_the_error", halving}};
 }
 
-Json measure_json(const Study& study, std::size_t k) {
-    Json json{{"quantity", study.measures[k].what}, {"held_by_all", study.measures[k].held}};
+OrderedJson measure_json(const Study& study, std::size_t k) {
+    OrderedJson json{{"quantity", study.measures[k].what}, {"held_by_all", study.measures[k].held}};
     if (!study.measures[k].held) json.update(prices_json(study, k));
     return json;
 }
@@ -114,19 +114,19 @@ std::string study_csv(const Study& study) {
 }
 
 std::string study_json(const Study& study) {
-    Json measures = Json::array(), runs = Json::array();
+    OrderedJson measures = OrderedJson::array(), runs = OrderedJson::array();
     for (std::size_t k = 0; k < study.measures.size(); ++k) measures.push_back(measure_json(study, k));
     for (const StudyRun& run : study.runs) runs.push_back(run_json(run));
-    const Json all{{"title", study.title},
-                   {"scene", study.file},
-                   {"reference", study.reference},
-                   {"reference_run", study.reference_run ? Json(*study.reference_run) : Json(nullptr)},
-                   {"budget_seconds", study.budget},
-                   {"seconds", study.seconds},
-                   {"notes", study.notes},
-                   {"measures", measures},
-                   {"runs", runs}};
-    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const OrderedJson all{{"title", study.title},
+                          {"scene", study.file},
+                          {"reference", study.reference},
+                          {"reference_run", study.reference_run ? OrderedJson(*study.reference_run) : OrderedJson(nullptr)},
+                          {"budget_seconds", study.budget},
+                          {"seconds", study.seconds},
+                          {"notes", study.notes},
+                          {"measures", measures},
+                          {"runs", runs}};
+    return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace abut

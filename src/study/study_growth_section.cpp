@@ -10,12 +10,8 @@ namespace abut::report {
 
 namespace {
 
-RunValue unknowns() {
-    return {[](const StudyRun& r) { return static_cast<double>(r.unknowns); }, count_text, "unknowns"};
-}
-
 std::string growth_chart(const Study& study, const RunValue& y, const std::string& caption) {
-    const RunValue x = unknowns();
+    const RunValue x = unknowns_of_run();
     return figure(log_chart({caption, x.title, y.title, x.text, y.text, study_series(study, x, y)}), caption, half_width);
 }
 

@@ -15,6 +15,8 @@ struct RunValue {
     std::string (*text)(double);
     std::string title;
 };
+/// Unknowns of a run.
+RunValue unknowns_of_run();
 std::vector<ChartSeries> study_series(const Study& study, const RunValue& x, const RunValue& y);
 
 /// What the colours, marks and dashes of all charts mean.

@@ -52,8 +52,6 @@ std::optional<std::size_t> main_measure(const Study& study);
 /// The study in sentences.
 std::vector<std::string> study_sentences(const Study& study, std::size_t measure);
 
-/// "1.5 %", "0.02 %"
-std::string percent_text(double fraction);
 /// "0.81 ms", "45 ms", "1.2 s", "120 s"
 std::string duration_text(double seconds);
 /// "0.8k", "14k", "1.2M": for axes

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/study/study_page.hpp"

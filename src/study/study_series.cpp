@@ -87,6 +87,10 @@ std::string legend_words(const StudyFamily& family) {
 
 }  // namespace
 
+RunValue unknowns_of_run() {
+    return {[](const StudyRun& r) { return static_cast<double>(r.unknowns); }, count_text, "unknowns"};
+}
+
 std::vector<ChartSeries> study_series(const Study& study, const RunValue& x, const RunValue& y) {
     std::vector<ChartSeries> list;
     for (const StudyFamily& family : families_by_layer(study)) list.push_back(series_of(study, family, x, y));

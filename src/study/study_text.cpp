@@ -2,6 +2,7 @@
 // The table that `abut study` prints.
 #include <cmath>
 
+#include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
 #include "src/results/result_units.hpp"
 #include "src/study/study_prices.hpp"

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// JSON has no word for what is not a number.
-Json number(double value) {
+Json sent_number(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
@@ -23,7 +23,7 @@ double number_of(const Json& json) {
 
 Json numbers(const std::vector<double>& values) {
     Json list = Json::array();
-    for (double v : values) list.push_back(number(v));
+    for (double v : values) list.push_back(sent_number(v));
     return list;
 }
 
@@ -41,8 +41,8 @@ Vec2 point_of(const Json& json) {
     return {number_of(json[0]), number_of(json[1])};
 }
 
-Json optional_number(const std::optional<double>& value) {
-    return value ? number(*value) : Json(nullptr);
+Json sent_optional(const std::optional<double>& value) {
+    return value ? sent_number(*value) : Json(nullptr);
 }
 
 std::optional<double> optional_number_of(const Json& json) {
@@ -53,14 +53,14 @@ Json pass_json(const PassSummary& p) {
     return {{"unknowns", p.unknowns},
             {"multipliers", p.multipliers},
             {"seconds", p.seconds},
-            {"estimated_error", optional_number(p.estimated_error)}};
+            {"estimated_error", sent_optional(p.estimated_error)}};
 }
 
 PassSummary pass_of(const Json& json) {
     return {json["unknowns"], json["multipliers"], json["seconds"], optional_number_of(json["estimated_error"])};
 }
 
-Json run_json(const StudyRun& r) {
+Json sent_run(const StudyRun& r) {
     Json passes = Json::array();
     for (const PassSummary& p : r.passes) passes.push_back(pass_json(p));
     return {{"failed", r.status == StudyRun::Status::failed},
@@ -74,7 +74,7 @@ Json run_json(const StudyRun& r) {
             {"solver_seconds", r.solver_seconds},
             {"seconds", r.seconds},
             {"cpu_seconds", r.cpu_seconds},
-            {"estimated_error", optional_number(r.estimated_error)},
+            {"estimated_error", sent_optional(r.estimated_error)},
             {"passes", passes}};
 }
 
@@ -101,12 +101,15 @@ Json answer_json(const StudyAnswer& answer) {
     for (const StudyAnswer::Contact& c : answer.contacts)
         contacts.push_back({{"between", c.between},
                             {"force", point(c.force)},
-                            {"peak", number(c.peak)},
+                            {"peak", sent_number(c.peak)},
                             {"x", numbers(c.x)},
                             {"y", numbers(c.y)},
                             {"pressure", numbers(c.pressure)}});
     for (const Vec2& u : answer.probes) probes.push_back(point(u));
-    return {{"contacts", contacts}, {"probes", probes}, {"energy", number(answer.energy)}, {"stress", number(answer.stress)}};
+    return {{"contacts", contacts},
+            {"probes", probes},
+            {"energy", sent_number(answer.energy)},
+            {"stress", sent_number(answer.stress)}};
 }
 
 StudyAnswer answer_of(const Json& json) {
@@ -134,7 +137,7 @@ std::string measured_text(const StudyMeasured& m) {
     Json problems = Json::array(), grids = Json::array();
     for (const Problem& p : m.problems) problems.push_back(problem_json(p));
     for (const StudyGrid& g : m.grids) grids.push_back(grid_json(g));
-    const Json all{{"run", run_json(m.run)},
+    const Json all{{"run", sent_run(m.run)},
                    {"problems", problems},
                    {"known_error", numbers(m.known_error)},
                    {"answer", answer_json(m.answer)},

@@ -7,10 +7,6 @@
 
 namespace abut {
 
-std::string percent_text(double fraction) {
-    return number_text(100 * fraction, 2) + " %";
-}
-
 std::string duration_text(double seconds) {
     if (!(seconds < 0.9995)) return number_text(seconds, seconds < 100 ? 2 : 3) + " s";
     return number_text(1e3 * seconds, seconds < 0.0995 ? 2 : 3) + " ms";

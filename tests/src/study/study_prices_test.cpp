@@ -8,6 +8,7 @@
 #include "src/study/study_chart.hpp"
 #include "src/study/study_plan.hpp"
 #include "tests/src/study/synthetic_study.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 namespace {
