@@ -8,7 +8,7 @@
 
 #include "tests/apps/batch_folder.hpp"
 
-namespace abut_tests {
+namespace abut_tests::batch_command_test {
 namespace {
 
 const std::string data = std::string(ABUT_SOURCE_DIR) + "/data/";
@@ -287,4 +287,4 @@ TEST_F(BatchCommand, AFullDiskLosesNothingThatWasFinished) {
 }
 
 }  // namespace
-}  // namespace abut_tests
+}  // namespace abut_tests::batch_command_test

@@ -9,7 +9,7 @@
 
 #include "tests/apps/batch_folder.hpp"
 
-namespace abut_tests {
+namespace abut_tests::batch_kill_test {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -108,4 +108,4 @@ TEST_F(LongBatchKill, KilledTwentyTimesItEndsTheSame) {
 }
 
 }  // namespace
-}  // namespace abut_tests
+}  // namespace abut_tests::batch_kill_test

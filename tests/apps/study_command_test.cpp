@@ -4,7 +4,7 @@
 
 #include "tests/apps/command_line.hpp"
 
-namespace abut_tests {
+namespace abut_tests::study_command_test {
 namespace {
 
 class StudyCommand : public CommandLine {};
@@ -54,4 +54,4 @@ TEST_F(StudyCommand, FailsWhereNoLevelGivesAnAnswer) {
 }
 
 }  // namespace
-}  // namespace abut_tests
+}  // namespace abut_tests::study_command_test

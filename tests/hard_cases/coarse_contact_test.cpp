@@ -6,7 +6,7 @@
 #include "src/results/result.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut::test {
+namespace abut::test::coarse_contact_test {
 namespace {
 
 /// A block 6 wide pressed with 50 on a wider one, so many cells over the contact.
@@ -60,4 +60,4 @@ TEST(CoarseContact, BondsThatEndOnSupports) {
         }
 }
 
-}  // namespace abut::test
+}  // namespace abut::test::coarse_contact_test

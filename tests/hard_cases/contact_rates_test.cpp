@@ -9,7 +9,7 @@
 #include "tests/hard_cases/hard_contact.hpp"
 #include "tests/hard_cases/pin_sweep.hpp"
 
-namespace abut::test {
+namespace abut::test::contact_rates_test {
 namespace {
 
 /// Relative L2 error of the pressure against Hertz, over twice the contact; half width 1/100 of the radius, so that the
@@ -97,4 +97,4 @@ TEST(LongContactRates, PressureConvergesWithSlopeOne) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::contact_rates_test

@@ -116,7 +116,7 @@ std::string legend(const LogPlot& plot) {
     return svg;
 }
 
-std::string number(double v) {
+std::string short_text(double v) {
     std::array<char, 40> buffer{};
     std::snprintf(buffer.data(), buffer.size(), "%.8g", v);
     return buffer.data();
@@ -147,7 +147,7 @@ void write_csv(const std::string& name, const Table& table) {
     file << '\n';
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         if (labelled) file << table.labels[r] << ',';
-        for (std::size_t c = 0; c < table.rows[r].size(); ++c) file << (c ? "," : "") << number(table.rows[r][c]);
+        for (std::size_t c = 0; c < table.rows[r].size(); ++c) file << (c ? "," : "") << short_text(table.rows[r][c]);
         file << '\n';
     }
 }

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abut::test {
+namespace abut::test::hard_contact_test {
 namespace {
 
 constexpr int most_iterations = 30;
@@ -99,4 +99,4 @@ TEST(HardContact, ALoadThatOpensEveryContactNamesTheMotion) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::hard_contact_test

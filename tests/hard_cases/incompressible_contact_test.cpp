@@ -9,7 +9,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/hertz_error.hpp"
 
-namespace abut::test {
+namespace abut::test::incompressible_contact_test {
 namespace {
 
 /// Hertz' two cylinders, a hundredth of the radius in contact (VALIDATION H01), in plane strain with an E that keeps E / (1 -
@@ -41,4 +41,4 @@ TEST(IncompressibleContact, HertzAtAnyRatio) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::incompressible_contact_test

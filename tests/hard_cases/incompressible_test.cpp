@@ -17,7 +17,7 @@
 #include "tests/hard_cases/shapes.hpp"
 #include "tests/hard_cases/sliver_sweep.hpp"
 
-namespace abut::test {
+namespace abut::test::incompressible_test {
 namespace {
 
 constexpr std::array<double, 6> ratios{0.3, 0.46, 0.49, 0.499, 0.4999, 0.499999};
@@ -250,4 +250,4 @@ TEST(LongIncompressible, Slivers) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::incompressible_test

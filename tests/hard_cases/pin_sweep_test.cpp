@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace abut::test {
+namespace abut::test::pin_sweep_test {
 namespace {
 
 /// Names the first few that failed, and returns how many did.
@@ -72,4 +72,4 @@ TEST(PinSweep, AgreesWithPersson) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::pin_sweep_test

@@ -14,7 +14,7 @@
 #include "tests/hard_cases/shapes.hpp"
 #include "tests/hard_cases/sliver_sweep.hpp"
 
-namespace abut::test {
+namespace abut::test::rates_test {
 namespace {
 
 constexpr double slope_tolerance = 0.2;
@@ -311,4 +311,4 @@ TEST(ExactFields, LeaveFreeEdgesFree) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::rates_test

@@ -14,7 +14,7 @@
 #include "tests/hard_cases/shapes.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut::test {
+namespace abut::test::scales_test {
 namespace {
 
 /// A plate with a hole, held on its left, pulled on its right, whose grid is turned so that supports are Nitsche's.
@@ -234,4 +234,4 @@ TEST(Scales, WedgeOfOneDegreeThroughTheProgram) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::scales_test

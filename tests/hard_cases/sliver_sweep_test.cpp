@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace abut::test {
+namespace abut::test::sliver_sweep_test {
 namespace {
 
 constexpr double allowed_factor = 3;  // over the median of a sweep
@@ -120,4 +120,4 @@ TEST(SliverSweepCondition, EstimateIsThatOfTheEigenvalues) {
 }
 
 }  // namespace
-}  // namespace abut::test
+}  // namespace abut::test::sliver_sweep_test

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace layers_test {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -228,3 +230,5 @@ TEST(Layers, WhatIsAllowedPasses) {
 }
 
 }  // namespace
+
+}  // namespace layers_test

@@ -10,7 +10,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/generated/same_answer.hpp"
 
-namespace abut {
+namespace abut::assemblies_test {
 namespace {
 
 constexpr std::uint64_t seeds_of_a_kind = 20;
@@ -77,4 +77,4 @@ TEST(AssembliesTable, SeesADifference) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::assemblies_test

@@ -9,7 +9,7 @@
 #include "src/verification/verify_errors.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::axisymmetric_rates_test {
 namespace {
 
 Result solved(const std::string& scene, double n, double p) {
@@ -75,4 +75,4 @@ TEST(AxisymmetricRates, EnergiesConvergeAndTheirEstimateKnowsIt) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::axisymmetric_rates_test

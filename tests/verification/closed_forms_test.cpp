@@ -7,7 +7,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::closed_forms_test {
 namespace {
 
 Result verified(const std::string& name) {
@@ -82,4 +82,4 @@ TEST(Mechanism, ABlockOnASlopeIsNamedWithItsMotion) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::closed_forms_test

@@ -8,7 +8,7 @@
 #include "tests/verification/hertz_error.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::contact_test {
 namespace {
 
 void expect_balance(const Result& r) {
@@ -155,4 +155,4 @@ TEST(PinBracket, CarriesItsLoad) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::contact_test

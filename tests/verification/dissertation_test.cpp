@@ -10,7 +10,7 @@
 
 #include "src/verification/verify_dissertation.hpp"
 
-namespace abut {
+namespace abut::dissertation_test {
 namespace {
 
 const std::string data = ABUT_SOURCE_DIR "/data";
@@ -99,4 +99,4 @@ TEST(DissertationText, JsonHasARowForEveryValueOfOurs) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::dissertation_test

@@ -21,7 +21,7 @@
 #include "src/verification/verify_contact_answers.hpp"
 #include "tests/verification/true_errors.hpp"
 
-namespace abut {
+namespace abut::estimate_test {
 namespace {
 
 using test::EstimateCase;
@@ -220,4 +220,4 @@ TEST(LongEstimates, Stress) {
         expect_honest_stress({scene}, {0.02, 0.01, 0.005}, 1 / dishonest);
 }
 
-}  // namespace abut
+}  // namespace abut::estimate_test

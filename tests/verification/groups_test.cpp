@@ -6,7 +6,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::groups_test {
 namespace {
 
 /// Quarter of a cylinder on a block, its left side at x.
@@ -93,4 +93,4 @@ TEST(Groups, AMechanismInOneIsNamed) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::groups_test

@@ -11,7 +11,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 
-namespace abut {
+namespace abut::independent_fe_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(OfScene, IndependentFe, testing::ValuesIn(scenes()), []
 });
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::independent_fe_test

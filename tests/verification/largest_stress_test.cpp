@@ -10,7 +10,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::largest_stress_test {
 namespace {
 
 std::string plate(const std::string& geometry, const std::string& edges, const std::string& accuracy = "{}") {
@@ -102,4 +102,4 @@ TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
     EXPECT_GT(*result.parts[0].max_von_mises_error, 0.9);  // it shows 1.6 of 101
 }
 
-}  // namespace abut
+}  // namespace abut::largest_stress_test

@@ -6,7 +6,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::patch_test {
 namespace {
 
 constexpr double exx = 1e-3, eyy = -2e-3, gxy = 1.5e-3, E = 1e5, nu = 0.3;
@@ -157,4 +157,4 @@ TEST(Patch, AWrongTractionIsSeen) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::patch_test

@@ -9,7 +9,7 @@
 #include "src/verification/verify_contact_answers.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::penalty_test {
 namespace {
 
 const std::string data = ABUT_SOURCE_DIR "/data";
@@ -102,4 +102,4 @@ TEST(PenaltyScene, UniformPressureNeedsPointsBetweenBothGridsLines) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::penalty_test

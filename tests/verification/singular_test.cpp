@@ -7,8 +7,9 @@
 #include <sstream>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/scene.hpp"
 
-namespace abut {
+namespace abut::singular_test {
 namespace {
 
 struct Shape {
@@ -114,4 +115,4 @@ TEST(Singular, WallsOfABoxBendAlikeHoweverItIsTurned) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::singular_test

@@ -15,7 +15,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 
-namespace abut {
+namespace abut::truth_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -179,4 +179,4 @@ TEST(TruthTable, SeesAWrongAnswer) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::truth_test

@@ -12,7 +12,7 @@
 
 #include "src/verification/verify_dissertation.hpp"
 
-namespace abut {
+namespace abut::verify_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -183,4 +183,4 @@ INSTANTIATE_TEST_SUITE_P(Problems, Verification, ::testing::ValuesIn(problem_nam
 INSTANTIATE_TEST_SUITE_P(Long, Verification, ::testing::ValuesIn(problem_names(true)), test_name);
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::verify_test

@@ -11,7 +11,7 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/sample_curves.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::closest_points_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -103,4 +103,4 @@ TEST(ClosestPointsGeneral, PartsWithinALimit) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::closest_points_test

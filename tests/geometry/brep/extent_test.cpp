@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace abut::geometry {
+namespace abut::geometry::extent_test {
 
 namespace {
 
@@ -42,4 +42,4 @@ TEST(Extent, OfAConcavePartIsThatOfItsHull) {
     EXPECT_NEAR(extent(polygon({{0, 0}, {2, 1}, {4, 0}, {2, 5}})), std::sqrt(29), 1e-13);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::extent_test

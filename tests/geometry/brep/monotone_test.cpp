@@ -12,6 +12,8 @@
 
 #include "tests/geometry/cells/random_parts.hpp"
 
+namespace monotone_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -289,3 +291,5 @@ TEST(MonotoneChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace monotone_test

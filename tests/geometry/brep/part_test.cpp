@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace part_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -243,3 +245,5 @@ TEST(PartChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace part_test

@@ -8,6 +8,8 @@
 #include "geometry/brep/part.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
+namespace source_point_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -36,3 +38,5 @@ TEST(SourcePoint, IsThePointOfTheDrawnCurve) {
 }
 
 }  // namespace
+
+}  // namespace source_point_test

@@ -14,6 +14,8 @@
 #include "tests/geometry/cells/clipped_polygon.hpp"
 #include "tests/geometry/cells/random_grids.hpp"
 
+namespace cut_cells_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -439,3 +441,5 @@ TEST(CutCellsChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace cut_cells_test

@@ -15,6 +15,8 @@
 #include "tests/geometry/cells/slotted_parts.hpp"
 #include "tests/geometry/quadrature/cell_slabs.hpp"
 
+namespace elements_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -388,3 +390,5 @@ TEST(ElementChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace elements_test

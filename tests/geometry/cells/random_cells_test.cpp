@@ -6,6 +6,8 @@
 #include "geometry/quadrature/quadrature.hpp"
 #include "tests/geometry/cells/random_parts.hpp"
 
+namespace random_cells_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -149,3 +151,5 @@ TEST(RandomCellsChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace random_cells_test

@@ -5,6 +5,8 @@
 #include "geometry/curves/curve_moments.hpp"
 #include "tests/geometry/csg/csg_nodes.hpp"
 
+namespace csg_curves_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -193,3 +195,5 @@ TEST(CsgCurves, OsculatingCircles) {
         EXPECT_EQ(names(good(join({round, disc}))), (Names{"ellipse", "circle"}));
     }
 }
+
+}  // namespace csg_curves_test

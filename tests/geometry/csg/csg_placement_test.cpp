@@ -4,6 +4,8 @@
 
 #include "tests/geometry/csg/csg_nodes.hpp"
 
+namespace csg_placement_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -169,3 +171,5 @@ TEST(CsgPlacement, TreesMayBeAThousandDeep) {
     for (int k = 0; k < 1000; ++k) moved = place(std::move(moved), 0, {1, 0}, {0, 0}, 1, Mirror::x);
     EXPECT_NEAR(area_of(join({moved, circle(0, 0, 0.5)})), 1 + pi * 0.25 * 0.75, 1e-12);
 }
+
+}  // namespace csg_placement_test

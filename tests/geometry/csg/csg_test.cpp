@@ -9,6 +9,8 @@
 
 #include "tests/geometry/csg/csg_nodes.hpp"
 
+namespace csg_test {
+
 namespace {
 using namespace abut::geometry;
 using namespace abut::geometry::testing;
@@ -404,3 +406,5 @@ TEST(Csg, RepeatedEvaluationGivesTheSamePart) {
         for (double t : {0.0, 0.5, 1.0}) expect_same_point(point(a.edges[i].curve, t), point(b.edges[i].curve, t), 0);
     }
 }
+
+}  // namespace csg_test

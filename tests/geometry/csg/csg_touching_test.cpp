@@ -4,6 +4,8 @@
 
 #include "tests/geometry/csg/csg_nodes.hpp"
 
+namespace csg_touching_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -184,3 +186,5 @@ TEST(CsgTouching, CapsThatAreRoundingAreNotEdges) {
         EXPECT_EQ(checked(join({rectangle(-5, -9, 5, y), circle(0.3, y - r, r)})).part.edges.size(), 4u) << k;
     }
 }
+
+}  // namespace csg_touching_test

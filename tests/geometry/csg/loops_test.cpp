@@ -15,6 +15,8 @@
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
+namespace loops_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -460,3 +462,5 @@ TEST(Loops, SmoothJointsOfAllKindsAreNoMeetings) {
         EXPECT_EQ(check({outline}).loops.size(), 1u);
     }
 }
+
+}  // namespace loops_test

@@ -18,6 +18,8 @@
 #include "geometry/csg/primitives.hpp"
 #include "tests/geometry/csg/random_csg_scene.hpp"
 
+namespace random_csg_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -266,3 +268,5 @@ TEST(RandomCsg, MembershipByHand) {
     EXPECT_FALSE(is_member(moved, {9.1, -2.1}));
     EXPECT_FALSE(is_member(less({moved, moved}), {9.1, -1.9}));
 }
+
+}  // namespace random_csg_test

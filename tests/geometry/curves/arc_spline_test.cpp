@@ -11,6 +11,8 @@
 
 #include "geometry/curves/spline_shape.hpp"
 
+namespace arc_spline_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -245,3 +247,5 @@ TEST(ArcSpline, PortionsShareTheirCircles) {
 }
 
 }  // namespace
+
+}  // namespace arc_spline_test

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+namespace bernstein_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -213,3 +215,5 @@ TEST(BernsteinChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace bernstein_test

@@ -13,7 +13,7 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/sample_curves.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::curve_meetings_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -212,4 +212,4 @@ TEST(Overlaps, EllipsesAndNurbsCirclesAgainstClosedForms) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::curve_meetings_test

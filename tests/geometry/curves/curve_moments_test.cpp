@@ -13,6 +13,8 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/sample_curves.hpp"
 
+namespace curve_moments_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -153,3 +155,5 @@ TEST(BulgeChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace curve_moments_test

@@ -12,6 +12,8 @@
 
 #include "geometry/curves/spline_shape.hpp"
 
+namespace curve_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -460,3 +462,5 @@ TEST(CurveChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace curve_test

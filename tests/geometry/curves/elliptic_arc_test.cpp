@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+namespace elliptic_arc_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -105,3 +107,5 @@ TEST(EllipticArc, EndsAreNoStationaryParameters) {
 }
 
 }  // namespace
+
+}  // namespace elliptic_arc_test

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+namespace gauss_test {
+
 namespace {
 
 using abut::geometry::gauss_rule;
@@ -100,3 +102,5 @@ TEST(GaussChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace gauss_test

@@ -11,7 +11,7 @@
 #include "geometry/curves/general_curve.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::length_table_test {
 namespace {
 
 /// Flat ellipses, and Bezier curves of degrees 3 to 7 through random points, weighted or not.
@@ -56,4 +56,4 @@ TEST(LengthTable, InvertsLengths) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::length_table_test

@@ -9,7 +9,7 @@
 
 #include "geometry/curves/spline_shape.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::moved_ends_test {
 
 namespace {
 
@@ -91,4 +91,4 @@ TEST(MovedEnds, well_apart_keeps_the_kind) {
     EXPECT_LT((point(moved, 1) - Vec2(-3, 0.01)).norm(), 1e-14);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::moved_ends_test

@@ -7,6 +7,8 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/spline_samples.hpp"
 
+namespace spline_corners_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -101,3 +103,5 @@ TEST(SplineShape, DegreeOneIsSegments) {
 }
 
 }  // namespace
+
+}  // namespace spline_corners_test

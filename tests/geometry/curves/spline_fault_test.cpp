@@ -10,6 +10,8 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/spline_samples.hpp"
 
+namespace spline_fault_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -70,3 +72,5 @@ TEST(SplineShape, NurbsFaults) {
 }
 
 }  // namespace
+
+}  // namespace spline_fault_test

@@ -8,6 +8,8 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/spline_samples.hpp"
 
+namespace spline_length_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -62,3 +64,5 @@ TEST(SplineShape, LengthOfRandomSplines) {
 }
 
 }  // namespace
+
+}  // namespace spline_length_test

@@ -10,6 +10,8 @@
 
 #include "tests/geometry/curves/spline_samples.hpp"
 
+namespace spline_shape_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -259,3 +261,5 @@ TEST(SplineShapeChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace spline_shape_test

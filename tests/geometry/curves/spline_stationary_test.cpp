@@ -10,6 +10,8 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/spline_samples.hpp"
 
+namespace spline_stationary_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -117,3 +119,5 @@ TEST(SplineShape, TangentsAtTheEndsAreNotInside) {
 }
 
 }  // namespace
+
+}  // namespace spline_stationary_test

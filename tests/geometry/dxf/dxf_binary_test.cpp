@@ -13,7 +13,7 @@
 #include "geometry/dxf/dxf_groups.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_binary_test {
 namespace {
 
 const std::string sentinel("AutoCAD Binary DXF\r\n\x1a\0", 22);
@@ -187,4 +187,4 @@ TEST(DxfBinary, ReadsWhatOtherProgramsWrite) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_binary_test

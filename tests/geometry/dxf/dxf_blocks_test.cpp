@@ -13,7 +13,7 @@
 
 #include "tests/geometry/dxf/dxf_text.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_blocks_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -266,4 +266,4 @@ TEST(LongDxfBlocks, DrawingsBeyondTheLimitAreRefused) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_blocks_test

@@ -6,7 +6,7 @@
 
 #include "tests/geometry/dxf/dxf_text.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_encoding_test {
 namespace {
 
 using dxf::stated_code_page;
@@ -67,4 +67,4 @@ TEST(DxfEncoding, TheCodePageStandsInTheHeader) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_encoding_test

@@ -6,7 +6,7 @@
 
 #include "tests/geometry/dxf/dxf_text.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_ignored_test {
 namespace {
 
 TEST(DxfIgnored, CountsWhatIsLeftOutAndSaysWhy) {
@@ -95,4 +95,4 @@ TEST(DxfIgnored, GivesColoursByLayer) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_ignored_test

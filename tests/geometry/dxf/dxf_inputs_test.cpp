@@ -13,7 +13,7 @@
 #include "geometry/dxf/dxf.hpp"
 #include "geometry/sketch/sketch.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_inputs_test {
 namespace {
 
 const std::string inputs = std::string(ABUT_SOURCE_DIR) + "/../shared/inputs/";
@@ -103,4 +103,4 @@ TEST(LongDxfInputs, AreCountedAsEzdxfCountsThem) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_inputs_test

@@ -8,7 +8,7 @@
 #include "geometry/curves/spline_through.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_spline_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -184,4 +184,4 @@ TEST(DxfSpline, ClosedSplinesConvergeToACircle) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_spline_test

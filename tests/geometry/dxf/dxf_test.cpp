@@ -14,7 +14,7 @@
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::dxf_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -340,4 +340,4 @@ TEST(LongDxf, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::dxf_test

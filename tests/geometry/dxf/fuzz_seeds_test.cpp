@@ -15,7 +15,7 @@
 #include "tests/fuzz/scene_target.hpp"
 #include "tests/fuzz/section_target.hpp"
 
-namespace abut::fuzz {
+namespace abut::fuzz::fuzz_seeds_test {
 
 namespace {
 
@@ -199,4 +199,4 @@ TEST(FuzzSeeds, large_geometry_is_not_evaluated) {
     EXPECT_FALSE(is_small_polygon(points));
 }
 
-}  // namespace abut::fuzz
+}  // namespace abut::fuzz::fuzz_seeds_test

@@ -10,7 +10,7 @@
 #include "geometry/implicit/cardinal_spline.hpp"
 #include "tests/geometry/implicit/field_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::blended_distance_test {
 
 namespace {
 
@@ -139,4 +139,4 @@ TEST(BlendedDistance, RefusesNumbersOutsideTheirRanges) {
     EXPECT_THROW(blended_distance(part, {0, 3, 0, 3, 0}), std::logic_error);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::blended_distance_test

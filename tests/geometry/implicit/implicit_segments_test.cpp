@@ -8,7 +8,7 @@
 #include "geometry/implicit/implicit.hpp"
 #include "tests/geometry/implicit/field_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::implicit_segments_test {
 
 namespace {
 
@@ -205,4 +205,4 @@ TEST(DistanceField, RefusesWhatItCannotTell) {
     EXPECT_THROW(point_field({}), std::logic_error);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::implicit_segments_test

@@ -12,7 +12,7 @@
 #include "tests/geometry/csg/random_csg_scene.hpp"
 #include "tests/geometry/implicit/field_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::implicit_test {
 
 namespace {
 
@@ -247,4 +247,4 @@ TEST(ImplicitCsg, RefusesWhatItCannotTell) {
     EXPECT_THROW(conjunction(std::vector<ImplicitField>{}), std::logic_error);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::implicit_test

@@ -13,7 +13,7 @@
 #include "geometry/curves/vec2.hpp"
 #include "geometry/implicit/jet.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::r_functions_test {
 
 namespace {
 
@@ -182,4 +182,4 @@ TEST(Jets, QuotientRootAndPowerAgreeWithEachOther) {
     }
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::r_functions_test

@@ -8,7 +8,7 @@
 
 #include "tests/geometry/cells/random_parts.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::common_grid_test {
 namespace {
 
 using test::Random;
@@ -260,4 +260,4 @@ TEST(CommonGrid, SplitGridsHoldAllCellsOfTheirPartAndNoRowTooMany) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::common_grid_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace abut::geometry {
+namespace abut::geometry::screw_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -156,4 +156,4 @@ TEST(Screw, AChainOfBodiesMovesTogether) {
     EXPECT_EQ(crank.redundant, 0);
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::screw_test

@@ -9,7 +9,7 @@
 
 #include "geometry/interfaces/interface_kind.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::teeth_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -91,4 +91,4 @@ TEST(Teeth, MakeAToothOnToothInterface) {
     EXPECT_EQ(interface_kind(a, 2, block, 3), "flat-on-flat");
 }
 
-}  // namespace abut::geometry
+}  // namespace abut::geometry::teeth_test

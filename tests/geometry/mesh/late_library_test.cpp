@@ -5,7 +5,7 @@
 
 #include "geometry/brep/input_error.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::late_library_test {
 namespace {
 
 TEST(LateLibrary, GivesFunctionsByName) {
@@ -30,4 +30,4 @@ TEST(LateLibrary, SaysWhatIsMissingAndWhatFor) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::late_library_test

@@ -12,7 +12,7 @@
 #include "geometry/mesh/mesh_weld.hpp"
 #include "tests/geometry/mesh/small_meshes.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::mesh_test {
 namespace {
 
 MeshFile read(const std::string& name, const std::string& bytes) {
@@ -395,4 +395,4 @@ TEST(Mesh, EndingsTell) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::mesh_test

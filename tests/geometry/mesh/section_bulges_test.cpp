@@ -10,7 +10,7 @@
 #include "geometry/mesh/section.hpp"
 #include "tests/geometry/mesh/small_meshes.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::section_bulges_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -145,4 +145,4 @@ TEST(SectionBulges, ArcsCanBeSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::section_bulges_test

@@ -11,7 +11,7 @@
 #include "geometry/dxf/dxf.hpp"
 #include "tests/geometry/mesh/small_meshes.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::section_test {
 namespace {
 
 std::vector<const SketchEntity*> of_body(const Drawing& drawing, const std::string& body) {
@@ -280,4 +280,4 @@ TEST(Section, GearsOfOneSoupAreToldApart) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::section_test

@@ -8,7 +8,7 @@
 #include "tests/geometry/cells/random_grids.hpp"
 #include "tests/geometry/proximity/facing_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::acting_zone_test {
 namespace {
 
 constexpr double exact = 1e-11;
@@ -99,4 +99,4 @@ TEST(ActingZone, ExchangingThePartsGivesTheSamePairs) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::acting_zone_test

@@ -14,7 +14,7 @@
 #include "tests/geometry/curves/sample_curves.hpp"
 #include "tests/geometry/proximity/facing_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::facing_general_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -366,4 +366,4 @@ TEST(InterfaceKinds, OfEllipsesAndSplines) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::facing_general_test

@@ -13,7 +13,7 @@
 #include "tests/geometry/cells/random_grids.hpp"
 #include "tests/geometry/proximity/facing_checks.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::facing_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -420,4 +420,4 @@ TEST(Facing, ManyShortEdges) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::facing_test

@@ -13,6 +13,8 @@
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
+namespace proximity_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -260,3 +262,5 @@ TEST(Proximity, ThreeDirectionsOfACornerDecide) {
     EXPECT_GT(n_opposed, 200);
     EXPECT_LT(n_opposed, 1990);
 }
+
+}  // namespace proximity_test

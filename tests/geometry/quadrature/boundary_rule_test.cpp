@@ -13,6 +13,8 @@
 #include "tests/geometry/cells/swept_parts.hpp"
 #include "tests/geometry/quadrature/rule_errors.hpp"
 
+namespace boundary_rule_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -152,3 +154,5 @@ TEST(BoundaryRule, LengthOfCurvesThatStandStill) {
 }
 
 }  // namespace
+
+}  // namespace boundary_rule_test

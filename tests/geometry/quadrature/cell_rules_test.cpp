@@ -10,6 +10,8 @@
 #include "tests/geometry/cells/swept_parts.hpp"
 #include "tests/geometry/quadrature/rule_errors.hpp"
 
+namespace cell_rules_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -93,3 +95,5 @@ TEST(CellRules, OneCellAroundPartsOfEllipsesAndSplines) {
 }
 
 }  // namespace
+
+}  // namespace cell_rules_test

@@ -8,6 +8,8 @@
 #include "tests/geometry/cells/swept_parts.hpp"
 #include "tests/geometry/quadrature/quadrature_oracles.hpp"
 
+namespace element_rules_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -71,3 +73,5 @@ TEST(ElementRules, BoundaryPointsCarryTheElement) {
 }
 
 }  // namespace
+
+}  // namespace element_rules_test

@@ -10,6 +10,8 @@
 #include "geometry/curves/gauss.hpp"
 #include "geometry/curves/spline_shape.hpp"
 
+namespace gauss_portions_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -67,3 +69,5 @@ TEST(GaussPortions, PolynomialsTakeTheirExactCountAtMost) {
 }
 
 }  // namespace
+
+}  // namespace gauss_portions_test

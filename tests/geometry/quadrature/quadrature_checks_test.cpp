@@ -11,6 +11,8 @@
 #include "tests/geometry/cells/swept_parts.hpp"
 #include "tests/geometry/quadrature/rule_errors.hpp"
 
+namespace quadrature_checks_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -66,3 +68,5 @@ TEST(QuadratureChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace quadrature_checks_test

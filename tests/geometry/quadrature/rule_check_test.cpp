@@ -9,6 +9,8 @@
 #include "geometry/quadrature/transformed_gauss.hpp"
 #include "tests/geometry/cells/slotted_parts.hpp"
 
+namespace rule_check_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -103,3 +105,5 @@ TEST(RuleCheck, NoticesAFault) {
 }
 
 }  // namespace
+
+}  // namespace rule_check_test

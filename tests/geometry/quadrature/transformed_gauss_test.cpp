@@ -10,6 +10,8 @@
 
 #include "tests/geometry/cells/slotted_parts.hpp"
 
+namespace transformed_gauss_test {
+
 namespace {
 
 using namespace abut::geometry;
@@ -199,3 +201,5 @@ TEST(TransformedRuleChecks, NoticeAFault) {
 }
 
 }  // namespace
+
+}  // namespace transformed_gauss_test

@@ -10,7 +10,7 @@
 
 #include "geometry/curves/arc_spline.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::arc_fit_curves_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -261,4 +261,4 @@ TEST(FacetCurves, TakeTimeInProportion) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::arc_fit_curves_test

@@ -9,7 +9,7 @@
 
 #include "geometry/curves/spline_shape.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::arc_fit_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -216,4 +216,4 @@ TEST(ArcFit, CurvesThatAreLinesOrArcs) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::arc_fit_test

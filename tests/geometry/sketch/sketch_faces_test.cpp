@@ -7,7 +7,7 @@
 
 #include "tests/geometry/sketch/drawings.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::sketch_faces_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -234,4 +234,4 @@ TEST(LongSketchFaces, FindsTheCellsOfSubdivisions) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::sketch_faces_test

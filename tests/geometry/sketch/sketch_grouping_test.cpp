@@ -6,7 +6,7 @@
 
 #include "tests/geometry/sketch/drawings.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::sketch_grouping_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -246,4 +246,4 @@ TEST(SketchGrouping, LoneLinesAreToldOnceEach) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::sketch_grouping_test

@@ -7,7 +7,7 @@
 
 #include "tests/geometry/sketch/drawings.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::sketch_mending_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -354,4 +354,4 @@ TEST(SketchMending, ManyEntitiesTakeLittleTime) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::sketch_mending_test

@@ -13,7 +13,7 @@
 #include "tests/geometry/sketch/drawings.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut::geometry {
+namespace abut::geometry::sketch_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -285,4 +285,4 @@ TEST(Units, ConvertsLengths) {
 }
 
 }  // namespace
-}  // namespace abut::geometry
+}  // namespace abut::geometry::sketch_test

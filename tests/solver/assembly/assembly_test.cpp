@@ -5,7 +5,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::assembly_test {
 namespace {
 
 using Eigen::Index;
@@ -221,4 +221,4 @@ TEST(Elasticity, FollowsFromTheInverseOfHookesLaw) {
     EXPECT_EQ(plane_stress(E, nu).out_of_plane, 0);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::assembly_test

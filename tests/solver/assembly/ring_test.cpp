@@ -14,7 +14,7 @@
 #include "solver/terms/stress.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::ring_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -177,4 +177,4 @@ TEST(RingAxis, DoesNotMoveSideways) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::ring_test

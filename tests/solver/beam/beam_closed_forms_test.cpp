@@ -10,7 +10,7 @@
 
 #include "tests/solver/beam/test_beams.hpp"
 
-namespace abut::solver {
+namespace abut::solver::beam_closed_forms_test {
 
 using test::cantilever;
 using test::force_at;
@@ -270,4 +270,4 @@ TEST(Beam, ConvergesAtTheRatesOfItsDegree) {
     }
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::beam_closed_forms_test

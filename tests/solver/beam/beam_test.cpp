@@ -11,7 +11,7 @@
 
 #include "tests/solver/beam/test_beams.hpp"
 
-namespace abut::solver {
+namespace abut::solver::beam_test {
 namespace {
 
 using test::cantilever;
@@ -314,4 +314,4 @@ TEST(BeamCondition, IsInfiniteWhereTheMatrixIsNotDefinite) {
     }
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::beam_test

@@ -5,7 +5,7 @@
 
 #include "tests/solver/contact/two_blocks.hpp"
 
-namespace abut::solver {
+namespace abut::solver::assembly_solve_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -293,4 +293,4 @@ TEST(AssemblySolve, AFloatingBlockBetweenTwoMovedOnesIsPressedWithoutAnyLoad) {
     EXPECT_LT(balance_error(p, s), balance_bound);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::assembly_solve_test

@@ -7,7 +7,7 @@
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "tests/solver/contact/two_blocks.hpp"
 
-namespace abut::solver {
+namespace abut::solver::condensation_test {
 namespace {
 
 using Eigen::Index;
@@ -106,4 +106,4 @@ TEST(Condensation, LeavesTheSolutionTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::condensation_test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::contact_qp_test {
 namespace {
 
 using Eigen::Index;
@@ -460,4 +460,4 @@ TEST(ContactQp, SolvesOnAGivenSet) {
     EXPECT_FALSE(solve_on_set(qp, std::vector<char>(6, 0), l, a));  // nothing holds the mode
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::contact_qp_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abut::solver {
+namespace abut::solver::independent_groups_test {
 namespace {
 
 AssemblyProblem of_parts(int n, const std::vector<std::array<int, 2>>& joined) {
@@ -28,4 +28,4 @@ TEST(IndependentGroups, FollowTheInterfaces) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::independent_groups_test

@@ -5,7 +5,7 @@
 
 #include "tests/solver/contact/two_blocks.hpp"
 
-namespace abut::solver {
+namespace abut::solver::interface_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -157,4 +157,4 @@ TEST(Interface, MeanConstraintsTakeMeansOfDisplacementAndCurl) {
     }
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::interface_test

@@ -7,7 +7,7 @@
 
 #include "solver/contact/rigid_settle.hpp"
 
-namespace abut::solver {
+namespace abut::solver::interior_point_test {
 namespace {
 
 using Eigen::Index;
@@ -78,4 +78,4 @@ TEST(InteriorPoint, SaysWhereNothingBalancesTheLoads) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::interior_point_test

@@ -9,7 +9,7 @@
 #include "solver/contact/assembly_solve.hpp"
 #include "tests/solver/contact/two_blocks.hpp"
 
-namespace abut::solver {
+namespace abut::solver::penalty_test {
 namespace {
 
 using Eigen::Index;
@@ -202,4 +202,4 @@ TEST(Penalty, PolylineRunsThroughItsPoints) {
     EXPECT_EQ(closed[0], closed[5]);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::penalty_test

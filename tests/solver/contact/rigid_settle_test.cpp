@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::rigid_settle_test {
 namespace {
 
 using Eigen::Index;
@@ -77,4 +77,4 @@ TEST(RigidSettle, SettlesAtOnceOnTheRowsThatEndUpPressed) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::rigid_settle_test

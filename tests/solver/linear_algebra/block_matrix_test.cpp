@@ -8,7 +8,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::block_matrix_test {
 namespace {
 
 using Eigen::MatrixXi;
@@ -136,4 +136,4 @@ TEST(BlockMatrix, MayKeepNothing) {
     EXPECT_TRUE(s.value.empty());
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::block_matrix_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::closed_factor_test {
 namespace {
 
 using Eigen::Index;
@@ -114,4 +114,4 @@ TEST(ClosedFactor, LeavesOutWhatTheOthersAlreadyClose) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::closed_factor_test

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace abut::solver {
+namespace abut::solver::dissection_test {
 namespace {
 
 /// A grid of nx x ny nodes whose neighbours lie within `reach` lines in both directions; those with hole(x, y) are left out.
@@ -107,4 +107,4 @@ TEST(Dissection, LeavesWhatIsSmallOrOnOneLine) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::dissection_test

@@ -15,7 +15,7 @@
 #include "tests/solver/linear_algebra/sparse_of.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::factorization_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -301,4 +301,4 @@ TEST(Factorization, OfNothingSolvesNothing) {
     EXPECT_EQ(f.unscaled_condition_two(), 1);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::factorization_test

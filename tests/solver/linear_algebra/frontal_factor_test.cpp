@@ -17,7 +17,7 @@
 #include "tests/solver/linear_algebra/sparse_of.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::frontal_factor_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -300,4 +300,4 @@ TEST(LargePages, BeginAsZero) {
         }
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::frontal_factor_test

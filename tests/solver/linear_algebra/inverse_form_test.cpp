@@ -8,7 +8,7 @@
 #include "solver/linear_algebra/factorization.hpp"
 #include "tests/solver/linear_algebra/sparse_of.hpp"
 
-namespace abut::solver {
+namespace abut::solver::inverse_form_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -117,4 +117,4 @@ TEST(InverseForm, OfNothing) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::inverse_form_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::nonnegative_test {
 namespace {
 
 using Eigen::Index;
@@ -134,4 +134,4 @@ TEST(NonnegativeLeastSquares, BalancesManyRowsAtOnce) {
                 1e-10);  // distance from the cone's last ray
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::nonnegative_test

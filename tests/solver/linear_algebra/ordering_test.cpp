@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::ordering_test {
 namespace {
 
 /// Pattern of a symmetric matrix from the pairs (row, column) below its diagonal.
@@ -102,4 +102,4 @@ TEST(Ordering, OfNothingIsNothing) {
     EXPECT_EQ(least_bandwidth(neighbours(p)), 0);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::ordering_test

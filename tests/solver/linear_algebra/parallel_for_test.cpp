@@ -13,7 +13,7 @@
 
 #include "solver/linear_algebra/blas_threads.hpp"
 
-namespace abut::solver {
+namespace abut::solver::parallel_for_test {
 namespace {
 
 TEST(ParallelFor, MakesEveryCallOnce) {
@@ -62,4 +62,4 @@ TEST(UsableThreads, AreAsManyAsWantedOrOne) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::parallel_for_test

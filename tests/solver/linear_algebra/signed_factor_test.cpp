@@ -8,7 +8,7 @@
 
 #include "solver/linear_algebra/factorization.hpp"
 
-namespace abut::solver {
+namespace abut::solver::signed_factor_test {
 namespace {
 
 using Eigen::Index;
@@ -110,4 +110,4 @@ TEST(SignedFactor, TheSameInputGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::signed_factor_test

@@ -7,7 +7,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::part_system_test {
 namespace {
 
 using Eigen::Index;
@@ -245,4 +245,4 @@ TEST(PartSystem, SaysWhyASupportIsImposedAsItIs) {
     EXPECT_NE(s.supports[2].why.find("outermost lines"), std::string::npos) << s.supports[2].why;
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::part_system_test

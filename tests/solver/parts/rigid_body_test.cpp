@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <random>
 
-namespace abut::solver {
+namespace abut::solver::rigid_body_test {
 namespace {
 
 /// A unit square of four bilinear functions about its centre.
@@ -71,4 +71,4 @@ TEST(RigidBody, ItsSupportsBalanceWhatActsInWhatTheyHold) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::rigid_body_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::full_cell_fit_test {
 namespace {
 
 /// Sample by sample: a column of functions' values for each.
@@ -72,4 +72,4 @@ TEST(FullCellFit, IsTheSumOverTheSamples) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::full_cell_fit_test

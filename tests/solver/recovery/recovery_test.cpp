@@ -5,7 +5,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::recovery_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -119,4 +119,4 @@ TEST(StressFit, FailsWithoutAnInnerCell) {
               "");
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::recovery_test

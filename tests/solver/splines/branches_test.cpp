@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace abut::solver {
+namespace abut::solver::branches_test {
 
 namespace {
 
@@ -236,4 +236,4 @@ TEST(KnotVector, RefinedHoldsTheSameFunction) {
     }
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::branches_test

@@ -8,7 +8,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::bspline_test {
 namespace {
 
 std::vector<KnotVector> all_knots() {
@@ -314,4 +314,4 @@ TEST(BSpline, ExtensionOfTheFirstDegreeByHand) {
     EXPECT_DOUBLE_EQ(e[1], -0.5);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::bspline_test

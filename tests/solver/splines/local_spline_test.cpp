@@ -7,7 +7,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::local_spline_test {
 namespace {
 
 /// Against the sum over the space's functions themselves, at points of every element that holds material.
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(All, LocalSplines, testing::ValuesIn(test::all_space_ca
                          [](const auto& given) { return test::name_of(given.param); });
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::local_spline_test

@@ -7,7 +7,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::spline_space_test {
 namespace {
 
 using test::SpaceCase;
@@ -152,4 +152,4 @@ TEST(SplineSpace, DoesNotExtendAcrossASlot) {
     for (int f : extraction(s, 12).functions) EXPECT_LE(greville_point(s, f).y(), 1) << "cell 12 is made from function " << f;
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::spline_space_test

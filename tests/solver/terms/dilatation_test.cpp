@@ -10,7 +10,7 @@
 #include "solver/terms/stress.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::dilatation_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -113,4 +113,4 @@ TEST(Dilatation, StressesAskForTheSystem) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::dilatation_test

@@ -9,7 +9,7 @@
 #include "solver/terms/stress.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::free_strain_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -100,4 +100,4 @@ TEST(NoFreeStrain, LeavesEveryBitAsItIs) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::free_strain_test

@@ -8,7 +8,7 @@
 #include "solver/parts/part_system.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::solution_structure_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -226,4 +226,4 @@ TEST(Structure, ReactionsOfOppositeEdgesAreToldApart) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::solution_structure_test

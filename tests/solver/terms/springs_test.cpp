@@ -6,7 +6,7 @@
 #include "solver/parts/part_system.hpp"
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::springs_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -98,4 +98,4 @@ TEST(Springs, NoneLeaveTheSystemBitForBit) {
 }
 
 }  // namespace
-}  // namespace abut::solver
+}  // namespace abut::solver::springs_test

@@ -5,7 +5,7 @@
 
 #include "tests/solver/splines/test_spaces.hpp"
 
-namespace abut::solver {
+namespace abut::solver::supports_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -215,4 +215,4 @@ TEST(Supports, ResultantsAddForcesAndTheirMoments) {
     EXPECT_EQ(r.moment, 4);
 }
 
-}  // namespace abut::solver
+}  // namespace abut::solver::supports_test

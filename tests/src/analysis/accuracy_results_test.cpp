@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace abut {
+namespace abut::accuracy_results_test {
 namespace {
 
 /// Two passes with one contact: no estimate, then this one.
@@ -184,4 +184,4 @@ TEST(NextLevel, NothingToGoByIsNoPrediction) {
     EXPECT_FALSE(missed.next_level);
 }
 
-}  // namespace abut
+}  // namespace abut::accuracy_results_test

@@ -8,7 +8,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::assumptions_test {
 namespace {
 
 /// A slender arm clamped on the left, E = 1000, with a load at its right end.
@@ -109,4 +109,4 @@ TEST(Assumptions, BondsInTensionAreSaid) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::assumptions_test

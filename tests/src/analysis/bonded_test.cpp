@@ -6,7 +6,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::bonded_test {
 namespace {
 
 std::string block(const std::string& name, const std::string& min, const std::string& max) {
@@ -84,4 +84,4 @@ TEST(Bonded, HasNoInterference) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::bonded_test

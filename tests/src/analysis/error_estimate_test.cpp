@@ -8,7 +8,7 @@
 
 #include "tests/src/analysis/synthetic_passes.hpp"
 
-namespace abut {
+namespace abut::error_estimate_test {
 namespace {
 
 using synthetic::pass;
@@ -135,4 +135,4 @@ TEST(ErrorEstimate, BesideCornersASmallChangeMayBeByChance) {
     EXPECT_GT(*estimate_errors(std::vector<PassRecord>{coarser, pass({now})}, before).contact_pressure, 0.01);
 }
 
-}  // namespace abut
+}  // namespace abut::error_estimate_test

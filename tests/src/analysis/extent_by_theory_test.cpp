@@ -11,7 +11,7 @@
 #include "tests/src/io/temporary_folder.hpp"
 #include "tests/verification/true_errors.hpp"
 
-namespace abut {
+namespace abut::extent_by_theory_test {
 namespace {
 
 /// Solved once, on uniform cells.
@@ -140,4 +140,4 @@ TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::extent_by_theory_test

@@ -9,7 +9,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::half_scene_test {
 namespace {
 
 const Effect& symmetry_of(const Result& r) {
@@ -111,4 +111,4 @@ TEST(HalfSceneWarnings, AreNoneWithoutContact) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::half_scene_test

@@ -8,7 +8,7 @@
 #include "src/contact/detect.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::held_contacts_test {
 namespace {
 
 /// Parts by name and geometry, with more members of the scene.
@@ -67,4 +67,4 @@ TEST(UnpairedTouches, ASharpCornerOnAFaceIsAWarning) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::held_contacts_test

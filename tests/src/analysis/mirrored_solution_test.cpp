@@ -13,7 +13,7 @@
 #include "src/solution/mirrored_grids.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::mirrored_solution_test {
 namespace {
 
 struct Case {
@@ -313,4 +313,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, MirroredSolution, testing::ValuesIn(cases()),
                          });
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::mirrored_solution_test

@@ -6,7 +6,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::missed_contacts_test {
 namespace {
 
 /// A plate on three equal rollers, the middle one lower by `lower`; 100 N on top.
@@ -52,4 +52,4 @@ TEST(MissedContacts, ARollerThatIsTooLowStaysOpenWithoutAWord) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::missed_contacts_test

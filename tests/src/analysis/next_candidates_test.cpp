@@ -7,7 +7,7 @@
 
 #include "tests/verification/true_errors.hpp"
 
-namespace abut {
+namespace abut::next_candidates_test {
 namespace {
 
 /// A contact whose only run is this one.
@@ -105,4 +105,4 @@ TEST(NextCandidates, TheSearchReachesAsFarAsThePartsMove) {
     EXPECT_NEAR(needed_search_factor(pin_scene(), pin.solved), 3 * factor, 1e-12 * factor);
 }
 
-}  // namespace abut
+}  // namespace abut::next_candidates_test

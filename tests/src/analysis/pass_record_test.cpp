@@ -8,7 +8,7 @@
 
 #include "tests/src/analysis/synthetic_passes.hpp"
 
-namespace abut {
+namespace abut::pass_record_test {
 namespace {
 
 using synthetic::record;
@@ -121,4 +121,4 @@ TEST(PassRecord, AContactWithoutInterfaceDidNotChange) {
     EXPECT_EQ(change_of(ContactRecord{}, record(5, slope)).norm, 0);
 }
 
-}  // namespace abut
+}  // namespace abut::pass_record_test

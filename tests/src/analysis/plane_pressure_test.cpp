@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace abut {
+namespace abut::plane_pressure_test {
 namespace {
 
 constexpr double a = 0.3, middle = 2, force = 7;
@@ -57,4 +57,4 @@ TEST(PlanePressure, OfWedgesJointsAndUnknownGapsIsUnknown) {
     EXPECT_FALSE(plane_run([](double) { return std::nullopt; }, middle, a, force));
 }
 
-}  // namespace abut
+}  // namespace abut::plane_pressure_test

@@ -6,7 +6,7 @@
 
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::rounded_drawing_test {
 namespace {
 
 /// A plate on three fixed rollers, its underside drawn from -rise to rise over its length of 90; 100 N straight down, and
@@ -42,4 +42,4 @@ TEST(RoundedDrawing, APushIsOneHoweverSmall) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::rounded_drawing_test

@@ -7,7 +7,7 @@
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
-namespace abut {
+namespace abut::self_contact_test {
 namespace {
 
 /// A U whose arms, a slot apart, are pressed towards each other by `load` each.
@@ -62,4 +62,4 @@ TEST(SelfContact, CrossingsThatAreDrawnAreNotToldOfAgain) {
     EXPECT_FALSE(self_overlap(field));
 }
 
-}  // namespace abut
+}  // namespace abut::self_contact_test

@@ -8,7 +8,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::slender_test {
 namespace {
 
 /// A cantilever of height 1, turned, with a shear load at its end that deflects the tip by 1 as a beam.
@@ -53,4 +53,4 @@ TEST(SlenderBars, WhereRoundingSpoilsTheAnswerItSaysSo) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::slender_test

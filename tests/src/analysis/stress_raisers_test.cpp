@@ -10,7 +10,7 @@
 #include "src/scene/read_scene.hpp"
 #include "src/scene/selection.hpp"
 
-namespace abut {
+namespace abut::stress_raisers_test {
 namespace {
 
 /// One part under a load, on its first grids.
@@ -76,4 +76,4 @@ TEST(EnergyErrorOfTwoGrids, KnowsWhatTheSmoothedStressesMiss) {
     EXPECT_EQ(energy_error_of({1, 0.010}, {1.001, 0.020}), 0.020);
 }
 
-}  // namespace abut
+}  // namespace abut::stress_raisers_test

@@ -10,7 +10,7 @@
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
-namespace abut {
+namespace abut::support_methods_test {
 namespace {
 
 constexpr double E = 1000, nu = 0.3;
@@ -215,4 +215,4 @@ TEST(SupportMethods, AutoDropsFunctionsWhereThatIsExactAndNeverPicksAStructure) 
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::support_methods_test

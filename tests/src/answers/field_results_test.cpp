@@ -9,7 +9,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::field_results_test {
 namespace {
 
 constexpr const char* steel = R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)";
@@ -96,4 +96,4 @@ TEST(FieldPictures, AWrongFieldIsSeen) {
     EXPECT_GT(d.mean, 0.002);
 }
 
-}  // namespace abut
+}  // namespace abut::field_results_test

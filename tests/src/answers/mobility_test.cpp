@@ -8,7 +8,7 @@
 #include "src/contact/detect.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::mobility_test {
 namespace {
 
 Scene scene_of(const std::string& parts, const std::string& supports, const std::string& more = "") {
@@ -143,4 +143,4 @@ TEST(Mobility, UnderLoadCountsContactsThatCarry) {
     EXPECT_EQ(r.under_load->degrees_of_freedom, 0);
 }
 
-}  // namespace abut
+}  // namespace abut::mobility_test

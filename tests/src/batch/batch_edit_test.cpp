@@ -8,7 +8,7 @@
 #include "src/results/result.hpp"
 #include "tests/src/io/folder_test.hpp"
 
-namespace abut {
+namespace abut::batch_edit_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST_F(BatchEditTest, TheSummaryHasJobsOfOneTemplateOnly) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::batch_edit_test

@@ -11,7 +11,7 @@
 #include "src/results/result.hpp"
 #include "tests/src/io/folder_test.hpp"
 
-namespace abut {
+namespace abut::batch_merge_test {
 namespace {
 
 class BatchMergeTest : public FolderTest {
@@ -147,4 +147,4 @@ TEST_F(BatchMergeTest, WhatAnOlderVersionWroteIsRefusedInOneSentence) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::batch_merge_test

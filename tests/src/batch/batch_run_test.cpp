@@ -15,7 +15,7 @@
 #include "src/results/result.hpp"
 #include "tests/src/io/folder_test.hpp"
 
-namespace abut {
+namespace abut::batch_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST_F(BatchRunTest, ShardsTogetherAreTheWholeOnceEach) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::batch_run_test

@@ -7,7 +7,7 @@
 
 #include "geometry/brep/input_error.hpp"
 
-namespace abut {
+namespace abut::batch_shard_test {
 namespace {
 
 std::optional<Shard> of_array(int id, int least, int most, int step, int count) {
@@ -40,4 +40,4 @@ TEST(BatchShard, FollowsSlurmArraysWhereverTheyBegin) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::batch_shard_test

@@ -5,7 +5,7 @@
 #include "src/batch/batch_template.hpp"
 #include "tests/src/io/folder_test.hpp"
 
-namespace abut {
+namespace abut::batch_source_test {
 namespace {
 
 class BatchSourceTest : public FolderTest {
@@ -139,4 +139,4 @@ TEST_F(BatchSourceTest, SourceAndTemplateHaveToGoTogether) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::batch_source_test

@@ -8,7 +8,7 @@
 #include "src/batch/batch_summary.hpp"
 #include "src/batch/job_key.hpp"
 
-namespace abut {
+namespace abut::job_record_test {
 namespace {
 
 JobRecord full_record() {
@@ -111,4 +111,4 @@ TEST(BatchPage, HasColumnsThatSomeJobHasNumbersForAndMessagesWithoutFolders) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::job_record_test

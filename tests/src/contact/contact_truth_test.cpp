@@ -13,7 +13,7 @@
 #include "src/contact/detect.hpp"
 #include "src/scene/read_sketch.hpp"
 
-namespace abut {
+namespace abut::contact_truth_test {
 
 namespace {
 
@@ -143,4 +143,4 @@ TEST(ContactTruthOfGears, TeethMeetTeethHoweverTheFlanksAreDrawn) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::contact_truth_test

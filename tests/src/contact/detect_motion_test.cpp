@@ -10,7 +10,7 @@
 #include "src/contact/detect.hpp"
 #include "src/scene/read_sketch.hpp"
 
-namespace abut {
+namespace abut::detect_motion_test {
 namespace {
 
 const std::string source = ABUT_SOURCE_DIR;
@@ -88,4 +88,4 @@ TEST(DetectMotion, AnyAssemblyIsFoundTheSameAnywhere) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::detect_motion_test

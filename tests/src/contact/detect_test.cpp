@@ -17,7 +17,7 @@
 #include "src/inspection/detect_pictures.hpp"
 #include "src/scene/read_sketch.hpp"
 
-namespace abut {
+namespace abut::detect_test {
 namespace {
 
 using geometry::Arc;
@@ -446,4 +446,4 @@ TEST_F(Expectation, FaultsOfTheFileAreAllReported) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::detect_test

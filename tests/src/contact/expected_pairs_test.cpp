@@ -5,7 +5,7 @@
 #include "src/batch/batch_summary.hpp"
 #include "tests/src/io/folder_test.hpp"
 
-namespace abut {
+namespace abut::expected_pairs_test {
 namespace {
 
 DetectedPair pair(const std::string& a, const std::string& b, const std::string& status = "touching") {
@@ -72,4 +72,4 @@ TEST_F(ExpectationTableTest, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::expected_pairs_test

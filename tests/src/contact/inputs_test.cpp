@@ -14,7 +14,7 @@
 #include "src/inspection/inspect.hpp"
 #include "src/scene/read_sketch.hpp"
 
-namespace abut {
+namespace abut::inputs_test {
 
 namespace {
 
@@ -128,4 +128,4 @@ TEST(Inputs, NestsHaveNoContactsButThoseDrawn) {
     EXPECT_EQ(n_with_contacts, drawn_in_public.size());
 }
 
-}  // namespace abut
+}  // namespace abut::inputs_test

@@ -16,7 +16,7 @@
 #include "src/contact/detect.hpp"
 #include "src/scene/read_sketch.hpp"
 
-namespace abut {
+namespace abut::messy_drawings_test {
 
 namespace {
 
@@ -235,4 +235,4 @@ TEST(MessyDrawings, DrawingsThatCloseGiveTheirParts) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::messy_drawings_test

@@ -12,7 +12,7 @@
 #include "src/results/result_units.hpp"
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::one_search_test {
 namespace {
 
 const std::string source = ABUT_SOURCE_DIR;
@@ -189,4 +189,4 @@ TEST(DeepOverlaps, DepthIsThatOfTheDeepestPoint) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::one_search_test

@@ -17,7 +17,7 @@
 #include "src/report/boxes_apart.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
-namespace abut {
+namespace abut::cells_picture_test {
 namespace {
 
 using geometry::CellClass;
@@ -325,4 +325,4 @@ TEST(BoxesApart, WhatIsApartStays) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::cells_picture_test

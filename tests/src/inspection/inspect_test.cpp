@@ -12,7 +12,7 @@
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::inspect_test {
 namespace {
 
 abut::ImportOptions in_unit(const std::string& unit) {
@@ -264,4 +264,4 @@ TEST(Inspect, DescribesAScene) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::inspect_test

@@ -13,7 +13,7 @@
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::starter_scene_test {
 namespace {
 
 using geometry::dxf_file;
@@ -161,4 +161,4 @@ TEST(StarterScene, NamesOfAnyKindStayInTheirPlace) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::starter_scene_test

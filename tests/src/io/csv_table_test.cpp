@@ -8,7 +8,7 @@
 
 #include "geometry/brep/input_error.hpp"
 
-namespace abut {
+namespace abut::csv_table_test {
 namespace {
 
 std::vector<Problem> faults_of(const std::string& text, Table (*parse)(const std::string&, const std::string&) = parse_csv) {
@@ -89,4 +89,4 @@ TEST(CsvTable, AnyTextIsATableOrRefused) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::csv_table_test

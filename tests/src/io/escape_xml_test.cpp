@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abut {
+namespace abut::escape_xml_test {
 namespace {
 
 TEST(EscapeXml, EscapesWhatXmlReserves) {
@@ -13,4 +13,4 @@ TEST(EscapeXml, EscapesWhatXmlReserves) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::escape_xml_test

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-namespace abut {
+namespace abut::json_document_test {
 
 namespace {
 
@@ -103,4 +103,4 @@ TEST(JsonDocument, agrees_with_an_independent_parser_on_mutated_texts) {
     EXPECT_GT(n_bad, 1000);
 }
 
-}  // namespace abut
+}  // namespace abut::json_document_test

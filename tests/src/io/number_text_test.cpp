@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace abut {
+namespace abut::number_text_test {
 namespace {
 
 TEST(NumberText, NumbersAreShort) {
@@ -29,4 +29,4 @@ TEST(NumberText, CoordinatesNeverUseExponents) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::number_text_test

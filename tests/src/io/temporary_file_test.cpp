@@ -10,7 +10,7 @@
 
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::temporary_file_test {
 
 TEST(TemporaryFile, OfDeadProcessesAreRemovedAndNoOthers) {
     const pid_t child = ::fork();
@@ -30,4 +30,4 @@ TEST(TemporaryFile, OfDeadProcessesAreRemovedAndNoOthers) {
     for (const std::string& kept : {own, elsewhere, whole, hidden}) EXPECT_TRUE(std::filesystem::exists(kept)) << kept;
 }
 
-}  // namespace abut
+}  // namespace abut::temporary_file_test

@@ -8,7 +8,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::axisymmetric_test {
 namespace {
 
 /// A tube from radius 1 to 2, or a bar from the axis, 1 high, on a roller.
@@ -174,4 +174,4 @@ TEST(Axisymmetric, ThePlanSaysWhoseAxisIsHeld) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::axisymmetric_test

@@ -12,7 +12,7 @@
 #include "tests/src/analysis/plate_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::effect_counters_test {
 namespace {
 
 const Effect& effect_named(const Result& r, const std::string& name) {
@@ -142,4 +142,4 @@ TEST(Groups, WithoutUnilateralPairsThereIsOneLinearSolution) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::effect_counters_test

@@ -11,7 +11,7 @@
 #include "src/report/report.hpp"
 #include "tests/src/analysis/plate_scene.hpp"
 
-namespace abut {
+namespace abut::left_out_parts_test {
 namespace {
 
 const std::string two_far =
@@ -63,4 +63,4 @@ TEST(LeftOutParts, ASceneWithoutThemHasNoWordOfThem) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::left_out_parts_test

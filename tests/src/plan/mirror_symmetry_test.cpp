@@ -6,7 +6,7 @@
 
 #include "src/scene/read_scene.hpp"
 
-namespace abut {
+namespace abut::mirror_symmetry_test {
 namespace {
 
 MirrorSymmetry of(const std::string& parts, const std::string& supports, const std::string& loads,
@@ -94,4 +94,4 @@ TEST(MirrorSymmetry, MirroredValuesAreSymmetric) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::mirror_symmetry_test

@@ -14,7 +14,7 @@
 #include "tests/src/analysis/plate_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::plan_test {
 namespace {
 
 std::set<std::string> effects_on(const Variation& v) {
@@ -225,4 +225,4 @@ TEST(IdleParts, EffectsThatAreOffHaveZeroCounters) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::plan_test

@@ -13,7 +13,7 @@
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::rigid_parts_test {
 namespace {
 
 /// A block held at its bottom, and a narrower punch on it.
@@ -189,4 +189,4 @@ TEST(RigidParts, CarryForcesOnTheWholePart) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::rigid_parts_test

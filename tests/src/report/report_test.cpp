@@ -16,7 +16,7 @@
 #include "tests/src/report/markup_fault.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
-namespace abut {
+namespace abut::report_test {
 namespace {
 
 using synthetic::bracket;
@@ -285,4 +285,4 @@ TEST(Labels, TakeOnlyFreePlaces) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::report_test

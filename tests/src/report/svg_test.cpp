@@ -12,7 +12,7 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
-namespace abut {
+namespace abut::svg_test {
 namespace {
 
 Box2 box(const Vec2& min, const Vec2& max) {
@@ -161,4 +161,4 @@ TEST(Svg, PartColorsDifferAndAreLightEnoughForBlackText) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::svg_test

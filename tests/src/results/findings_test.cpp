@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abut {
+namespace abut::findings_test {
 namespace {
 
 TEST(Findings, AreOneWarningAndOneReasonHoweverMany) {
@@ -33,4 +33,4 @@ TEST(Findings, OfOneAreToldAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::findings_test

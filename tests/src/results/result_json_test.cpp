@@ -11,7 +11,7 @@
 #include "src/io/write_file.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
-namespace abut {
+namespace abut::result_json_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -192,4 +192,4 @@ TEST_F(WriteFile, ErrorsNameTheFileAndTheReason) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::result_json_test

@@ -11,7 +11,7 @@
 #include "tests/src/results/synthetic_result.hpp"
 #include "tests/verification/scene_answers.hpp"
 
-namespace abut {
+namespace abut::verdict_test {
 namespace {
 
 /// Contact pressures known to 0.7 %, where 1 % was asked for.
@@ -128,4 +128,4 @@ Result bar(const std::string& traction) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::verdict_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace abut {
+namespace abut::accuracy_goal_test {
 namespace {
 
 Accuracy of_level(const std::string& level) {
@@ -51,4 +51,4 @@ TEST(AccuracyGoal, CellsFollowTheTargetAndAreOneAtStandard) {
     EXPECT_GT(coarseness_of(of_level("fine"), true), coarseness_of(of_level("fine"), false));
 }
 
-}  // namespace abut
+}  // namespace abut::accuracy_goal_test

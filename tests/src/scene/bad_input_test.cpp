@@ -6,7 +6,7 @@
 #include "src/scene/scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::bad_input_test {
 
 namespace {
 
@@ -270,4 +270,4 @@ TEST(BadInput, survives_deleted_characters) {
     EXPECT_GT(n_bad, 150);
 }
 
-}  // namespace abut
+}  // namespace abut::bad_input_test

@@ -9,7 +9,7 @@
 
 #include "geometry/brep/input_error.hpp"
 
-namespace abut {
+namespace abut::expression_test {
 
 namespace {
 
@@ -129,4 +129,4 @@ TEST(Expression, survives_random_texts) {
     EXPECT_GT(n_parsed, 500);
 }
 
-}  // namespace abut
+}  // namespace abut::expression_test

@@ -13,7 +13,7 @@
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::keep_facets_test {
 namespace {
 
 constexpr int n_facets = 48;
@@ -106,4 +106,4 @@ TEST(KeepFacets, TakesTrueOrFalseOnly) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::keep_facets_test

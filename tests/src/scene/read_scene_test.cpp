@@ -12,7 +12,7 @@
 #include "src/scene/selection.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::read_scene_test {
 
 namespace {
 
@@ -510,4 +510,4 @@ TEST(ReadScene, a_bare_sketch_becomes_a_scene_without_materials) {
     EXPECT_THROW(read_sketch("/nowhere.dxf", {}), InputError);
 }
 
-}  // namespace abut
+}  // namespace abut::read_scene_test

@@ -14,7 +14,7 @@
 #include "src/scene/scene.hpp"
 #include "src/scene/scene_words.hpp"
 
-namespace abut {
+namespace abut::scene_schema_words_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -129,4 +129,4 @@ TEST(SceneSchemaWords, OptionsOfTheCommandLineTakeTheSame) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::scene_schema_words_test

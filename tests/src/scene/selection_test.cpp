@@ -9,7 +9,7 @@
 
 #include "geometry/curves/spline_shape.hpp"
 
-namespace abut {
+namespace abut::selection_test {
 
 namespace {
 
@@ -300,4 +300,4 @@ TEST(Selection, lists_at_most_twenty_edges) {
     EXPECT_FALSE(contains(message, "p/e20"));
 }
 
-}  // namespace abut
+}  // namespace abut::selection_test

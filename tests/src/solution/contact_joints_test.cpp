@@ -6,7 +6,7 @@
 #include "src/analysis/adaptive.hpp"
 #include "tests/verification/true_errors.hpp"
 
-namespace abut {
+namespace abut::contact_joints_test {
 namespace {
 
 std::vector<ContactJoint> joints_of(const test::EstimateCase& c) {
@@ -31,4 +31,4 @@ TEST(ContactJoints, NoneOnOneArc) {
     EXPECT_TRUE(joints_of({"verification/cylinder_on_plane.json"}).empty());
 }
 
-}  // namespace abut
+}  // namespace abut::contact_joints_test

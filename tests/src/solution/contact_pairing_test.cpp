@@ -9,7 +9,7 @@
 #include "src/scene/scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::contact_pairing_test {
 namespace {
 
 using geometry::FacingPair;
@@ -87,4 +87,4 @@ TEST(ContactPairing, WaysPartWithTheGap) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::contact_pairing_test

@@ -8,7 +8,7 @@
 
 #include "solver/contact/interface.hpp"
 
-namespace abut {
+namespace abut::contact_runs_test {
 namespace {
 
 using Pressure = std::function<double(double)>;
@@ -120,4 +120,4 @@ TEST(ContactRuns, TwoStretches) {
     }
 }
 
-}  // namespace abut
+}  // namespace abut::contact_runs_test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace abut {
+namespace abut::study_child_test {
 namespace {
 
 constexpr double enough = 60;  // seconds
@@ -74,4 +74,4 @@ TEST(StudyChild, TellsThePeakOfTheChildAlone) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::study_child_test

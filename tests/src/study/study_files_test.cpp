@@ -9,7 +9,7 @@
 #include "tests/src/report/markup_fault.hpp"
 #include "tests/src/study/synthetic_study.hpp"
 
-namespace abut {
+namespace abut::study_files_test {
 namespace {
 
 bool has(const std::string& text, const std::string& words) {
@@ -104,4 +104,4 @@ TEST(StudyFiles, SentencesSayTheCosts) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::study_files_test

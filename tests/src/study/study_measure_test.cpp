@@ -15,7 +15,7 @@
 #include "src/study/study_reference.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::study_measure_test {
 namespace {
 
 const std::string data = std::string(ABUT_SOURCE_DIR) + "/data";
@@ -142,4 +142,4 @@ TEST(StudyTransport, EveryNumberComesBackBitForBit) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::study_measure_test

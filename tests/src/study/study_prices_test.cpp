@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "src/io/number_text.hpp"
 #include "src/study/study_chart.hpp"
 #include "src/study/study_plan.hpp"
 #include "tests/src/study/synthetic_study.hpp"
-#include "src/io/number_text.hpp"
 
-namespace abut {
+namespace abut::study_prices_test {
 namespace {
 
 using Kind = StudySetting::Kind;
@@ -141,4 +141,4 @@ TEST(StudyWords, QuantitiesAreShort) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::study_prices_test

@@ -9,7 +9,7 @@
 #include "src/study/study.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
-namespace abut {
+namespace abut::study_run_test {
 namespace {
 
 using Kind = StudySetting::Kind;
@@ -149,4 +149,4 @@ TEST(StudyRun, ABudgetIsKept) {
 }
 
 }  // namespace
-}  // namespace abut
+}  // namespace abut::study_run_test
