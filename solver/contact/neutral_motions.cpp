@@ -235,15 +235,17 @@ void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance
 
 namespace {
 
-/// Integrals of a part's functions times its free motions, (2n x motions): products with coefficients are mean products of
-/// displacements, on any grid. A rigid part's displacement is its motion on any measure.
-MatrixXd integrals_of_motions(const PartSystem& part) {
-    if (part.body) return part.modes;
-    MatrixXd integrals(part.modes.rows(), part.modes.cols());
-    for (Index k = 0; k < part.modes.cols(); ++k)
-        integrals.col(k) =
-            body_load(part.input, [&, k](const Vec2& x) { return part.free_motions[static_cast<std::size_t>(k)].at(x); });
-    return integrals;
+/// Integrals of a part's functions times the motions that its modes are the coefficients of, (2n x modes): products with
+/// coefficients are mean products of displacements, on any grid. A rigid part's displacement is its motion on any measure.
+MatrixXd integrals_of_modes(const PartSystem& part) {
+    if (part.body || part.modes.cols() == 0) return part.modes;
+    const Vec2 center = part.free_motions.front().center;
+    const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
+    const MatrixXd coefficients = coefficients_of(part.input.space, rigid);
+    MatrixXd integrals(coefficients.rows(), 3);
+    for (Index k = 0; k < 3; ++k)
+        integrals.col(k) = body_load(part.input, [&](const Vec2& x) { return rigid[static_cast<std::size_t>(k)].at(x); });
+    return integrals * (coefficients.transpose() * coefficients).ldlt().solve(coefficients.transpose() * part.modes);
 }
 
 }  // namespace
@@ -258,7 +260,7 @@ void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, 
         const auto own = neutral.middleRows(offset[i], offset[i + 1] - offset[i]);
         motion[i] = problem.parts[i].modes * own;
         if (own.isZero(0)) continue;
-        const MatrixXd integrals = integrals_of_motions(problem.parts[i]) * own;
+        const MatrixXd integrals = integrals_of_modes(problem.parts[i]) * own;
         gram += integrals.transpose() * motion[i];
         rhs -= integrals.transpose() * solution.displacement[i];
     }

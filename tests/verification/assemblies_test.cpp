@@ -20,6 +20,8 @@ class LongAssemblies : public testing::TestWithParam<std::string> {};
 
 /// Known to differ by more than is stated.
 const std::map<std::string, std::string> differing{
+    {"beam_on_stops 1", "forces differ by 0.5 %, and are stated to 0.2 %: strips of cells through the beam"},
+    {"beam_on_stops 20", "forces differ by 1.3 %, and are stated to 0.5 %: the same"},
     {"plate_on_discs 1", "forces differ by 1e-4, and are stated to 3e-5"},
     {"press_fit 1", "a peak that is even all round differs by 0.75 %, and is stated to 0.24 %"},
     {"filleted_block 4", "a peak differs by 0.5 %, and is stated to 0.3 %"},
