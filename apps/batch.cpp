@@ -14,12 +14,12 @@
 #include "apps/drawing_options.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
-#include "apps/version.hpp"
 #include "geometry/brep/input_error.hpp"
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/batch/batch_run.hpp"
 #include "src/batch/batch_summary.hpp"
 #include "src/batch/batch_template.hpp"
+#include "src/io/build_id.hpp"
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
 
@@ -50,7 +50,7 @@ std::string accuracy_setting(const Arguments& arguments) {
 }
 
 std::map<std::string, std::string> settings_of(const Arguments& arguments) {
-    std::map<std::string, std::string> settings{{"version", program_version}, {"--accuracy", accuracy_setting(arguments)}};
+    std::map<std::string, std::string> settings{{"version", program_build()}, {"--accuracy", accuracy_setting(arguments)}};
     for (const char* name : {"--only", "--distance"}) settings[name] = value_or(arguments, name, "");
     for (const OptionSpec& option : drawing_option_specs()) {
         const std::string value = value_or(arguments, option.name, "");

@@ -11,8 +11,8 @@
 #include "apps/commands.hpp"
 #include "apps/keep_heap.hpp"
 #include "apps/print_text.hpp"
-#include "apps/version.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "src/io/build_id.hpp"
 #include "src/io/nearest_name.hpp"
 
 namespace {
@@ -62,7 +62,7 @@ int run(const std::vector<std::string>& words) {
     if (words[0] == "--help" || words[0] == "-h") {
         std::cout << general_help();
     } else if (words[0] == "--version") {
-        std::cout << "abut " << program_version << "\n";
+        std::cout << "abut " << program_build() << "\n";
     } else {
         return run_command(words[0], {words.begin() + 1, words.end()});
     }

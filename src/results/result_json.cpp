@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "src/io/build_id.hpp"
 #include "src/results/functional_json.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
@@ -201,6 +202,7 @@ Json to_json(const Result& r) {
     const bool failed = r.status != "ok";
     Json j = {{"abut", 1}, {"title", r.title}, {"status", r.status}};
     if (failed) j["message"] = r.message;
+    j["build"] = program_build();
     j["verdict"] = verdict_word(verdict_of(r));
     j["reasons"] = list_of(r.reasons, [](const Reason& reason) { return Json{{"kind", reason.kind}, {"text", reason.text}}; });
     j["unknowns"] = r.unknowns;

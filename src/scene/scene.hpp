@@ -87,11 +87,9 @@ struct PairRule {
 
 /// Which point of the second body faces a point of the first, and along which normal their gap and pressure act.
 enum class Pairing {
-    middle,   ///< on the normal of the middle curve: no body preferred, no couple left over (geometry/proximity/facing.hpp)
-    master,   ///< along the first body's own normal n1 [Grishin10, eqs 4.28 and 4.34]; x2 is where that line meets the second
-              ///< body, not the point of the same x or y as in eq 4.34: no couple left over, no axis preferred
-    bisector  ///< x2 the closest point [Grishin10, eq 4.20], gap along the bisector of n1 and -n2: a couple is left over where
-              ///< there is a gap
+    middle,  ///< on the normal of the middle curve: no body preferred, no couple left over (geometry/proximity/facing.hpp)
+    master   ///< along the first body's own normal n1 [Grishin10, eqs 4.28 and 4.34]; x2 is where that line meets the second
+             ///< body, not the point of the same x or y as in eq 4.34: no couple left over, no axis preferred
 };
 
 /// The penalty formulation [Grishin10, section 4.5]: pressure = factor * E of the stiffer part / length * penetration.

@@ -22,18 +22,6 @@ double energy_rounding_of(const SolvedAssembly& s) {
     return sum;
 }
 
-double peak_of(const SolvedAssembly& s, std::size_t contact) {
-    if (s.interface_of[contact] < 0) return 0;
-    const solver::KnotVector& k = s.contacts[contact].face.pressure;
-    double peak = 0;
-    for (int i = 0; i < k.n_intervals(); ++i)
-        for (int q = 0; q < 4; ++q) {
-            const double a = k.breakpoints[static_cast<std::size_t>(i)], b = k.breakpoints[static_cast<std::size_t>(i) + 1];
-            peak = std::max(peak, solver::pressure_at(k, pressure_of(s, contact), a + (b - a) * q / 3));
-        }
-    return peak;
-}
-
 namespace {
 
 void add_force(const solver::Interface& face, const Eigen::VectorXd& pressure, const Frame& frame, ContactForce& total) {

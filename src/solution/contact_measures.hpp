@@ -5,9 +5,6 @@
 
 namespace abut {
 
-/// Largest pressure of a contact, 0 where it is open.
-double peak_of(const SolvedAssembly& solved, std::size_t contact);
-
 /// Of all parts.
 double energy_of(const SolvedAssembly& solved);
 /// What rounding may make of that: the energy of strains as large as displacements over size, times a bound on rounding.

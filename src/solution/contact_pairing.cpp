@@ -26,23 +26,17 @@ Condition on_normal(const ChainPoint& p1, const ChainPoint& p2) {
     return {geometry::cross(p2.x - p1.x, p1.normal), geometry::cross(p2.tangent, p1.normal)};
 }
 
-Condition closest(const ChainPoint& p1, const ChainPoint& p2) {
-    const Vec2 d = p2.x - p1.x, left(-p2.tangent.y(), p2.tangent.x());
-    return {d.dot(p2.tangent), 1 + p2.curvature * d.dot(left)};
-}
-
 /// Rounding of coordinates that are subtracted; those of a curve's points are rounded at the size of the curve.
 double noise_of(const ChainPoint& p1, const geometry::Chain& chain2) {
     return 16 * std::numeric_limits<double>::epsilon() * std::max(p1.x.lpNorm<Eigen::Infinity>(), chain2.length);
 }
 
-/// Moves pair.s2 to the zero of a condition by Newton steps; false where they leave the chain or do not end.
-bool find_partner(const geometry::Part& part2, const geometry::Chain& chain2,
-                  Condition (*condition)(const ChainPoint&, const ChainPoint&), FacingPair& pair) {
+/// Moves pair.s2 to the first body's normal by Newton steps; false where they leave the chain or do not end.
+bool find_partner(const geometry::Part& part2, const geometry::Chain& chain2, FacingPair& pair) {
     const double slack = end_slack * chain2.length, noise = noise_of(pair.on1, chain2);
     for (int step = 0; step < max_newton_steps; ++step) {
         pair.on2 = at(part2, chain2, pair.s2);
-        const Condition c = condition(pair.on1, pair.on2);
+        const Condition c = on_normal(pair.on1, pair.on2);
         if (std::abs(c.value) <= noise) return true;
         if (c.slope == 0) return false;
         double next = pair.s2 - c.value / c.slope;
@@ -62,10 +56,8 @@ FacingPair paired(const geometry::Part& part1, const geometry::Part& part2, cons
                   double s1, double guess2) {
     FacingPair pair = pair_from_first(part1, part2, zone, s1, guess2);
     if (pairing == Pairing::middle || !pair.found) return pair;
-    const bool master = pairing == Pairing::master;
-    pair.found =
-        find_partner(part2, zone.chain2, master ? on_normal : closest, pair) && pair.on1.normal.dot(pair.on2.normal) < 0;
-    pair.normal = master ? pair.on1.normal : (pair.on1.normal - pair.on2.normal).normalized();
+    pair.found = find_partner(part2, zone.chain2, pair) && pair.on1.normal.dot(pair.on2.normal) < 0;
+    pair.normal = pair.on1.normal;
     pair.gap = (pair.on2.x - pair.on1.x).dot(pair.normal);
     pair.stretch = 1;
     return pair;

@@ -61,30 +61,5 @@ TEST(ContactPairing, MasterMeetsTheSecondBodyAlongTheFirstsNormal) {
     }
 }
 
-TEST(ContactPairing, BisectorTakesTheClosestPoint) {
-    const Pairs p(0.05);
-    for (double f = 0.1; f < 0.95; f += 0.1) {
-        const FacingPair pair = p.at(Pairing::bisector, f);
-        ASSERT_TRUE(pair.found) << f;
-        // the groove's point closest to x1 lies on the ray from its centre
-        const Vec2 ray = (pair.on1.x - Vec2(0, 2)).normalized();
-        EXPECT_LT((pair.on2.x - Vec2(0, 2) - 2 * ray).norm(), rounding) << f;
-        EXPECT_NEAR(pair.normal.dot(pair.on1.normal), -pair.normal.dot(pair.on2.normal), rounding);
-    }
-}
-
-/// Different where there is a gap, one where the bodies touch.
-TEST(ContactPairing, WaysPartWithTheGap) {
-    const Pairs apart(0.05);
-    const FacingPair master = apart.at(Pairing::master, 0.8), closest = apart.at(Pairing::bisector, 0.8);
-    EXPECT_GT((master.on2.x - closest.on2.x).norm(), 1e-3);
-    const Pairs touching(0.0);
-    for (double f = 0.05; f < 1; f += 0.05) {
-        const FacingPair a = touching.at(Pairing::master, f), b = touching.at(Pairing::bisector, f);
-        if (!a.found || !b.found) continue;
-        EXPECT_LE((a.on2.x - b.on2.x).norm(), 1.1 * std::abs(a.gap)) << f;
-    }
-}
-
 }  // namespace
 }  // namespace abut::contact_pairing_test

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run at every build: cmake -D SOURCE_DIR=... -D VERSION=... -D FILE=... -P build_id.cmake writes FILE where its text changed.
+set(sources)
+foreach(floor geometry solver src apps)
+  file(GLOB_RECURSE of_floor ${SOURCE_DIR}/${floor}/*.cpp ${SOURCE_DIR}/${floor}/*.hpp ${SOURCE_DIR}/${floor}/CMakeLists.txt)
+  list(APPEND sources ${of_floor})
+endforeach()
+set(all)
+foreach(source IN LISTS sources)
+  file(SHA1 ${source} hash)
+  file(RELATIVE_PATH name ${SOURCE_DIR} ${source})
+  string(APPEND all "${name} ${hash}\n")
+endforeach()
+string(SHA1 all "${all}")
+string(SUBSTRING ${all} 0 12 id)
+file(CONFIGURE OUTPUT ${FILE} CONTENT [[
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/io/build_id.hpp"
+
+namespace abut {
+
+std::string program_build() {
+    return "@VERSION@+@id@";
+}
+
+}  // namespace abut
+]] @ONLY)

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# cmake -D SCRIPT=src/build_id.cmake -D FOLDER=... -P build_id_test.cmake: the same sources have the same id, changed ones
+# another; what did not change is not written again.
+file(REMOVE_RECURSE ${FOLDER})
+file(WRITE ${FOLDER}/src/a.cpp "int a;\n")
+function(write_id)
+  execute_process(COMMAND ${CMAKE_COMMAND} -D SOURCE_DIR=${FOLDER} -D VERSION=1.2.3 -D FILE=${FOLDER}/id.txt -P ${SCRIPT}
+                  COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+write_id()
+file(READ ${FOLDER}/id.txt first)
+file(TIMESTAMP ${FOLDER}/id.txt written "%s")
+if(NOT first MATCHES "1[.]2[.]3[+][0-9a-f]+\"")
+  message(FATAL_ERROR "no id in: ${first}")
+endif()
+execute_process(COMMAND ${CMAKE_COMMAND} -E sleep 1.1)
+write_id()
+file(TIMESTAMP ${FOLDER}/id.txt again "%s")
+if(NOT written STREQUAL again)
+  message(FATAL_ERROR "written though nothing changed")
+endif()
+file(WRITE ${FOLDER}/src/a.cpp "int b;\n")
+write_id()
+file(READ ${FOLDER}/id.txt second)
+if(first STREQUAL second)
+  message(FATAL_ERROR "another source has the same id")
+endif()
