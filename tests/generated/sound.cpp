@@ -40,9 +40,9 @@ void check_numbers(const Result& r, Faults& faults) {
         faults.finite(c.force.sum() + c.moment + c.contact_length, name);
         for (double p : c.profile.pressure) faults.finite(p, name + "'s pressure");
         for (double g : c.profile.gap) faults.finite(g, name + "'s gap");
-        const double rounding = 1e-9 * std::abs(c.max_pressure.value);
+        const double pull = 1e-9 * std::abs(c.max_pressure.value);
         if (c.kind != "bonded" && !c.profile.pressure.empty() &&
-            *std::min_element(c.profile.pressure.begin(), c.profile.pressure.end()) < -rounding)
+            *std::min_element(c.profile.pressure.begin(), c.profile.pressure.end()) < -pull)
             faults.lines.push_back(name + " pulls");
     }
     for (const Reaction& s : r.reactions) faults.finite(s.force.sum() + s.moment, s.label);
