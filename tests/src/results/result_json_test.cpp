@@ -26,10 +26,10 @@ using Names = std::vector<std::string>;
 
 TEST(ResultJson, HasTheKeysOfTheContractInItsOrder) {
     const Json j = Json::parse(result_json(synthetic::bracket()));
-    EXPECT_EQ(keys(j), (Names{"abut",          "title",       "status",         "verdict",  "reasons", "unknowns",
-                              "degree",        "multipliers", "cells",          "solver",   "timing",  "effects",
-                              "strain_energy", "equilibrium", "error_estimate", "accuracy", "parts",   "contacts",
-                              "mobility",      "reactions",   "probes",         "warnings"}));
+    EXPECT_EQ(keys(j), (Names{"abut",     "title",         "status",      "build",          "verdict",  "reasons",
+                              "unknowns", "degree",        "multipliers", "cells",          "solver",   "timing",
+                              "effects",  "strain_energy", "equilibrium", "error_estimate", "accuracy", "parts",
+                              "contacts", "mobility",      "reactions",   "probes",         "warnings"}));
     EXPECT_EQ(keys(j["solver"]), (Names{"grids", "factorizations", "contact_iterations", "condition_estimate", "converged",
                                         "groups", "contact_problems"}));
     EXPECT_EQ(keys(j["effects"][0]), (Names{"name", "on", "why", "parts", "pairs", "seconds", "share", "calls", "items"}));
