@@ -4,34 +4,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "solver/linear_algebra/banded_factor.hpp"
 #include "solver/linear_algebra/condition.hpp"
 #include "solver/linear_algebra/frontal_factor.hpp"
-#include "solver/linear_algebra/grid_dissection.hpp"
 #include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/ordering.hpp"
 #include "solver/linear_algebra/schur_complement.hpp"
 #include "solver/linear_algebra/signed_factor.hpp"
+#include "solver/linear_algebra/supernodal_factor.hpp"
 
 namespace abut::solver {
 
 namespace {
 
 using Eigen::VectorXd;
-
-/// FNV-1a.
-std::uint64_t checksum(const SparseSymmetric& m) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const std::vector<int>* numbers : {&m.first, &m.row})
-        for (int i : *numbers) hash = (hash ^ static_cast<std::uint32_t>(i)) * 1099511628211u;
-    return hash;
-}
 
 /// The banded factor is chosen up to this bandwidth, in entries of the matrix in a row of its lower triangle: measured, see the
 /// header's table.
@@ -52,13 +44,6 @@ Band given_band(const SparseSymmetric& m) {
     std::vector<int> order(at(m.n));
     std::iota(order.begin(), order.end(), 0);
     return make_band(m, std::move(order));
-}
-
-/// Rows are ascending in each column.
-int given_bandwidth(const SparseSymmetric& m) {
-    int widest = 0;
-    for (int c = 0; c < m.n; ++c) widest = std::max(widest, m.row[at(m.first[at(c) + 1] - 1)] - c);
-    return widest;
 }
 
 /// The narrower of the given order and reverse Cuthill-McKee's.
@@ -100,10 +85,6 @@ int scale_to_unit_diagonal(SparseSymmetric& m, int n_positive, VectorXd& scale, 
     return -1;
 }
 
-}  // namespace
-
-namespace {
-
 /// Fronts of few nodes are joined to one that dense routines take at once: 8 to 32 hardly differ.
 constexpr int nodes_of_front = 16;
 
@@ -121,17 +102,6 @@ FrontalStructure frontal_structure(const SparseSymmetric& m, const MergedPattern
 
 using Structure = std::variant<Band, SupernodalStructure, FrontalStructure>;
 
-/// A piece of this many nodes is not cut any more: 500 to 3000 hardly differ, in time of the factor and of inverse_form().
-constexpr int least_dissected = 1000;
-
-/// Of the separators (see dissect), where the nodes' places are known; else none.
-std::vector<int> separators_of(const MergedPattern& pattern, const Neighbours& graph, const std::vector<GridPlace>& place) {
-    if (place.empty()) return {};
-    std::vector<GridPlace> of_node;
-    for (int n = 0; n < pattern.n_nodes(); ++n) of_node.push_back(place[at(pattern.first_column[at(n)])]);
-    return dissect(graph, of_node, least_dissected);
-}
-
 /// Strips of so few functions across, in reaches, have no separators worth the name. Banded, they are eliminated from one end
 /// to the other, which also costs them fewer digits (a wedge of one degree, degree 4: 1e-5 of the displacement, dissected
 /// 1e-3).
@@ -148,7 +118,8 @@ bool is_strip(const RowHints& hints) {
     return std::min(high[0] - low[0], high[1] - low[1]) < strip_reaches * hints.reach;
 }
 
-Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> method, const RowHints& hints) {
+Structure structure_for(const SparseSymmetric& m, const RowHints& hints) {
+    const std::optional<FactorMethod> method = hints.method;
     const MergedPattern pattern = merged_pattern(m);
     if (method == FactorMethod::frontal || (!method && !hints.place.empty() && !is_strip(hints)))
         return frontal_structure(m, pattern, hints);
@@ -157,38 +128,13 @@ Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> me
         Band band = turned_late(narrow_band(m, pattern, graph), hints.late);
         if (method == FactorMethod::banded || is_worthwhile(m, band.width)) return band;
     }
-    return SupernodalStructure(m, pattern, separators_of(pattern, graph, hints.place));
+    return SupernodalStructure(m, pattern);
 }
 
 }  // namespace
 
-struct SymbolicFactorization::Data {
-    std::uint64_t checksum;
-    Structure structure;
-    int given_bandwidth;
-};
-
-SymbolicFactorization::SymbolicFactorization(const SparseSymmetric& m, std::optional<FactorMethod> method,
-                                             const RowHints& hints)
-    : data_(std::make_shared<const Data>(Data{checksum(m), structure_for(m, method, hints), given_bandwidth(m)})) {}
-
-FactorMethod SymbolicFactorization::method() const {
-    constexpr std::array methods = {FactorMethod::banded, FactorMethod::supernodal, FactorMethod::frontal};
-    return methods[data_->structure.index()];
-}
-int SymbolicFactorization::bandwidth() const {
-    const Band* band = std::get_if<Band>(&data_->structure);
-    return band != nullptr ? band->width : data_->given_bandwidth;
-}
-double SymbolicFactorization::entries() const {
-    return std::visit([](const auto& s) { return s.entries(); }, data_->structure);
-}
-bool SymbolicFactorization::fits(const SparseSymmetric& m) const {
-    return data_->checksum == checksum(m);
-}
-
 struct Factorization::Data {
-    SymbolicFactorization symbolic;
+    Structure structure;
     VectorXd scale;
     double norm_one = 0;  // of the matrix as it was given
     int failed_at = -1;
@@ -197,22 +143,32 @@ struct Factorization::Data {
 
     int n() const { return static_cast<int>(scale.size()); }
 
-    template <class F>
-    auto with_cholesky(F f) const {
-        if (const auto* frontal = std::get_if<FrontalFactor>(&factor)) return f(*frontal);
-        const auto* banded = std::get_if<BandedFactor>(&factor);
-        return banded != nullptr ? f(*banded) : f(std::get<SupernodalFactor>(factor));
-    }
+    /// f of the factor: banded, or by supernodes.
     template <class F>
     auto with_factor(F f) const {
-        const auto* with_signs = std::get_if<SignedFactor>(&factor);
-        return with_signs != nullptr ? f(*with_signs) : with_cholesky(f);
+        if (const auto* banded = std::get_if<BandedFactor>(&factor)) return f(*banded);
+        if (const auto* frontal = std::get_if<FrontalFactor>(&factor)) return f(frontal->supernodes());
+        if (const auto* with_signs = std::get_if<SignedFactor>(&factor)) return f(with_signs->supernodes());
+        return f(std::get<SupernodalFactor>(factor).supernodes());
     }
     VectorXd solved(const VectorXd& b) const {
         return with_factor([&](const auto& l) { return l.solve(b); });
     }
     VectorXd product(const VectorXd& x) const {
-        return with_cholesky([&](const auto& l) { return l.product(x); });
+        return with_factor([&](const auto& l) { return l.product(x); });
+    }
+    /// The first row whose pivot is not positive, or lost in rounding.
+    int failed_row() const {
+        const auto ended = [](const auto& l) -> int {
+            if constexpr (requires { l.failed_at(); })
+                return l.failed_at();
+            else
+                return -1;
+        };
+        if (const int row = std::visit(ended, factor); row >= 0) return row;
+        int row = -1;
+        const double pivot = with_factor([&](const auto& l) { return l.smallest_pivot(row); });
+        return pivot > std::numeric_limits<double>::epsilon() ? -1 : row;
     }
     LinearMap schur_product() const {
         const auto mass = std::make_shared<const Factorization>(schur->eliminated());
@@ -220,50 +176,27 @@ struct Factorization::Data {
     }
 };
 
-namespace {
-
-/// The first row whose pivot is not positive, or lost in rounding.
-template <class Factor>
-int failed_row(const Factor& l) {
-    if (l.failed_at() >= 0) return l.failed_at();
-    int row = -1;
-    return l.smallest_pivot(row) > std::numeric_limits<double>::epsilon() ? -1 : row;
-}
-
-}  // namespace
-
 Factorization::Factorization() = default;
 Factorization::Factorization(Factorization&&) noexcept = default;
 Factorization& Factorization::operator=(Factorization&&) noexcept = default;
 Factorization::~Factorization() = default;
 
-void Factorization::factorize(SparseSymmetric matrix, int threads) {
+Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads)
+    : data_(new Data{structure_for(matrix, hints), {}, 0, -1, {}, {}}) {
     Data& d = *data_;
     d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
     if (d.failed_at >= 0 || matrix.n == 0) return;
-    const Structure& structure = d.symbolic.data_->structure;
-    if (const Band* band = std::get_if<Band>(&structure))
+    if (const Band* band = std::get_if<Band>(&d.structure))
         d.factor.emplace<BandedFactor>(matrix, *band);
-    else if (const auto* frontal = std::get_if<FrontalStructure>(&structure))
+    else if (const auto* frontal = std::get_if<FrontalStructure>(&d.structure))
         d.factor.emplace<FrontalFactor>(matrix, frontal->fronts, threads);
     else
-        d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(structure));
-    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
-}
-
-Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads)
-    : data_(new Data{SymbolicFactorization(matrix, {}, hints), {}, 0, -1, {}, {}}) {
-    factorize(std::move(matrix), threads);
-}
-
-Factorization::Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads)
-    : data_(new Data{std::move(symbolic), {}, 0, -1, {}, {}}) {
-    if (!data_->symbolic.fits(matrix)) throw std::logic_error("a symbolic factorisation of another pattern");
-    factorize(std::move(matrix), threads);
+        d.factor.emplace<SupernodalFactor>(matrix, std::get<SupernodalStructure>(d.structure));
+    d.failed_at = d.failed_row();
 }
 
 Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
-    : data_(new Data{SymbolicFactorization(matrix, FactorMethod::supernodal), {}, 0, -1, {}, {}}) {
+    : data_(new Data{SupernodalStructure(matrix, merged_pattern(matrix)), {}, 0, -1, {}, {}}) {
     Data& d = *data_;
     const int n_positive = matrix.n - n_eliminated;
     d.schur.emplace(matrix, n_eliminated);
@@ -271,8 +204,8 @@ Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
     if (d.failed_at >= 0 || matrix.n == 0) return;
     std::vector<double> sign(at(matrix.n), 1.0);
     std::fill(sign.begin() + n_positive, sign.end(), -1.0);
-    d.factor.emplace<SignedFactor>(matrix, std::get<SupernodalStructure>(d.symbolic.data_->structure), sign);
-    d.failed_at = d.with_factor([](const auto& l) { return failed_row(l); });
+    d.factor.emplace<SignedFactor>(matrix, std::get<SupernodalStructure>(d.structure), sign);
+    d.failed_at = d.failed_row();
 }
 
 bool Factorization::ok() const {
@@ -282,13 +215,15 @@ int Factorization::failed_at() const {
     return data_ ? data_->failed_at : -1;
 }
 FactorMethod Factorization::method() const {
-    return data_->symbolic.method();
+    constexpr std::array methods = {FactorMethod::banded, FactorMethod::supernodal, FactorMethod::frontal};
+    return methods[data_->structure.index()];
 }
 int Factorization::bandwidth() const {
-    return data_->symbolic.bandwidth();
+    const Band* band = std::get_if<Band>(&data_->structure);
+    return band != nullptr ? band->width : 0;
 }
 double Factorization::entries() const {
-    return data_->symbolic.entries();
+    return std::visit([](const auto& s) { return s.entries(); }, data_->structure);
 }
 double Factorization::bytes() const {
     return entries() * sizeof(double);
@@ -344,7 +279,7 @@ Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
     if (b.size() == 0) return b;
     if (data_->schur) throw std::logic_error("the factor of a Schur complement has signs: inverse_form() knows them");
     const Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
-    return data_->with_cholesky([&](const auto& l) { return l.solve_lower(scaled); });
+    return data_->with_factor([&](const auto& l) { return l.solve_lower(scaled); });
 }
 
 Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {

@@ -34,11 +34,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
-#include "solver/linear_algebra/banded_factor.hpp"
 #include "solver/linear_algebra/block_matrix.hpp"
-#include "solver/linear_algebra/dissection.hpp"
-#include "solver/linear_algebra/supernodal_factor.hpp"
+#include "solver/linear_algebra/grid_dissection.hpp"
 
 namespace abut::solver {
 
@@ -46,34 +45,12 @@ enum class FactorMethod { banded, supernodal, frontal };
 
 /// What is known of a matrix's rows beside the pattern. It makes for a better order, and changes answers by rounding only.
 struct RowHints {
-    /// On a grid, by row; empty: not known. Supernodal: its separators come last, which costs inverse_form() of 100 to 500
-    /// columns along a side half to a third of the work of minimum degree alone, and the factor no more (0.9 to 1.15 times).
-    std::vector<GridPlace> place{};
-    /// Rows more than this apart in either number are not coupled, but for few. With places known the factor is frontal unless
-    /// another method is asked for.
-    int reach = 0;
+    std::vector<GridPlace> place{};  ///< on a grid, by row; empty: not known
+    int reach = 0;                   ///< rows more than this apart in either number are not coupled, but for few
     /// Rows in which inverse_form() will find entries. Banded: the order is turned so that they come late, and the columns
     /// begin there.
     std::vector<int> late{};
-};
-
-/// What of a factorisation follows from the pattern alone: the method, the order of the rows, the factor's structure.
-/// Immutable; copies share it, and matrices of equal pattern can.
-class SymbolicFactorization {
-public:
-    /// method: in place of the one that the rule picks.
-    explicit SymbolicFactorization(const SparseSymmetric& matrix, std::optional<FactorMethod> method = {},
-                                   const RowHints& hints = {});
-
-    FactorMethod method() const;
-    int bandwidth() const;                           ///< below the diagonal in the chosen order; not banded: in the given one
-    double entries() const;                          ///< numbers that the factor stores
-    bool fits(const SparseSymmetric& matrix) const;  ///< whether it was made for this pattern (by a 64 bit checksum)
-
-private:
-    friend class Factorization;
-    struct Data;
-    std::shared_ptr<const Data> data_;
+    std::optional<FactorMethod> method{};  ///< in place of the one that the rule picks
 };
 
 /// P S A S P' = L L', S the inverse root of the diagonal. Move-only. The same input gives the same factor bit for bit.
@@ -83,8 +60,6 @@ public:
     /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the
     /// same for any number.
     explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {}, int threads = 1);
-    /// The pattern must fit (std::logic_error: a bug of the caller).
-    Factorization(SparseSymmetric matrix, SymbolicFactorization symbolic, int threads = 1);
     /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of
     /// M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
     Factorization(SparseSymmetric matrix, int n_eliminated);
@@ -99,9 +74,9 @@ public:
     int failed_at() const;
 
     FactorMethod method() const;
-    int bandwidth() const;
-    double entries() const;
-    double bytes() const;  ///< of the factor
+    int bandwidth() const;   ///< below the diagonal in the order of a banded factor; 0: it is not banded
+    double entries() const;  ///< numbers that the factor stores
+    double bytes() const;    ///< of the factor
 
     /// 2-norm condition number of S A S, from below, by Lanczos' method: typically to a few per cent. Computed anew at every
     /// call; measured: the price of 10 to 15 solutions.

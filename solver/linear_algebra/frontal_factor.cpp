@@ -3,20 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/front_tasks.hpp"
 #include "solver/linear_algebra/index.hpp"
-#include "solver/linear_algebra/supernodal_form.hpp"
 
 namespace abut::solver {
 
 namespace {
-
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// One front of L: columns by columns, `rows` apart.
 struct Front {
@@ -130,89 +124,8 @@ FrontalFactor::FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<cons
     if (failed_at_ >= 0) failed_at_ = fronts_->order[at(failed_at_)];
 }
 
-double FrontalFactor::smallest_pivot(int& row) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (int s = 0; s < fronts_->n_fronts(); ++s) {
-        const Front f = front_of(*fronts_, s, values_.get());
-        for (int k = 0; k < f.width; ++k) {
-            const double pivot = f.values[at(k) * (at(f.rows) + 1)];
-            if (pivot >= least) continue;
-            least = pivot;
-            row = fronts_->order[at(f.begin + k)];
-        }
-    }
-    return least * least;
-}
-
-MatrixXd FrontalFactor::solve_lower(const MatrixXd& b) const {
-    MatrixXd y = b(fronts_->order, Eigen::all);
-    const int n = static_cast<int>(y.cols()), ld = static_cast<int>(y.rows());
-    const double one = 1, zero = 0;
-    MatrixXd below;
-    for (int s = 0; s < fronts_->n_fronts(); ++s) {
-        const Front f = front_of(*fronts_, s, values_.get());
-        const int under = f.under();
-        dtrsm_("L", "L", "N", "N", &f.width, &n, &one, f.values, &f.rows, &y(f.begin, 0), &ld);
-        if (under == 0) continue;
-        below.resize(under, n);
-        dgemm_("N", "N", &under, &n, &f.width, &one, f.values + f.width, &f.rows, &y(f.begin, 0), &ld, &zero, below.data(),
-               &under);
-        y(Eigen::Map<const Eigen::VectorXi>(f.row + f.width, under), Eigen::all) -= below;
-    }
-    return y;
-}
-
-VectorXd FrontalFactor::solve(const VectorXd& b) const {
-    VectorXd x = b(fronts_->order), below;
-    const int step = 1;
-    const double one = 1, minus = -1, zero = 0;
-    const auto rows_below = [](const Front& f) { return Eigen::Map<const Eigen::VectorXi>(f.row + f.width, f.under()); };
-    for (int s = 0; s < fronts_->n_fronts(); ++s) {
-        const Front f = front_of(*fronts_, s, values_.get());
-        const int under = f.under();
-        dtrsv_("L", "N", "N", &f.width, f.values, &f.rows, &x[f.begin], &step);
-        below.resize(under);
-        dgemv_("N", &under, &f.width, &one, f.values + f.width, &f.rows, &x[f.begin], &step, &zero, below.data(), &step);
-        x(rows_below(f)) -= below;
-    }
-    for (int s = fronts_->n_fronts() - 1; s >= 0; --s) {
-        const Front f = front_of(*fronts_, s, values_.get());
-        const int under = f.under();
-        below = x(rows_below(f));
-        dgemv_("T", &under, &f.width, &minus, f.values + f.width, &f.rows, below.data(), &step, &one, &x[f.begin], &step);
-        dtrsv_("L", "T", "N", &f.width, f.values, &f.rows, &x[f.begin], &step);
-    }
-    VectorXd result(x.size());
-    result(fronts_->order) = x;
-    return result;
-}
-
-MatrixXd FrontalFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
-    return solver::inverse_form(fronts_->pattern(), values_.get(), nullptr, b);
-}
-
-VectorXd FrontalFactor::product(const VectorXd& x) const {
-    const VectorXd px = x(fronts_->order);
-    VectorXd y = VectorXd::Zero(x.size()), below, part;
-    const int step = 1;
-    const double one = 1, zero = 0;
-    for (int s = 0; s < fronts_->n_fronts(); ++s) {
-        // y += L_s (L_s' x): the whole columns of one front, L L' being the sum over all of them
-        const Front f = front_of(*fronts_, s, values_.get());
-        const int under = f.under();
-        const Eigen::Map<const Eigen::VectorXi> rows(f.row + f.width, under);
-        part = px.segment(f.begin, f.width);
-        below = px(rows);
-        dtrmv_("L", "T", "N", &f.width, f.values, &f.rows, part.data(), &step);
-        dgemv_("T", &under, &f.width, &one, f.values + f.width, &f.rows, below.data(), &step, &one, part.data(), &step);
-        dgemv_("N", &under, &f.width, &one, f.values + f.width, &f.rows, part.data(), &step, &zero, below.data(), &step);
-        dtrmv_("L", "N", "N", &f.width, f.values, &f.rows, part.data(), &step);
-        y.segment(f.begin, f.width) += part;
-        y(rows) += below;
-    }
-    VectorXd result(x.size());
-    result(fronts_->order) = y;
-    return result;
+Supernodes FrontalFactor::supernodes() const {
+    return {fronts_->pattern(), values_.get()};
 }
 
 }  // namespace abut::solver

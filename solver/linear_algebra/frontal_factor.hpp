@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Multifrontal Cholesky factor [Liu92].
 #pragma once
-#include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <memory>
-#include <vector>
 
 #include "solver/linear_algebra/fronts.hpp"
 #include "solver/linear_algebra/large_pages.hpp"
@@ -19,13 +16,7 @@ public:
     FrontalFactor(const SparseSymmetric& matrix, std::shared_ptr<const Fronts> fronts, int threads = 1);
 
     int failed_at() const { return failed_at_; }  ///< row of the matrix, -1: none
-    double smallest_pivot(int& row) const;        ///< square of the smallest diagonal entry of L
-
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 P B
-    Eigen::VectorXd product(const Eigen::VectorXd& x) const;      ///< A x
-    /// B' A^-1 B, see supernodal_form.hpp.
-    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
+    Supernodes supernodes() const;
 
 private:
     std::shared_ptr<const Fronts> fronts_;

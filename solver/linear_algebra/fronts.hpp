@@ -6,7 +6,7 @@
 
 #include "solver/linear_algebra/grid_dissection.hpp"
 #include "solver/linear_algebra/ordering.hpp"
-#include "solver/linear_algebra/supernodal_factor.hpp"
+#include "solver/linear_algebra/supernodes.hpp"
 
 namespace abut::solver {
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Nested dissection of nodes that lie on a grid: an order that keeps a factor small, in pieces that are eliminated together.
 #pragma once
+#include <array>
 #include <vector>
 
-#include "solver/linear_algebra/dissection.hpp"
-
 namespace abut::solver {
+
+/// Where a node is: numbers of the grid's lines in the two directions.
+using GridPlace = std::array<int, 2>;
 
 /// Where nodes lie on a grid. Nodes more than `reach` apart in either number are not coupled, but for few.
 struct GridPlaces {

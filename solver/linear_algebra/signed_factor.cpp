@@ -5,11 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/index.hpp"
-#include "solver/linear_algebra/supernodal_form.hpp"
 
 namespace abut::solver {
 
@@ -23,21 +21,6 @@ using Block = Map<MatrixXd, 0, Eigen::OuterStride<>>;
 using ConstBlock = Map<const MatrixXd, 0, Eigen::OuterStride<>>;
 
 constexpr int panel_width = 48;  // columns that are eliminated one by one before their product is taken off the others
-
-struct Supernode {
-    int begin, width, rows;
-    const int* row;
-    int value;  // first of its values
-};
-
-Supernode supernode(const SupernodePattern& p, int s) {
-    return {p.first_column[at(s)], p.first_column[at(s) + 1] - p.first_column[at(s)],
-            p.first_row[at(s) + 1] - p.first_row[at(s)], p.row.data() + p.first_row[at(s)], p.first_value[at(s)]};
-}
-
-int n_supernodes(const SupernodePattern& p) {
-    return p.first_column.empty() ? 0 : static_cast<int>(p.first_column.size()) - 1;
-}
 
 /// c -= a b'.
 void subtract_product(const ConstBlock& a, const MatrixXd& b, Block c) {
@@ -92,19 +75,19 @@ public:
           position_(at(matrix.n)),
           supernode_of_(at(matrix.n)),
           local_(at(matrix.n), -1),
-          waiting_(at(n_supernodes(pattern)), -1),
+          waiting_(at(pattern.count()), -1),
           next_(waiting_),
           first_left_(waiting_) {
         for (int k = 0; k < matrix.n; ++k) position_[at(pattern.order[at(k)])] = k;
-        for (int s = 0; s < n_supernodes(pattern); ++s)
+        for (int s = 0; s < pattern.count(); ++s)
             for (int k = pattern.first_column[at(s)]; k < pattern.first_column[at(s) + 1]; ++k) supernode_of_[at(k)] = s;
     }
 
     /// Position at which it ended, or -1.
     int run() {
         scatter_matrix();
-        for (int s = 0; s < n_supernodes(pattern_); ++s) {
-            const Supernode node = supernode(pattern_, s);
+        for (int s = 0; s < pattern_.count(); ++s) {
+            const Supernode node = pattern_[s];
             for (int i = 0; i < node.rows; ++i) local_[at(node.row[i])] = i;
             for (int d = waiting_[at(s)]; d >= 0;) {
                 const int after = next_[at(d)];
@@ -121,27 +104,27 @@ public:
 
 private:
     Block block(const Supernode& node) {
-        return {values_.data() + node.value, node.rows, node.width, Eigen::OuterStride<>(node.rows)};
+        return {values_.data() + node.first_value, node.rows, node.width, Eigen::OuterStride<>(node.rows)};
     }
 
     void scatter_matrix() {
         for (int c = 0; c < matrix_.n; ++c)
             for (int k = matrix_.first[at(c)]; k < matrix_.first[at(c) + 1]; ++k) {
                 const int a = position_[at(c)], b = position_[at(matrix_.row[at(k)])];
-                const Supernode node = supernode(pattern_, supernode_of_[at(std::min(a, b))]);
+                const Supernode node = pattern_[supernode_of_[at(std::min(a, b))]];
                 const int* row = std::lower_bound(node.row, node.row + node.rows, std::max(a, b));
-                values_[at(node.value + (std::min(a, b) - node.begin) * node.rows) + at(static_cast<int>(row - node.row))] =
-                    matrix_.value[at(k)];
+                values_[at(node.first_value + (std::min(a, b) - node.begin) * node.rows) +
+                        at(static_cast<int>(row - node.row))] = matrix_.value[at(k)];
             }
     }
 
     /// Takes the product of the rows of d that lie in s off the block of s.
     void take_off(int d, const Supernode& s) {
-        const Supernode from = supernode(pattern_, d);
+        const Supernode from = pattern_[d];
         const int begin = first_left_[at(d)];
         int end = begin;
         while (end < from.rows && from.row[end] < s.begin + s.width) ++end;
-        const ConstBlock rows(values_.data() + from.value + begin, from.rows - begin, from.width,
+        const ConstBlock rows(values_.data() + from.first_value + begin, from.rows - begin, from.width,
                               Eigen::OuterStride<>(from.rows));
         const MatrixXd signed_rows = rows.topRows(end - begin) * sign_.segment(from.begin, from.width).asDiagonal();
         product_.setZero(rows.rows(), end - begin);
@@ -175,72 +158,14 @@ private:
 
 SignedFactor::SignedFactor(const SparseSymmetric& matrix, const SupernodalStructure& structure, const std::vector<double>& sign)
     : structure_(structure), sign_(matrix.n), values_(static_cast<std::size_t>(structure.entries()), 0.0) {
-    const SupernodePattern pattern = structure_.supernodes();
+    const SupernodePattern pattern = structure_.pattern();
     for (int k = 0; k < matrix.n; ++k) sign_[k] = sign[at(pattern.order[at(k)])];
     const int failed = Elimination(matrix, pattern, sign_, values_).run();
     if (failed >= 0) failed_at_ = pattern.order[at(failed)];
 }
 
-double SignedFactor::smallest_pivot(int& row) const {
-    const SupernodePattern pattern = structure_.supernodes();
-    double least = std::numeric_limits<double>::infinity();
-    for (int s = 0; s < n_supernodes(pattern); ++s) {
-        const Supernode node = supernode(pattern, s);
-        for (int k = 0; k < node.width; ++k) {
-            const double pivot = values_[at(node.value) + at(k) * (at(node.rows) + 1)];
-            if (pivot >= least) continue;
-            least = pivot;
-            row = pattern.order[at(node.begin + k)];
-        }
-    }
-    return least * least;
-}
-
-MatrixXd SignedFactor::permuted(const MatrixXd& b) const {
-    const SupernodePattern pattern = structure_.supernodes();
-    return b(Map<const Eigen::VectorXi>(pattern.order.data(), b.rows()), Eigen::all);
-}
-
-void SignedFactor::solve_lower(MatrixXd& x) const {
-    const SupernodePattern pattern = structure_.supernodes();
-    MatrixXd own;
-    for (int s = 0; s < n_supernodes(pattern); ++s) {
-        const Supernode node = supernode(pattern, s);
-        const ConstBlock l(values_.data() + node.value, node.rows, node.width, Eigen::OuterStride<>(node.rows));
-        own = x.middleRows(node.begin, node.width);
-        l.topRows(node.width).triangularView<Eigen::Lower>().solveInPlace(own);
-        x.middleRows(node.begin, node.width) = own;
-        const MatrixXd below = l.bottomRows(node.rows - node.width) * own;
-        for (int i = node.width; i < node.rows; ++i) x.row(node.row[i]) -= below.row(i - node.width);
-    }
-}
-
-void SignedFactor::solve_transposed(MatrixXd& x) const {
-    const SupernodePattern pattern = structure_.supernodes();
-    for (int s = n_supernodes(pattern) - 1; s >= 0; --s) {
-        const Supernode node = supernode(pattern, s);
-        const ConstBlock l(values_.data() + node.value, node.rows, node.width, Eigen::OuterStride<>(node.rows));
-        const Map<const Eigen::VectorXi> under(node.row + node.width, node.rows - node.width);
-        MatrixXd own = x.middleRows(node.begin, node.width);
-        own -= l.bottomRows(node.rows - node.width).transpose() * x(under, Eigen::all);
-        l.topRows(node.width).triangularView<Eigen::Lower>().transpose().solveInPlace(own);
-        x.middleRows(node.begin, node.width) = own;
-    }
-}
-
-VectorXd SignedFactor::solve(const VectorXd& b) const {
-    MatrixXd x = permuted(b);
-    solve_lower(x);
-    x = sign_.asDiagonal() * x;
-    solve_transposed(x);
-    const SupernodePattern pattern = structure_.supernodes();
-    VectorXd result(b.size());
-    result(Map<const Eigen::VectorXi>(pattern.order.data(), b.size())) = x.col(0);
-    return result;
-}
-
-MatrixXd SignedFactor::inverse_form(const Eigen::SparseMatrix<double>& b) const {
-    return solver::inverse_form(structure_.supernodes(), values_.data(), sign_.data(), b);
+Supernodes SignedFactor::supernodes() const {
+    return {structure_.pattern(), values_.data(), sign_.data()};
 }
 
 }  // namespace abut::solver

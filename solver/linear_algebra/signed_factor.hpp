@@ -4,7 +4,6 @@
 // Cholesky factor costs.
 #pragma once
 #include <Eigen/Core>
-#include <Eigen/SparseCore>
 #include <vector>
 
 #include "solver/linear_algebra/supernodal_factor.hpp"
@@ -18,16 +17,9 @@ public:
     SignedFactor(const SparseSymmetric& matrix, const SupernodalStructure& structure, const std::vector<double>& sign);
 
     int failed_at() const { return failed_at_; }  ///< row of the matrix whose pivot has the wrong sign, or is none; -1: none
-    double smallest_pivot(int& row) const;        ///< square of the smallest diagonal entry of L
-
-    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-    Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;  ///< B' A^-1 B, see supernodal_form.hpp
+    Supernodes supernodes() const;
 
 private:
-    Eigen::MatrixXd permuted(const Eigen::MatrixXd& b) const;
-    void solve_lower(Eigen::MatrixXd& x) const;       ///< L^-1 x, in place
-    void solve_transposed(Eigen::MatrixXd& x) const;  ///< L'^-1 x
-
     SupernodalStructure structure_;
     Eigen::VectorXd sign_;  ///< by position
     std::vector<double> values_;

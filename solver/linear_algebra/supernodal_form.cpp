@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/linear_algebra/supernodal_form.hpp"
-
+// B' A^-1 B from a factor by supernodes, for right-hand sides of few entries.
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 #include "solver/linear_algebra/blas.hpp"
+#include "solver/linear_algebra/index.hpp"
+#include "solver/linear_algebra/supernodes.hpp"
 
 namespace abut::solver {
 
@@ -14,8 +16,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::size_t at(Index i) {
-    return static_cast<std::size_t>(i);
+std::size_t size(Index n) {
+    return static_cast<std::size_t>(n);
 }
 
 using Columns = std::vector<int>;  // of B, ascending
@@ -25,13 +27,6 @@ using Columns = std::vector<int>;  // of B, ascending
 struct Share {
     Columns columns;
     MatrixXd values;
-};
-
-struct FormSupernode {
-    int begin, width, rows;
-    const int* row;
-    const double* values;
-    int under() const { return rows - width; }
 };
 
 bool are_consecutive(const Columns& columns) {
@@ -52,23 +47,23 @@ std::vector<Index> places(const Columns& some, const Columns& all) {
 
 /// A matrix by columns in memory that is used again: unset.
 double* room_for(std::vector<double>& memory, Index rows, Index columns) {
-    if (memory.size() < at(rows * columns)) memory.resize(at(rows * columns));
+    if (memory.size() < size(rows * columns)) memory.resize(size(rows * columns));
     return memory.data();
 }
 
 class Forward {
 public:
-    Forward(const SupernodePattern& pattern, const double* values, const double* sign, const Eigen::SparseMatrix<double>& b)
-        : pattern_(pattern),
-          values_(values),
-          sign_(sign),
-          owner_(pattern.order.size()),
-          position_(pattern.order.size()),
-          shares_(pattern.first_column.empty() ? 0 : pattern.first_column.size() - 1),
+    Forward(const Supernodes& factor, const Eigen::SparseMatrix<double>& b)
+        : pattern_(factor.pattern),
+          values_(factor.values),
+          sign_(factor.sign),
+          owner_(pattern_.order.size()),
+          position_(pattern_.order.size()),
+          shares_(at(pattern_.count())),
           form_(MatrixXd::Zero(b.cols(), b.cols())) {
-        for (std::size_t k = 0; k < position_.size(); ++k) position_[at(pattern.order[k])] = static_cast<int>(k);
+        for (std::size_t k = 0; k < position_.size(); ++k) position_[at(pattern_.order[k])] = static_cast<int>(k);
         for (std::size_t s = 0; s < shares_.size(); ++s)
-            std::fill(owner_.begin() + pattern.first_column[s], owner_.begin() + pattern.first_column[s + 1],
+            std::fill(owner_.begin() + pattern_.first_column[s], owner_.begin() + pattern_.first_column[s + 1],
                       static_cast<int>(s));
         find_columns(b);
         add_entries(b);
@@ -88,11 +83,7 @@ public:
 private:
     using Entry = Eigen::SparseMatrix<double>::InnerIterator;
 
-    FormSupernode supernode(std::size_t s) const {
-        const SupernodePattern& p = pattern_;
-        return {p.first_column[s], p.first_column[s + 1] - p.first_column[s], p.first_row[s + 1] - p.first_row[s],
-                p.row.data() + p.first_row[s], values_ + p.first_value[s]};
-    }
+    Supernode supernode(std::size_t s) const { return pattern_[static_cast<int>(s)]; }
     std::size_t owner_of(int position) const { return at(owner_[at(position)]); }
 
     /// Columns begin where B has entries and go on to the supernode of the first row below, as all of them do.
@@ -104,7 +95,7 @@ private:
             }
         Columns all;
         for (std::size_t s = 0; s < shares_.size(); ++s) {
-            const FormSupernode node = supernode(s);
+            const Supernode node = supernode(s);
             const Columns& own = shares_[s].columns;
             if (own.empty() || node.under() == 0) continue;
             Columns& next = shares_[owner_of(node.row[node.width])].columns;
@@ -136,21 +127,22 @@ private:
     Share eliminate(std::size_t s) {
         values_of(s);
         Share own = std::exchange(shares_[s], {});
-        const FormSupernode node = supernode(s);
+        const Supernode node = supernode(s);
         const int n = static_cast<int>(own.columns.size());
         const double one = 1;
-        dtrsm_("L", "L", "N", "N", &node.width, &n, &one, node.values, &node.rows, own.values.data(), &node.width);
+        dtrsm_("L", "L", "N", "N", &node.width, &n, &one, values_ + node.first_value, &node.rows, own.values.data(),
+               &node.width);
         return own;
     }
 
     /// Takes L Y of the rows below off the supernodes that they belong to.
-    void pass_on(const FormSupernode& node, const Share& own) {
+    void pass_on(const Supernode& node, const Share& own) {
         const int n = static_cast<int>(own.columns.size()), under = node.under();
         if (under == 0) return;
         const double one = 1, zero = 0;
         double* below = room_for(product_, under, n);
-        dgemm_("N", "N", &under, &n, &node.width, &one, node.values + node.width, &node.rows, own.values.data(), &node.width,
-               &zero, below, &under);
+        dgemm_("N", "N", &under, &n, &node.width, &one, values_ + node.first_value + node.width, &node.rows, own.values.data(),
+               &node.width, &zero, below, &under);
         for (int r = node.width; r < node.rows;) {
             const std::size_t target = owner_of(node.row[r]);
             const int begin = pattern_.first_column[target], end = pattern_.first_column[target + 1];
@@ -168,7 +160,7 @@ private:
     }
 
     /// Adds Y' S Y.
-    void add_to_form(const FormSupernode& node, const Share& own) {
+    void add_to_form(const Supernode& node, const Share& own) {
         const int n = static_cast<int>(own.columns.size()), ld = static_cast<int>(form_.rows());
         const double zero = 0, one = 1;
         if (are_consecutive(own.columns)) {
@@ -182,7 +174,7 @@ private:
     }
 
     /// c = factor c + Y' S Y, its lower triangle.
-    void product_of(const FormSupernode& node, const Share& own, double factor, double* c, int ld) {
+    void product_of(const Supernode& node, const Share& own, double factor, double* c, int ld) {
         const int n = static_cast<int>(own.columns.size());
         const double one = 1;
         const double* y = own.values.data();
@@ -194,7 +186,7 @@ private:
         dgemm_("T", "N", &n, &n, &node.width, &one, y, &node.width, signed_y.data(), &node.width, &factor, c, &ld);
     }
 
-    const SupernodePattern& pattern_;
+    const SupernodePattern pattern_;
     const double *values_, *sign_;
     std::vector<int> owner_, position_;
     std::vector<Share> shares_;
@@ -204,9 +196,8 @@ private:
 
 }  // namespace
 
-MatrixXd inverse_form(const SupernodePattern& pattern, const double* values, const double* sign,
-                      const Eigen::SparseMatrix<double>& b) {
-    const MatrixXd form = Forward(pattern, values, sign, b).run();
+MatrixXd Supernodes::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    const MatrixXd form = Forward(*this, b).run();
     return form.selfadjointView<Eigen::Lower>();
 }
 

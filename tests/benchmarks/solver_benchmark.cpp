@@ -85,14 +85,6 @@ void Factorise(benchmark::State& state, int holes) {
     state.counters["factor_bytes"] = factor_bytes / matrix.n;
 }
 
-/// A pattern that has been seen before: numeric factorisation only.
-void FactoriseAgain(benchmark::State& state, int holes) {
-    const solver::SparseSymmetric matrix = held(assemble_stiffness(plate(state, holes)));
-    const solver::SymbolicFactorization symbolic(matrix);
-    for (auto _ : state) benchmark::DoNotOptimize(solver::Factorization(matrix, symbolic).failed_at());
-    set_unknowns(state, matrix.n);
-}
-
 void SolveLower50(benchmark::State& state, int holes) {
     const solver::SparseSymmetric matrix = held(assemble_stiffness(plate(state, holes)));
     const solver::Factorization factor(matrix);
@@ -120,7 +112,6 @@ BENCHMARK_CAPTURE(Assemble, square, 0)->Apply(sizes)->Complexity(benchmark::oN);
 BENCHMARK_CAPTURE(Assemble, holes, 8)->Apply(sizes)->Complexity(benchmark::oN);
 BENCHMARK_CAPTURE(Factorise, square, 0)->Apply(sizes);
 BENCHMARK_CAPTURE(Factorise, holes, 8)->Apply(sizes);
-BENCHMARK_CAPTURE(FactoriseAgain, square, 0)->Apply(sizes);
 BENCHMARK_CAPTURE(SolveLower50, square, 0)->Apply(sizes);
 BENCHMARK_CAPTURE(SolveLower50, holes, 8)->Apply(sizes);
 BENCHMARK_CAPTURE(EstimateCondition, square, 0)->Apply(sizes);

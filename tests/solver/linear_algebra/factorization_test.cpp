@@ -44,7 +44,7 @@ MatrixXd random_columns(int rows, int columns) {
 constexpr FactorMethod both_methods[] = {FactorMethod::banded, FactorMethod::supernodal};
 
 Factorization factor_by(FactorMethod method, const MatrixXd& m) {
-    return Factorization(sparse(m), SymbolicFactorization(sparse(m), method));
+    return Factorization(sparse(m), {.method = method});
 }
 
 /// Stiffness of a part without its first coefficients: no rigid motion is left.
@@ -122,12 +122,11 @@ TEST(Factorization, PicksTheBandForNarrowMatricesAndTheNarrowerOrder) {
     SparseSymmetric bar, square;
     held_stiffness(test::rectangle(40, 1, 40, 2, 2), bar);  // numbered along its long side: 4 functions wide across
     held_stiffness(test::rectangle(1, 1, 4, 4, 1), square);
-    const SymbolicFactorization of_bar(bar);
+    const Factorization of_bar(bar);
     EXPECT_EQ(of_bar.method(), FactorMethod::banded);
     EXPECT_LE(of_bar.bandwidth(), 2 * (3 * 4 + 2));
-    EXPECT_EQ(SymbolicFactorization(bar, FactorMethod::supernodal).bandwidth(), 2 * (2 * 42 + 2) + 1);
     EXPECT_EQ(of_bar.entries(), (of_bar.bandwidth() + 1.0) * bar.n);
-    EXPECT_EQ(Factorization(bar).bytes(), 8 * of_bar.entries());
+    EXPECT_EQ(of_bar.bytes(), 8 * of_bar.entries());
 
     SparseSymmetric far{400, {0}, {}, {}};  // coupled with rows all over: no order is narrow
     std::mt19937 random(2);
@@ -140,26 +139,9 @@ TEST(Factorization, PicksTheBandForNarrowMatricesAndTheNarrowerOrder) {
         }
         far.first.push_back(static_cast<int>(far.row.size()));
     }
-    const SymbolicFactorization of_far(far);
+    const Factorization of_far(far);
     EXPECT_EQ(of_far.method(), FactorMethod::supernodal);
-    EXPECT_TRUE(Factorization(far, of_far).ok());
-}
-
-TEST(Factorization, SharesTheAnalysisOfEqualPatterns) {
-    for (FactorMethod method : both_methods) {
-        SparseSymmetric soft, stiff, other;
-        held_stiffness(test::rectangle(2, 1, 8, 5, 2), soft);
-        const MatrixXd dense = held_stiffness(test::rectangle(2, 1, 8, 5, 2, false, plane_strain(7, 0.4)), stiff);
-        held_stiffness(test::rectangle(2, 1, 7, 5, 2), other);
-        const SymbolicFactorization analysis(soft, method);
-        EXPECT_TRUE(analysis.fits(stiff));
-        EXPECT_FALSE(analysis.fits(other));
-        const VectorXd b = random_columns(stiff.n, 1);
-        const VectorXd x = Factorization(stiff, analysis).solve(b);
-        EXPECT_EQ(x, Factorization(stiff, SymbolicFactorization(stiff, method)).solve(b));  // bit for bit
-        EXPECT_LT(test::relative_difference(x, VectorXd(dense.llt().solve(b))), 1e-9);
-        EXPECT_THROW(Factorization(other, analysis), std::logic_error);
-    }
+    EXPECT_TRUE(of_far.ok());
 }
 
 TEST(Factorization, GivesTheSameBitsEveryTime) {
@@ -167,7 +149,7 @@ TEST(Factorization, GivesTheSameBitsEveryTime) {
         SparseSymmetric m;
         held_stiffness(test::ell({3, false, Basis::web}), m);
         const MatrixXd b = random_columns(m.n, 7);
-        const Factorization first(m, SymbolicFactorization(m, method)), second(m, SymbolicFactorization(m, method));
+        const Factorization first(m, {.method = method}), second(m, {.method = method});
         EXPECT_EQ(first.solve_lower(b), second.solve_lower(b));
         EXPECT_EQ(first.solve(b.col(0)), second.solve(b.col(0)));
         EXPECT_EQ(first.condition_estimate(), second.condition_estimate());
@@ -179,7 +161,7 @@ TEST(Factorization, OfStiffnessesIsAsGoodAsTheDenseOne) {
         for (int degree = 1; degree <= 4; ++degree) {
             SparseSymmetric m;
             const MatrixXd a = held_stiffness(test::rectangle(2, 1, 6, 4, degree), m);
-            const Factorization f(m, SymbolicFactorization(m, method));
+            const Factorization f(m, {.method = method});
             ASSERT_TRUE(f.ok());
             const MatrixXd b = random_columns(m.n, 4), reference = b.transpose() * a.llt().solve(b);
             const MatrixXd y = f.solve_lower(b);
@@ -261,7 +243,7 @@ TEST(Factorization, KnowsTheConditionsOfStiffnesses) {
             std::vector<int> number(static_cast<std::size_t>(2 * k.n));
             std::iota(number.begin(), number.end(), 0);
             const SparseSymmetric m = restricted(k, number, 2 * k.n);
-            const Factorization f(m, SymbolicFactorization(m, method));
+            const Factorization f(m, {.method = method});
             const MatrixXd a = test::dense(k);
             const double scaled = condition_of(scaled_to_unit_diagonal(a)), unscaled = condition_of(a);
             ASSERT_EQ(f.ok(), scaled > 0) << test::name_of(c) << scaled;  // the plain basis is not stable for each sliver

@@ -74,8 +74,9 @@ Fronts fronts_of(const OnGrid& part, int leaf) {
 }
 
 Factorization frontal(const OnGrid& part) {
-    const SparseSymmetric matrix = sparse(part.dense);
-    return Factorization(matrix, SymbolicFactorization(matrix, FactorMethod::frontal, part.hints));
+    RowHints hints = part.hints;
+    hints.method = FactorMethod::frontal;
+    return Factorization(sparse(part.dense), hints);
 }
 
 MatrixXd random_columns(Eigen::Index rows, Eigen::Index columns) {
@@ -125,9 +126,9 @@ TEST(FrontalFactor, ProductGivesTheMatrixBack) {
         if (n == 0) return;
         const FrontalFactor f(sparse(part.dense), std::make_shared<const Fronts>(fronts_of(part, 4)));
         const VectorXd x = random_columns(n, 1);
-        EXPECT_LE((f.product(x) - part.dense * x).norm(), rounding * (part.dense * x).norm()) << n;
+        EXPECT_LE((f.supernodes().product(x) - part.dense * x).norm(), rounding * (part.dense * x).norm()) << n;
         int row = -1;
-        EXPECT_GT(f.smallest_pivot(row), 0);
+        EXPECT_GT(f.supernodes().smallest_pivot(row), 0);
         EXPECT_TRUE(row >= 0 && row < n);
     });
 }
@@ -147,15 +148,6 @@ TEST(FrontalFactor, IsTheSameBitForBit) {
     const VectorXd b = random_columns(part.dense.rows(), 1);
     const VectorXd x = frontal(part).solve(b);
     for (int k = 0; k < 3; ++k) EXPECT_EQ(frontal(part).solve(b), x);
-}
-
-TEST(FrontalFactor, PatternIsUsedAgain) {
-    const OnGrid part = random_part(20, 20, 2, 0.9, 3);
-    const SparseSymmetric matrix = sparse(part.dense), twice = sparse(MatrixXd(2 * part.dense));
-    const SymbolicFactorization symbolic(matrix, {}, part.hints);
-    const VectorXd b = random_columns(part.dense.rows(), 1);
-    const VectorXd x = Factorization(matrix, symbolic).solve(b), half = Factorization(twice, symbolic).solve(b);
-    EXPECT_LE((x - 2 * half).norm(), rounding * x.norm());
 }
 
 TEST(Fronts, HoldEveryEntryOnce) {
@@ -243,11 +235,11 @@ TEST(FrontTasks, ALargePartHasManyAndASmallOneHasOne) {
 TEST(FrontalFactor, IsTheSameOnAnyNumberOfThreads) {
     usable_threads(1);  // as in the program: BLAS makes none of its own
     const Plate p = plate();
-    const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
-    const Factorization alone(p.matrix, symbolic);
+    const Factorization alone(p.matrix, p.hints);
+    ASSERT_EQ(alone.method(), FactorMethod::frontal);
     const MatrixXd b = random_columns(p.matrix.n, 3);
     for (int threads : {2, 3, 16}) {
-        const Factorization together(p.matrix, symbolic, usable_threads(threads));
+        const Factorization together(p.matrix, p.hints, usable_threads(threads));
         EXPECT_EQ(together.solve_lower(b), alone.solve_lower(b)) << threads;
     }
 }
@@ -261,10 +253,9 @@ TEST(FrontalFactor, FailsAtTheSameRowOnAnyNumberOfThreads) {
             const auto row = static_cast<std::size_t>(random() % static_cast<unsigned>(p.matrix.n));
             p.matrix.value[static_cast<std::size_t>(p.matrix.first[row])] *= 0.3;
         }
-        const SymbolicFactorization symbolic(p.matrix, FactorMethod::frontal, p.hints);
-        const int row = Factorization(p.matrix, symbolic).failed_at();
+        const int row = Factorization(p.matrix, p.hints).failed_at();
         ASSERT_GE(row, 0);
-        for (int threads : {2, 5}) EXPECT_EQ(Factorization(p.matrix, symbolic, usable_threads(threads)).failed_at(), row);
+        for (int threads : {2, 5}) EXPECT_EQ(Factorization(p.matrix, p.hints, usable_threads(threads)).failed_at(), row);
     }
 }
 

@@ -42,9 +42,7 @@ TEST(InverseForm, AgreesWithDenseAlgebra) {
                     for (int k = 0; k < 4; ++k)  // an entry may come twice, a column of zeros may remain
                         if (c != 1)
                             b.coeffRef(static_cast<int>(random() % static_cast<unsigned>(a.rows())), c) += number(random);
-                SparseSymmetric s = sparse(a);
-                SymbolicFactorization symbolic(s, method);
-                const Factorization factor(std::move(s), std::move(symbolic));
+                const Factorization factor(sparse(a), {.method = method});
                 ASSERT_TRUE(factor.ok());
                 const MatrixXd dense(b), expected = dense.transpose() * a.llt().solve(dense);
                 const MatrixXd form = factor.inverse_form(b);
@@ -85,9 +83,9 @@ TEST(InverseForm, IsTheSameWithAnyOrderOfTheRows) {
             const MatrixXd columns(b), expected = columns.transpose() * dense.solve(columns);
             const Eigen::VectorXd load = columns.col(n / 2), x = dense.solve(load);
             for (FactorMethod method : {FactorMethod::banded, FactorMethod::supernodal}) {
-                SparseSymmetric s = sparse(a);
-                SymbolicFactorization symbolic(s, method, hints_of(n, first_side));
-                const Factorization factor(std::move(s), std::move(symbolic));
+                RowHints hints = hints_of(n, first_side);
+                hints.method = method;
+                const Factorization factor(sparse(a), hints);
                 ASSERT_TRUE(factor.ok());
                 EXPECT_LT((factor.inverse_form(b) - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
                 EXPECT_LT((factor.solve(load) - x).norm(), 1e-12 * x.norm());
@@ -98,9 +96,9 @@ TEST(InverseForm, IsTheSameWithAnyOrderOfTheRows) {
 /// The order of the rows is what makes columns along a side cheap: fewer entries than a full column at every step.
 TEST(InverseForm, TurnsTheBandTowardsLateRows) {
     for (bool first_side : {false, true}) {
-        SparseSymmetric s = sparse(grid_matrix(20));
-        const RowHints hints = hints_of(20, first_side);
-        const Factorization factor(s, SymbolicFactorization(s, FactorMethod::banded, hints));
+        RowHints hints = hints_of(20, first_side);
+        hints.method = FactorMethod::banded;
+        const Factorization factor(sparse(grid_matrix(20)), hints);
         // L^-1 P e_i is zero before the position of i
         MatrixXd unit = MatrixXd::Zero(400, 1);
         unit(hints.late[10], 0) = 1;

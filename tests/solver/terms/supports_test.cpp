@@ -81,6 +81,15 @@ TEST_P(Nitsche, IsSymmetricAndPositiveDefinite) {
     EXPECT_LT(scaled_condition(m), 2e7);  // 1e2 at degree 1 to 1e7 at degree 4, for any cut
 }
 
+/// Largest distance of an entry that is not zero from the diagonal.
+double bandwidth(const MatrixXd& m) {
+    Eigen::Index widest = 0;
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j)
+            if (m(i, j) != 0) widest = std::max(widest, i - j);
+    return static_cast<double>(widest);
+}
+
 TEST_P(Nitsche, PassesThePatchTest) {
     const PartSystem s = test::system_of(bar.part, bar.supports, VectorXd::Zero(2 * bar.part.space.n_functions));
     ASSERT_EQ(s.failure, "");
@@ -88,7 +97,7 @@ TEST_P(Nitsche, PassesThePatchTest) {
     const VectorXd u = solve(s, s.load);
     // Cholesky's backward error, bandwidth + 1 roundings [Higham, Accuracy and Stability, 2002, theorem 10.3], times the
     // condition number
-    const double bound = (s.factor.bandwidth() + 1) * 2.2e-16 * scaled_condition(test::dense(s.stiffness));
+    const double bound = (bandwidth(test::dense(s.stiffness)) + 1) * 2.2e-16 * scaled_condition(test::dense(s.stiffness));
     EXPECT_LT(bound, 1e-6);
     EXPECT_LT((u - bar.exact).cwiseAbs().maxCoeff(), bound * bar.exact.cwiseAbs().maxCoeff());
     const std::vector<Resultant> r = support_reactions(s, u, s.load);
