@@ -10,6 +10,8 @@
 #include <CGAL/Gps_traits_2.h>
 
 #include <algorithm>
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/variant.hpp>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -268,12 +270,29 @@ CGAL::Orientation orientation(int turn) {
     return turn > 0 ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE;
 }
 
+/// The curve in what CGAL hands over, a point or a curve: CGAL 5 in boost's variant, CGAL 6 in the standard's.
+template <class... T>
+const MonotoneCurve* curve_in(const boost::variant<T...>& made) {
+    return boost::get<MonotoneCurve>(&made);
+}
+template <class... T>
+const MonotoneCurve* curve_in(const std::variant<T...>& made) {
+    return std::get_if<MonotoneCurve>(&made);
+}
+
+struct TakeCurves {
+    std::vector<MonotoneCurve>* pieces;
+
+    template <class Made>
+    void operator()(const Made& made) const {
+        if (const MonotoneCurve* piece = curve_in(made)) pieces->push_back(*piece);
+    }
+};
+
 void add_monotone_pieces(const PlaneTraits::Curve_2& curve, int source, std::vector<MonotoneCurve>& pieces) {
-    std::vector<boost::variant<OneRoot, MonotoneCurve>> made;
     const EdgeTraits traits;
-    traits.make_x_monotone_2_object()(EdgeTraits::Curve_2(curve, source), std::back_inserter(made));
-    for (const auto& object : made)
-        if (const auto* piece = boost::get<MonotoneCurve>(&object)) pieces.push_back(*piece);
+    traits.make_x_monotone_2_object()(EdgeTraits::Curve_2(curve, source),
+                                      boost::make_function_output_iterator(TakeCurves{&pieces}));
 }
 
 void add_edge(const ExactEdge& edge, const OneRoot& from, const OneRoot& to, std::vector<MonotoneCurve>& pieces) {
