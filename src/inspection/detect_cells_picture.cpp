@@ -263,8 +263,7 @@ std::string swatches_svg(const CellsPicture& picture, double y) {
     double x = margin;
     for (const ShadeStyle& style : shade_styles) {
         const auto n = static_cast<std::size_t>(std::count(sheet.shade.begin(), sheet.shade.end(), style.shade));
-        svg += "<rect" + inspect::attribute("x", x) + inspect::attribute("y", y - 10) +
-               " width=\"16\" height=\"11\" class=\"swatch " + style.name + "\"/>\n" +
+        svg += report::rectangle({x, y - 10}, {16, 11}, "class=\"swatch " + std::string(style.name) + "\"") +
                text_element({x + 24, y}, "legend", "start", counted(n, std::string(style.name) + " cell"));
         x += step;
     }
@@ -292,7 +291,7 @@ std::string style(double cell_pixels) {
                       "}.swatch{stroke:#666;stroke-width:.5}.number{font-weight:bold;stroke:#fff;stroke-width:3;"
                       "stroke-linejoin:round;paint-order:stroke}.head{font-size:14px}";
     for (const ShadeStyle& s : shade_styles) css += "." + std::string(s.name) + "{fill:" + s.color + "}";
-    return "<style>" + css + "</style>\n";
+    return css;
 }
 
 std::string page(const CellsPicture& picture) {
@@ -310,12 +309,9 @@ std::string page(const CellsPicture& picture) {
     right.offset.x() += panel_width;
     const double panels = std::max(left.height, right.height);
     const double height = panels + row_height * (static_cast<double>(legend_lines(picture).size()) + 2);
-    const std::string w = coordinate_text(2 * panel_width), h = coordinate_text(height);
     const std::string title = picture.scene.title.empty() ? picture.scene.file : picture.scene.title;
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-           "\">\n<title>" + escape_xml("Cells of " + title) + "</title>\n" + style(left.scale * common.grid.cell) +
-           "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + common_svg(picture, left) +
-           split_svg(picture, shifts, right) +
+    return report::open_picture(2 * panel_width, height, "Cells of " + title, style(left.scale * common.grid.cell)) +
+           common_svg(picture, left) + split_svg(picture, shifts, right) +
            text_element({margin, 18}, "head", "start", "Steps 1 to 3: one grid, its cells by class, contact cells") +
            text_element({panel_width + margin, 18}, "head", "start", "Step 4: the grid split, one grid for each part") +
            legend_svg(picture, panels + row_height) + "</svg>\n";

@@ -7,7 +7,7 @@
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"
-#include "src/report/svg.hpp"
+#include "src/report/svg_elements.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut {
@@ -19,25 +19,14 @@ constexpr double badge_radius = 9, label_size = 12;
 /// Marks farther apart than this many times the usual step belong to different stretches: the line is interrupted.
 constexpr double break_factor = 3;
 
-std::string detection_style() {
-    return "<style>text{font:12px sans-serif;fill:#222}.part{stroke:#555;stroke-width:1;fill-rule:evenodd;fill-opacity:.45}"
-           ".touching{stroke:#c2185b}.gap{stroke:#e08a00}.overlap{stroke:#7b1fa2}.face{fill:none;stroke-width:4;"
-           "stroke-linecap:round;stroke-linejoin:round}.miss{stroke:#333;stroke-width:1.2;stroke-dasharray:5 4;fill:none}"
-           ".badge{fill:#fff;stroke-width:2}.number{text-anchor:middle;font-weight:bold}.name{text-anchor:middle;fill:#333}</"
-           "style>\n";
-}
+constexpr const char* detection_css =
+    "text{font:12px sans-serif;fill:#222}.part{stroke:#555;stroke-width:1;fill-rule:evenodd;fill-opacity:.45}"
+    ".touching{stroke:#c2185b}.gap{stroke:#e08a00}.overlap{stroke:#7b1fa2}.face{fill:none;stroke-width:4;"
+    "stroke-linecap:round;stroke-linejoin:round}.miss{stroke:#333;stroke-width:1.2;stroke-dasharray:5 4;fill:none}"
+    ".badge{fill:#fff;stroke-width:2}.number{font-weight:bold}.name{fill:#333}";
 
 std::string point_text(const Vec2& p) {
     return coordinate_text(p.x()) + " " + coordinate_text(p.y());
-}
-
-std::string attributes(const char* x, const char* y, const Vec2& p) {
-    return std::string(" ") + x + "=\"" + coordinate_text(p.x()) + "\" " + y + "=\"" + coordinate_text(p.y()) + "\"";
-}
-
-std::string text_at(const Vec2& p, const std::string& css, const std::string& text) {
-    return "<text" + attributes("x", "y", p) + (css.empty() ? "" : " class=\"" + css + "\"") + ">" + escape_xml(text) +
-           "</text>\n";
 }
 
 Vec2 middle_of(const std::array<Vec2, 2>& mark) {
@@ -70,8 +59,8 @@ Box2 badge_box(const DetectedPair& pair, const View& view) {
 
 std::string badge(const DetectedPair& pair, std::size_t number, const View& view) {
     const Vec2 p = badge_place(pair, view);
-    return "<circle class=\"badge " + pair.status + "\"" + attributes("cx", "cy", p) + " r=\"" + coordinate_text(badge_radius) +
-           "\"/>\n" + text_at(p + Vec2(0, 4), "number", std::to_string(number));
+    return report::circle(p, badge_radius, "class=\"badge " + pair.status + "\"") +
+           report::text(p + Vec2(0, 4), "middle", std::to_string(number), "class=\"number\"");
 }
 
 std::string parts_svg(const Scene& scene, const View& view) {
@@ -142,7 +131,7 @@ std::string names_svg(const Scene& scene, const Detection& detection, const View
             std::find_if(places.begin(), places.end(), [&](const Vec2& place) { return labels.is_free(moved(place), true); });
         if (free == places.end()) continue;
         labels.take(moved(*free));
-        svg += text_at(*free + Vec2(0, 0.35 * label_size), "name", p.name);
+        svg += report::text(*free + Vec2(0, 0.35 * label_size), "middle", p.name, "class=\"name\"");
     }
     return svg;
 }
@@ -152,8 +141,8 @@ std::string legend_svg(const Scene& scene, const Detection& detection, double to
     std::string svg;
     double y = top;
     const auto line = [&](const std::string& number, const std::string& css, const std::string& text) {
-        svg += "<path class=\"" + css + "\" d=\"M" + point_text({page_border, y - 4}) + "h26\"/>\n";
-        svg += text_at({page_border + 36, y}, "", number + text);
+        svg += report::path("M" + point_text({page_border, y - 4}) + "h26", "class=\"" + css + "\"");
+        svg += report::text({page_border + 36, y}, "start", number + text);
         y += legend_row;
     };
     for (std::size_t k = 0; k < detection.pairs.size(); ++k) {
@@ -174,10 +163,8 @@ std::string detection_svg(const Scene& scene, const Detection& detection) {
     const View view = fit_view(box, picture_width, max_height, page_border);
     const auto rows = static_cast<double>(detection.pairs.size() + detection.near_misses.size());
     const double height = view.height + legend_row * (rows + 1);
-    const std::string w = coordinate_text(view.width), h = coordinate_text(height);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-           "\">\n" + "<title>" + escape_xml("Contacts of " + (scene.title.empty() ? scene.file : scene.title)) + "</title>\n" +
-           detection_style() + "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" + parts_svg(scene, view) +
+    const std::string title = "Contacts of " + (scene.title.empty() ? scene.file : scene.title);
+    return report::open_picture(view.width, height, title, detection_css) + parts_svg(scene, view) +
            names_svg(scene, detection, view) + marks_svg(detection, view) +
            legend_svg(scene, detection, view.height + legend_row / 2) + "</svg>\n";
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
 
 namespace abut::inspect {
@@ -36,23 +35,21 @@ std::string y_axis(const View& view, const std::string& unit) {
 
 }  // namespace
 
-std::string attribute(const char* name, double value) {
-    return std::string(" ") + name + "=\"" + coordinate_text(value) + "\"";
-}
-
 std::string text_element(const Vec2& at, const std::string& css_class, const std::string& anchor, const std::string& text,
                          const std::string& fill) {
-    return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + " class=\"" + css_class + "\" text-anchor=\"" + anchor +
-           "\"" + (fill.empty() ? "" : " fill=\"" + fill + "\"") + ">" + escape_xml(text) + "</text>\n";
+    return report::text(at, anchor, text, "class=\"" + css_class + "\"" + (fill.empty() ? "" : " fill=\"" + fill + "\""));
 }
 
 std::string line_element(const Vec2& a, const Vec2& b, const std::string& css_class) {
-    return "<line" + attribute("x1", a.x()) + attribute("y1", a.y()) + attribute("x2", b.x()) + attribute("y2", b.y()) +
-           " class=\"" + css_class + "\"/>\n";
+    return report::line(a, b, "class=\"" + css_class + "\"");
 }
 
 std::string path_element(const std::string& data, const std::string& css_class, const std::string& attributes) {
-    return "<path d=\"" + data + "\" class=\"" + css_class + "\"" + attributes + "/>\n";
+    return report::path(data, "class=\"" + css_class + "\"" + attributes);
+}
+
+std::string circle_element(const Vec2& center, double radius, const std::string& css_class) {
+    return report::circle(center, radius, "class=\"" + css_class + "\"");
 }
 
 View page_view(Box2 box) {
@@ -65,12 +62,11 @@ View page_view(Box2 box) {
 }
 
 std::string page_opening(double height, const std::string& title, const std::string& css) {
-    const std::string w = coordinate_text(page_width), h = coordinate_text(height);
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + w + "\" height=\"" + h + "\" viewBox=\"0 0 " + w + " " + h +
-           "\">\n<style>text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif}"
-           ".axis{stroke:#666;stroke-width:1}.tick{font-size:11px;fill:#444}.title{font-size:14px;fill:#222}"
-           ".legend{font-size:12px;fill:#222}" +
-           css + "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n" +
+    return report::open_picture(
+               page_width, height, title,
+               "text{font-family:Helvetica,Arial,'Liberation Sans',sans-serif}.axis{stroke:#666;stroke-width:1}"
+               ".tick{font-size:11px;fill:#444}.title{font-size:14px;fill:#222}.legend{font-size:12px;fill:#222}" +
+                   css) +
            text_element({page_margin - axis_distance, 20}, "title", "start", title);
 }
 
@@ -106,8 +102,8 @@ std::string page_with_legend(const View& view, const std::string& title, const s
     for (std::size_t i = 0; i < legend.size(); ++i) {
         const double y = top + legend_step * static_cast<double>(i);
         if (!legend[i].color.empty())
-            svg += "<rect" + attribute("x", left - 8) + attribute("y", y - 10) + " width=\"16\" height=\"10\" fill=\"" +
-                   legend[i].color + "\" stroke=\"#666\" stroke-width=\".5\"/>\n";
+            svg += report::rectangle({left - 8, y - 10}, {16, 10},
+                                     "fill=\"" + legend[i].color + "\" stroke=\"#666\" stroke-width=\".5\"");
         svg += text_element({left + 16, y}, "legend", "start", legend[i].text);
     }
     return svg + "</svg>\n";

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the pictures of `inspect` share: the page, its axes, and elements of SVG, in picture coordinates (pixels, y down).
+// What the pictures of `inspect` share: the page, its axes, and elements of SVG with their classes.
 #pragma once
 #include <string>
 #include <vector>
 
-#include "src/report/svg.hpp"
+#include "src/report/svg_elements.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut::inspect {
@@ -13,12 +13,12 @@ inline constexpr double page_width = 1200, max_page_height = 820, page_margin = 
 inline constexpr double axis_distance = 52;  ///< of the axes from the parts: room for labels on their outside
 inline constexpr double legend_step = 18;
 
-std::string attribute(const char* name, double value);
 std::string text_element(const Vec2& at, const std::string& css_class, const std::string& anchor, const std::string& text,
                          const std::string& fill = "");
 std::string line_element(const Vec2& a, const Vec2& b, const std::string& css_class);
 /// attributes: what else the element has, beginning with a blank.
 std::string path_element(const std::string& data, const std::string& css_class, const std::string& attributes = "");
+std::string circle_element(const Vec2& center, double radius, const std::string& css_class);
 
 /// Fits the box onto the page; an empty box or a point gets some room around it.
 View page_view(Box2 box);

@@ -205,8 +205,7 @@ Vec2 place_for_mark(const Vec2& p, LabelPlacement& labels) {
 }
 
 std::string number_disc(const Vec2& at, std::size_t number, bool is_problem) {
-    return "<circle" + attribute("cx", at.x()) + attribute("cy", at.y()) + attribute("r", mark_radius) + " class=\"" +
-           (is_problem ? "problem" : "repair") + "\"/>\n" +
+    return circle_element(at, mark_radius, is_problem ? "problem" : "repair") +
            text_element({at.x(), at.y() + 3.5}, "number", "middle", std::to_string(number));
 }
 
@@ -214,8 +213,8 @@ std::string mark_elements(const std::vector<Mark>& marks, const View& view, Labe
     std::string svg;
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const Vec2 p = view(marks[i].at), at = place_for_mark(p, labels);
-        svg += line_element(p, at, "leader") + "<circle" + attribute("cx", p.x()) + attribute("cy", p.y()) +
-               " r=\"2\" fill=\"#000\"/>\n" + number_disc(at, i + 1, marks[i].is_problem);
+        svg +=
+            line_element(p, at, "leader") + report::circle(p, 2, "fill=\"#000\"") + number_disc(at, i + 1, marks[i].is_problem);
     }
     return svg;
 }

@@ -18,20 +18,6 @@ constexpr double tick_font = 11;
 constexpr double axis_left = 64, axis_bottom = 30;  ///< distance of the axes from the picture's edge: room for tick labels
 constexpr double mark_room = 50;                    ///< around the model, for load arrows, supports and labels
 
-std::string attribute(const char* name, double value) {
-    return std::string(" ") + name + "=\"" + coordinate_text(value) + "\"";
-}
-
-std::string point_list(const std::vector<Vec2>& points) {
-    std::string list;
-    for (const Vec2& p : points) list += (list.empty() ? "" : " ") + coordinate_text(p.x()) + "," + coordinate_text(p.y());
-    return list;
-}
-
-std::string element(const std::string& name, const std::string& shape, const std::string& attributes) {
-    return "<" + name + shape + (attributes.empty() ? "" : " " + attributes) + "/>\n";
-}
-
 /// Those ticks that lie within the limits.
 std::vector<double> inner_ticks(double low, double high, int n) {
     std::vector<double> ticks = nice_ticks(low, high, n);
@@ -51,39 +37,6 @@ std::string open_svg(double width, double height, const std::string& label) {
     const std::string w = coordinate_text(width), h = coordinate_text(height);
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + w + " " + h + "\" style=\"max-width:" + w +
            "px\" role=\"img\" aria-label=\"" + escape_xml(label) + "\">\n";
-}
-
-std::string line(const Vec2& a, const Vec2& b, const std::string& attributes) {
-    return element("line", attribute("x1", a.x()) + attribute("y1", a.y()) + attribute("x2", b.x()) + attribute("y2", b.y()),
-                   attributes);
-}
-
-std::string polyline(const std::vector<Vec2>& points, const std::string& attributes) {
-    return element("polyline", " points=\"" + point_list(points) + "\"", attributes);
-}
-
-std::string polygon(const std::vector<Vec2>& points, const std::string& attributes) {
-    return element("polygon", " points=\"" + point_list(points) + "\"", attributes);
-}
-
-std::string circle(const Vec2& center, double radius, const std::string& attributes) {
-    return element("circle", attribute("cx", center.x()) + attribute("cy", center.y()) + attribute("r", radius), attributes);
-}
-
-std::string rectangle(const Vec2& corner, const Vec2& size, const std::string& attributes) {
-    return element(
-        "rect",
-        attribute("x", corner.x()) + attribute("y", corner.y()) + attribute("width", size.x()) + attribute("height", size.y()),
-        attributes);
-}
-
-std::string path(const std::string& data, const std::string& attributes) {
-    return element("path", " d=\"" + data + "\"", attributes);
-}
-
-std::string text(const Vec2& at, const std::string& anchor, const std::string& words, const std::string& attributes) {
-    return "<text" + attribute("x", at.x()) + attribute("y", at.y()) + " text-anchor=\"" + anchor + "\"" +
-           (attributes.empty() ? "" : " " + attributes) + ">" + escape_xml(words) + "</text>\n";
 }
 
 double text_pixels(const std::string& words, double font_size) {

@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of the report's pictures, in picture coordinates (pixels, y down).
+// What the report's pictures share: axes, arrows, colour bars, figures.
 #pragma once
 #include <string>
 #include <vector>
 
 #include "src/report/svg.hpp"
+#include "src/report/svg_elements.hpp"
 
 namespace abut::report {
 
 /// Opens a picture that scales with the page; label is what a screen reader says.
 std::string open_svg(double width, double height, const std::string& label);
 
-std::string line(const Vec2& a, const Vec2& b, const std::string& attributes);
-std::string polyline(const std::vector<Vec2>& points, const std::string& attributes);
-std::string polygon(const std::vector<Vec2>& points, const std::string& attributes);
-std::string circle(const Vec2& center, double radius, const std::string& attributes);
-std::string rectangle(const Vec2& corner, const Vec2& size, const std::string& attributes);
-std::string path(const std::string& data, const std::string& attributes);
-/// Text (escaped here) at its baseline; anchor: "start", "middle", "end".
-std::string text(const Vec2& at, const std::string& anchor, const std::string& words, const std::string& attributes = "");
 /// Width of a text in pixels, estimated generously: there are no font metrics here.
 double text_pixels(const std::string& words, double font_size);
 
