@@ -14,7 +14,6 @@
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/plan/left_out_parts.hpp"
-#include "src/plan/mirror_symmetry.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
@@ -30,7 +29,6 @@ namespace {
 std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
-    plan_symmetry(scene, conditions, plan);
     plan.push_back(left_out_effect(scene, conditions));
     return plan;
 }

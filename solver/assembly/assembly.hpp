@@ -22,7 +22,6 @@ struct CellRule {
 
 struct SolutionStructure;
 struct Dilatation;
-struct PartMirror;
 
 /// What the solver is told of a part: its space, how to integrate over it, and what it is made of.
 struct PartInput {
@@ -38,6 +37,9 @@ struct PartInput {
     std::shared_ptr<const Dilatation> dilatation{};  ///< filled in by make_part_system
     /// Where interfaces have points, if that is known beforehand: the factor is made for their rows. Speed only.
     std::vector<int> contact_elements{};
+    /// Factorised by CHOLMOD, as a second opinion on the factor that the part would have. Not where the volume strain is
+    /// projected: CHOLMOD has no supernodal factor with signs.
+    bool by_cholmod = false;
     /// Threads that its stiffness, its factor and its stresses are made on, at most; they are the same for any number.
     int threads = 1;
     /// Free strain (thermal expansion times temperature rise) at a point; empty: none, and nothing is computed of it.
@@ -45,8 +47,6 @@ struct PartInput {
     /// Place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2 pi.
     std::optional<double> axis{};
     bool touches_axis = false;  ///< an edge of the part lies on the axis, which is the first grid line
-    /// In a mirror symmetric assembly, where half of it is solved (fold.hpp); none: all of it.
-    std::shared_ptr<const PartMirror> mirror{};
 };
 
 /// What the stresses of a displacement's own gradient follow from; with a projection all but lambda's.

@@ -2,7 +2,6 @@
 #include "solver/contact/condensation.hpp"
 
 #include <algorithm>
-#include <map>
 #include <span>
 
 #include "solver/linear_algebra/parallel_for.hpp"
@@ -32,15 +31,8 @@ std::vector<int> rows_of(const std::vector<RowEntry>& entries) {
 /// One row's entries, ascending.
 void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Index column, Eigen::SparseMatrix<double>& to) {
     const auto unknown = [&](const RowEntry& e) { return part.number[static_cast<std::size_t>(e.coefficient)]; };
-    if (part.share.empty()) {
-        for (const RowEntry& e : entries)
-            if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
-        return;
-    }
-    std::map<int, double> sum;  // folded rows: coefficients share unknowns
     for (const RowEntry& e : entries)
-        if (unknown(e) >= 0) sum[unknown(e)] += part.share[static_cast<std::size_t>(e.coefficient)] * e.value;
-    for (const auto& [row, value] : sum) to.insertBack(row, column) = value;
+        if (unknown(e) >= 0) to.insertBack(unknown(e), column) = e.value;
 }
 
 /// entries: by row, then coefficient.

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/parts/fold.hpp"
 #include "solver/parts/free_motions.hpp"
 #include "solver/parts/hold_axis.hpp"
 #include "solver/parts/pins.hpp"
@@ -79,7 +78,6 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
 
 void number_unknowns(PartSystem& s) {
     const std::vector<Index> pinned = pins(s);
-    if (is_folded(s.input)) return fold_unknowns(s, pinned);
     s.number.assign(s.dropped.size(), -1);
     for (std::size_t i = 0; i < s.dropped.size(); ++i) {
         const bool is_pin = std::find(pinned.begin(), pinned.end(), static_cast<Index>(i)) != pinned.end();
@@ -132,10 +130,9 @@ void project_dilatation(PartSystem& s) {
 }
 
 Factorization factorized(const PartSystem& s) {
-    SparseSymmetric a =
-        s.share.empty() ? restricted(s.stiffness, s.number, s.n_kept) : folded(s.stiffness, s.number, s.share, s.n_kept);
+    SparseSymmetric a = restricted(s.stiffness, s.number, s.n_kept);
     if (!s.input.is_projected) return Factorization(std::move(a), row_hints(s.input, s.number), s.input.threads);
-    return Factorization(with_pressures(a, *s.input.dilatation, s.number, s.share), s.input.dilatation->space.n_functions);
+    return Factorization(with_pressures(a, *s.input.dilatation, s.number), s.input.dilatation->space.n_functions);
 }
 
 /// What a pivot that is not positive means here, and what to do about it.
@@ -205,13 +202,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
             "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
         return s;
     }
-    keep_symmetric_motions(s);
     set_modes(s);
-    if (is_follower(s.input)) {
-        s.number.assign(s.dropped.size(), -1);
-        s.seconds.all = seconds_since(begin);
-        return s;
-    }
     number_unknowns(s);
     const double before = seconds_since(begin);
     s.factor = factorized(s);
@@ -235,28 +226,23 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
     Eigen::VectorXd rest = load;
     if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
     Eigen::VectorXd b(system.n_kept);
-    if (!system.share.empty()) return folded_load(system, rest);
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) b[system.number[i]] = rest[static_cast<Index>(i)];
     return b;
 }
 
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
-    if (system.body || is_follower(system.input)) return system.prescribed;
+    if (system.body) return system.prescribed;
     const Eigen::VectorXd x = system.factor.solve(kept_load(system, load));
     Eigen::VectorXd u = system.prescribed;
-    if (!system.share.empty()) {
-        add_unfolded(system, x, u);
-        return u;
-    }
     for (std::size_t i = 0; i < system.number.size(); ++i)
         if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
     return u;
 }
 
 double condition_estimate(const PartSystem& system) {
-    if (system.body || is_follower(system.input) || !system.factor.ok()) return 1;
-    if (system.input.is_projected || !system.share.empty()) return system.factor.condition_estimate();
+    if (system.body || !system.factor.ok()) return 1;
+    if (system.input.is_projected) return system.factor.condition_estimate();
     return system.factor.condition_estimate([&](const Eigen::VectorXd& x) {
         Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * system.n());
         for (std::size_t i = 0; i < system.number.size(); ++i)

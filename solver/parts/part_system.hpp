@@ -58,12 +58,10 @@ struct PartSystem {
     std::string axis_hold;       ///< how u_x is held on the axis that the part touches; empty: it touches none
     Eigen::VectorXd prescribed;  ///< (2n) values of dropped coefficients, 0 elsewhere
     std::vector<int> number;     ///< (2n) row in the factorised matrix; negative: dropped or pinned
-    std::vector<double> share;   ///< (2n) of a coefficient in its row, where rows are folded (fold.hpp); empty: 1
     std::vector<char> dropped;   ///< (2n)
     int n_kept = 0;
-    std::vector<RigidMotion> free_motions;      ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
-    std::vector<RigidMotion> all_free_motions;  ///< where only the symmetric ones are solved for (fold.hpp): all of them
-    Eigen::MatrixXd modes;                      ///< (2n x free motions) their coefficients
+    std::vector<RigidMotion> free_motions;  ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
+    Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
     std::string failure;                   ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;  ///< where the factorisation ended

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "solver/parts/fold.hpp"
-
 namespace abut::solver {
 
 namespace {
@@ -85,7 +83,6 @@ PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> condi
     s.load = s.applied = std::move(applied);
     RigidBody body{center, size, std::move(conditions)};
     s.free_motions = s.input.axis ? split_motion_along_axis(body) : split_motions(body);
-    keep_symmetric_motions(s);
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.number.assign(s.dropped.size(), -1);

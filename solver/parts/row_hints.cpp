@@ -3,22 +3,19 @@
 
 #include <algorithm>
 
-#include "solver/parts/fold.hpp"
-
 namespace abut::solver {
 
 RowHints row_hints(const PartInput& input, const std::vector<int>& number) {
     const SplineSpace& space = input.space;
-    const int nx = space.x.n_functions(), ny = space.y.n_functions();
-    const int axis = is_folded(input) ? input.mirror->place.axis : -1;  // places of folded rows: in the first half along it
+    const int nx = space.x.n_functions();
     RowHints hints;
+    if (input.by_cholmod) hints.method = FactorMethod::supernodal;
     hints.reach = std::max(space.x.degree, space.y.degree);
     hints.place.reserve(number.size());
     for (std::size_t i = 0; i < number.size(); ++i) {
         const int tensor = space.tensor_of[i / 2];
         if (number[i] != static_cast<int>(hints.place.size())) continue;  // dropped, or had
-        const int x = tensor % nx, y = tensor / nx;
-        hints.place.push_back({axis == 0 ? std::min(x, nx - 1 - x) : x, axis == 1 ? std::min(y, ny - 1 - y) : y});
+        hints.place.push_back({tensor % nx, tensor / nx});
     }
     for (int element : input.contact_elements)
         for (int f : extraction(space, element).functions)

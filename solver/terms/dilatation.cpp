@@ -131,44 +131,21 @@ double volume_energy(const Dilatation& d, const VectorXd& displacement) {
     return 0.5 * pressure(d, displacement).dot(d.divergence * displacement - d.prescribed);
 }
 
-namespace {
-
-/// B's columns in the rows of A.
-Eigen::SparseMatrix<double> folded_divergence(const Eigen::SparseMatrix<double>& divergence, const std::vector<int>& number,
-                                              const std::vector<double>& share, int n) {
-    Entries entries;
-    for (std::size_t dof = 0; dof < number.size(); ++dof)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(divergence, static_cast<Index>(dof)); it && number[dof] >= 0; ++it)
-            entries.emplace_back(static_cast<int>(it.row()), number[dof], share[dof] * it.value());
-    Eigen::SparseMatrix<double> result(divergence.rows(), n);
-    result.setFromTriplets(entries.begin(), entries.end());
-    return result;
-}
-
-}  // namespace
-
-SparseSymmetric with_pressures(const SparseSymmetric& a, const Dilatation& d, const std::vector<int>& number,
-                               const std::vector<double>& share) {
+SparseSymmetric with_pressures(const SparseSymmetric& a, const Dilatation& d, const std::vector<int>& number) {
     SparseSymmetric m{a.n + d.mass.n, {0}, {}, {}};
     const auto push = [&](int row, double value) {
         m.row.push_back(row);
         m.value.push_back(value);
     };
     const auto end_column = [&] { m.first.push_back(static_cast<int>(m.row.size())); };
-    const auto push_column = [&](int of_a, const Eigen::SparseMatrix<double>& divergence, std::size_t column) {
-        const auto c = static_cast<std::size_t>(of_a);
+    for (std::size_t dof = 0; dof < number.size(); ++dof) {
+        if (number[dof] < 0) continue;
+        const auto c = static_cast<std::size_t>(number[dof]);
         for (int k = a.first[c]; k < a.first[c + 1]; ++k)
             push(a.row[static_cast<std::size_t>(k)], a.value[static_cast<std::size_t>(k)]);
-        for (Eigen::SparseMatrix<double>::InnerIterator it(divergence, static_cast<Index>(column)); it; ++it)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(d.divergence, static_cast<Index>(dof)); it; ++it)
             push(a.n + static_cast<int>(it.row()), it.value());
         end_column();
-    };
-    if (share.empty()) {
-        for (std::size_t dof = 0; dof < number.size(); ++dof)
-            if (number[dof] >= 0) push_column(number[dof], d.divergence, dof);
-    } else {
-        const Eigen::SparseMatrix<double> folded = folded_divergence(d.divergence, number, share, a.n);
-        for (int c = 0; c < a.n; ++c) push_column(c, folded, static_cast<std::size_t>(c));
     }
     for (std::size_t c = 0; c + 1 < d.mass.first.size(); ++c) {
         for (int k = d.mass.first[c]; k < d.mass.first[c + 1]; ++k)

@@ -66,8 +66,7 @@ Eigen::VectorXd volume_load(const Dilatation& d);
 /// What it adds to the strain energy: p'M p / (2 modulus).
 double volume_energy(const Dilatation& d, const Eigen::VectorXd& displacement);
 
-/// Of the factorised matrix: [A B'; B -M / modulus], A and number as restricted() has them, or folded() with its shares.
-SparseSymmetric with_pressures(const SparseSymmetric& a, const Dilatation& d, const std::vector<int>& number,
-                               const std::vector<double>& share = {});
+/// The factorised matrix [A B'; B -M / modulus], with A and number as restricted() has them.
+SparseSymmetric with_pressures(const SparseSymmetric& a, const Dilatation& d, const std::vector<int>& number);
 
 }  // namespace abut::solver

@@ -9,7 +9,6 @@
 #include <optional>
 
 #include "solver/linear_algebra/blas_threads.hpp"
-#include "solver/parts/fold.hpp"
 #include "src/analysis/extent_by_theory.hpp"
 #include "src/analysis/grading.hpp"
 #include "src/analysis/missed_contacts.hpp"
@@ -24,7 +23,6 @@
 #include "src/plan/plan.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/solution/contact_measures.hpp"
-#include "src/solution/mirrored_grids.hpp"
 
 namespace abut {
 
@@ -107,7 +105,6 @@ private:
             if (is_own(c.first) && is_own(c.second)) out_.candidates.push_back(c);
             meets_others_ = meets_others_ || is_own(c.first) != is_own(c.second);
         }
-        if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
     }
 
     /// Nothing is known of the contacts.
@@ -129,8 +126,7 @@ private:
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
         SolvedAssembly now =
             solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
-        remember_unfolded(now);
-        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid || solver::is_follower(g.input) ? 0 : 1;
+        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         add_uses(out_.uses, now.uses);
@@ -144,20 +140,10 @@ private:
         for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
             expect_ends(scene_, now, now.runs, out_.candidates);
             expect_pressures(now, out_.candidates);
-            solve_contacts_again(scene_, conditions_, out_.candidates, now, seconds_, threads_);
+            solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
-            remember_unfolded(now);
         }
         return moved > 0;
-    }
-
-    /// What could not be solved on the half once is not tried again.
-    void remember_unfolded(SolvedAssembly& now) {
-        if (!now.not_folded.empty()) {
-            conditions_.mirror.reset();
-            not_folded_ = now.not_folded;
-        }
-        now.not_folded = not_folded_;
     }
 
     bool may_widen() const {
@@ -363,7 +349,6 @@ private:
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
         move_seams(scene_, now, out_.candidates);
-        if (conditions_.mirror) put_seams_on_mirror(scene_, *conditions_.mirror, out_.candidates);
         expect_ends(scene_, now, runs, out_.candidates);
         expect_pressures(now, out_.candidates);
     }
@@ -372,7 +357,7 @@ private:
 
     const PartGroup& group_;
     const Scene& scene_;
-    ResolvedConditions conditions_;
+    const ResolvedConditions& conditions_;
     const AnalyzeOptions& options_;
     Stopwatches& seconds_;
     int threads_;
@@ -385,7 +370,6 @@ private:
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;
-    std::string not_folded_;           // why all of it is solved
     std::size_t comparable_from_ = 0;  // passes before have other candidates
 };
 

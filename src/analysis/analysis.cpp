@@ -24,7 +24,6 @@
 #include "src/answers/probes.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/io/index.hpp"
-#include "src/plan/mirror_symmetry.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/verdict.hpp"
@@ -124,35 +123,19 @@ std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
             {"recovery", seconds["recovery"]}};
 }
 
-/// Whether half of the scene is to be solved.
-std::optional<MirrorLine> mirror_to_use(const Scene& scene, const ResolvedConditions& conditions, Result& result) {
-    const MirrorSymmetry symmetry = plan_symmetry(scene, conditions, result.effects);
-    if (symmetry.found) return symmetry.line;
-    result.warnings.push_back("\"symmetry\": \"auto\": solved as drawn: " + symmetry_text(symmetry, false));
-    return std::nullopt;
-}
-
-/// The grids turned out not to be symmetric.
-void note_not_folded(const std::string& why, Result& result) {
-    const std::string text = "solved as drawn, because the scene on its grids is not symmetric: " + why;
-    set_symmetry(false, text, result.effects);
-    result.warnings.push_back("\"symmetry\": \"auto\": " + text);
-}
-
 bool has_answer(const Outcome& out) {
     return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
 }
 
 /// The analysis of the parts where they are drawn, and where they go far before they rest, again from there: the scene that it
 /// ends with, if another.
-std::optional<Scene> follow_to_rest(const Scene& drawn, ResolvedConditions conditions, const AnalyzeOptions& options,
+std::optional<Scene> follow_to_rest(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                                     Stopwatches& seconds, Outcome& out, Result& result) {
     constexpr int most_placements = 5;
     std::optional<Scene> rest;
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         std::optional<PlacedScene> placed = placed_at_rest(rest ? *rest : drawn, out.solved);
         if (!placed) break;
-        conditions.mirror.reset();
         Outcome there = solve_adaptively(placed->scene, conditions, options, seconds);
         if (!has_answer(there)) break;
         out = std::move(there);
@@ -173,9 +156,8 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.degree = drawn.accuracy.degree;
     result.warnings = drawn.warnings;
     check_probes(drawn);
-    ResolvedConditions conditions = resolve_conditions(drawn);
+    const ResolvedConditions conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, conditions);
-    if (drawn.fold_symmetry) conditions.mirror = mirror_to_use(drawn, conditions, result);
     const int threads = solver::usable_threads(options.threads);
     Outcome out = solve_adaptively(drawn, conditions, options, seconds);
     const std::optional<Scene> rest = follow_to_rest(drawn, conditions, options, seconds, out, result);
@@ -183,7 +165,6 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
     fill_parts(scene, out.solved, result);
-    if (!out.solved.not_folded.empty()) note_not_folded(out.solved.not_folded, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),

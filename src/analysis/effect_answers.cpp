@@ -34,7 +34,6 @@ void fill_effects(const Outcome& out, double seconds, Result& result) {
     for (Effect& e : result.effects) {
         if (const auto use = out.uses.find(e.name); use != out.uses.end()) {
             e.seconds = use->second.seconds;
-            e.calls = use->second.calls;
             e.items = use->second.items;
             e.share = seconds > 0 ? e.seconds / seconds : 0;
         }

@@ -20,8 +20,7 @@ void append(std::vector<T>& to, std::vector<T>& from) {
 }
 
 /// By part: the smallest part that it hangs together with.
-std::vector<int> first_of_group(const Scene& scene, const ResolvedConditions& conditions,
-                                const std::vector<Candidate>& candidates) {
+std::vector<int> first_of_group(const Scene& scene, const std::vector<Candidate>& candidates) {
     std::vector<int> first(scene.parts.size());
     std::iota(first.begin(), first.end(), 0);
     for (bool changed = true; changed;) {
@@ -32,8 +31,6 @@ std::vector<int> first_of_group(const Scene& scene, const ResolvedConditions& co
             a = b = std::min(a, b);
         };
         for (const Candidate& c : candidates) join(c.first, c.second);
-        for (std::size_t i = 0; conditions.mirror && i < first.size(); ++i)
-            join(static_cast<int>(i), conditions.mirror->image[i]);
     }
     return first;
 }
@@ -86,8 +83,6 @@ void append_solved(SolvedAssembly& to, SolvedAssembly& from) {
     append_problem(to.problem, from.problem, parts_before);
     append_solution(to.solution, from.solution, parts_before);
     if (to.failure.empty()) to.failure = from.failure;
-    if (to.not_folded.empty()) to.not_folded = from.not_folded;
-    to.is_folded = to.is_folded && from.is_folded;
     to.refined_for_walls += from.refined_for_walls;
     to.limited_grids += from.limited_grids;
 }
@@ -163,7 +158,7 @@ std::vector<PartGroup> part_groups(const Scene& scene, const ResolvedConditions&
                                    const std::vector<Candidate>& candidates) {
     const std::vector<bool> solved =
         parts_to_solve(scene, conditions, touching_pairs(candidates), closing_pairs(scene, candidates));
-    const std::vector<int> first = first_of_group(scene, conditions, candidates);
+    const std::vector<int> first = first_of_group(scene, candidates);
     std::vector<PartGroup> groups;
     std::vector<int> group_of(scene.parts.size(), -1);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {

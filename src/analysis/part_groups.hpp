@@ -10,8 +10,7 @@ namespace abut {
 /// Which of the scene's parts a group has.
 using PartGroup = std::vector<bool>;
 
-/// Groups that something acts on, in the order of their first parts: parts hang together that a candidate joins, or the mirror
-/// of a scene that is solved on the half. Parts that
+/// Groups that something acts on, in the order of their first parts: parts hang together that a candidate joins. Parts that
 /// nothing acts on go with the first group, where they are left out. At least one group, of all parts where there is no other.
 std::vector<PartGroup> part_groups(const Scene& scene, const ResolvedConditions& conditions,
                                    const std::vector<Candidate>& candidates);

@@ -100,6 +100,7 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
     input.elasticity = elasticity_of(scene, material);
     input.is_projected = is_nearly_incompressible(scene, material);
     input.thickness = source.thickness;
+    input.by_cholmod = scene.accuracy.by_cholmod;
     if (is_ring) put_around_axis(scene, result);
     return result;
 }

@@ -10,7 +10,6 @@ namespace abut {
 /// Where parts are made side by side their seconds add up.
 struct EffectUse {
     double seconds = 0;
-    long calls = 0;  ///< entries into the effect's code
     long items = 0;  ///< points, rows or unknowns that it worked on
 };
 
@@ -21,7 +20,6 @@ inline void add_uses(EffectUses& to, const EffectUses& from) {
     for (const auto& [name, use] : from) {
         EffectUse& sum = to[name];
         sum.seconds += use.seconds;
-        sum.calls += use.calls;
         sum.items += use.items;
     }
 }
@@ -29,7 +27,7 @@ inline void add_uses(EffectUses& to, const EffectUses& from) {
 /// One call of an effect's code, timed until the end of the block.
 class MeteredCall {
 public:
-    MeteredCall(EffectUses& uses, const std::string& effect) : use_(uses[effect]) { ++use_.calls; }
+    MeteredCall(EffectUses& uses, const std::string& effect) : use_(uses[effect]) {}
     MeteredCall(const MeteredCall&) = delete;
     MeteredCall& operator=(const MeteredCall&) = delete;
     ~MeteredCall() { use_.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count(); }

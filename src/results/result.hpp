@@ -33,7 +33,7 @@ struct Effect {
     std::string why;
     double seconds = 0;
     double share = 0;                                 ///< of the run's seconds
-    long calls = 0, items = 0;                        ///< entries into its code; points, rows or unknowns that it worked on
+    long items = 0;                                   ///< points, rows or unknowns that its code worked on
     std::vector<std::string> parts{};                 ///< that it concerns
     std::vector<std::array<std::string, 2>> pairs{};  ///< of parts; before the run those that are searched
 };

@@ -51,7 +51,6 @@ Json effect(const Effect& e) {
             {"pairs", list_of(e.pairs, [](const auto& pair) { return Json(pair); })},
             {"seconds", number(e.seconds)},
             {"share", number(e.share)},
-            {"calls", e.calls},
             {"items", e.items}};
 }
 

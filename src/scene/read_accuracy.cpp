@@ -46,7 +46,7 @@ std::string word_or(SceneReading& reading, const JsonValue& object, const char* 
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt"}, {}};
+    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt", "solver"}, {}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
     if (find_member(accuracy, "level") && find_member(accuracy, "target"))
@@ -61,6 +61,7 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
     result.dirichlet =
         word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
+    result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {{"auto", "cholmod"}, {}}) == "cholmod";
     if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);
     if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);
     return result;

@@ -52,7 +52,9 @@ void read_general(SceneReading& reading, Scene& scene) {
         if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
     if (const JsonValue* symmetry = find_member(root, "symmetry"))
-        scene.fold_symmetry = read_word(reading, *symmetry, {{"off", "auto"}, {}}) == "auto";
+        report_problem(reading, *symmetry,
+                       "every part is solved as drawn: no half of a symmetric scene is solved alone any more",
+                       "leave \"symmetry\" out; the answer is the same");
 }
 
 void read_all_parts(SceneReading& reading, Scene& scene) {

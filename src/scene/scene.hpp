@@ -134,6 +134,7 @@ struct Accuracy {
     std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche", "solution_structure"
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
+    bool by_cholmod = false;  ///< "solver": "cholmod"
 };
 
 struct Probe {
@@ -161,7 +162,6 @@ struct Scene {
     std::string title;
     std::string length_unit, force_unit;  ///< labels, may be empty
     Analysis analysis = Analysis::plane_stress;
-    bool fold_symmetry = false;  ///< "symmetry": "auto"
     std::vector<Material> materials;
     std::vector<ScenePart> parts;  ///< in the scene's order, the assembly's parts after "parts"
     std::vector<Support> supports;

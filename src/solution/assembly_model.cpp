@@ -5,9 +5,7 @@
 #include <chrono>
 
 #include "solver/contact/independent_groups.hpp"
-#include "solver/contact/mirrored_solution.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
-#include "solver/parts/fold.hpp"
 #include "solver/terms/dilatation.hpp"
 #include "src/discretization/load_vector.hpp"
 #include "src/discretization/part_grid.hpp"
@@ -17,7 +15,6 @@
 #include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/solution/mirrored_grids.hpp"
 
 namespace abut {
 
@@ -39,29 +36,13 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// The part's image, if that is on a grid that the part's can be the image of.
-const PartOnGrid* image_on_grid(const Scene& scene, int part, const std::optional<MirrorLine>& mirror,
-                                const SolvedAssembly& solved) {
-    if (!mirror || mirror->image[at(part)] >= part) return nullptr;
-    const int image = mirror->image[at(part)];
-    const auto is_given = [&](int p) { return scene.accuracy.grids.contains(scene.parts[at(p)].name); };
-    if (is_given(part) || is_given(image)) return nullptr;
-    const int k = solved.solver_part[at(image)];
-    return k < 0 ? nullptr : &solved.grids[at(k)];
-}
-
 PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
-                       const std::optional<MirrorLine>& mirror, SolvedAssembly& solved) {
+                       SolvedAssembly& solved) {
     if (!why_rigid(scene, part).empty()) return put_rigid_part(scene, part);
-    if (const PartOnGrid* image = image_on_grid(scene, part, mirror, solved)) {
-        const PartGrid grid = mirrored_grid(scene, part, *image, *mirror);
-        return discretize(scene, part, grid.frame, grid.grid, grid.degree);
-    }
     bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
         PartGrid chosen = grid_of_part(scene, part, wanted, coarseness, refinement);
-        if (mirror && mirror->image[at(part)] == part && !chosen.given) make_symmetric(*mirror, chosen);
         limited = limited || chosen.limited;
         PartOnGrid g = discretize(scene, part, chosen.frame, chosen.grid, chosen.degree);
         const bool is_final = chosen.given || attempt == max_wall_refinements || scene.accuracy.cell_size;
@@ -122,11 +103,11 @@ EffectUses uses_of(const solver::PartSystem& system) {
     EffectUses uses;
     if (system.body) return uses;
     const auto& s = system.seconds;
-    uses["elasticity"] = {s.all - s.springs - s.dilatation, 1, 2L * system.n()};
+    uses["elasticity"] = {s.all - s.springs - s.dilatation, 2L * system.n()};
     long points = 0;
     for (const solver::SpringSet& set : system.springs) points += static_cast<long>(set.points.size());
-    if (points > 0) uses["springs"] = {s.springs, static_cast<long>(system.springs.size()), points};
-    if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, 1, system.input.dilatation->space.n_functions};
+    if (points > 0) uses["springs"] = {s.springs, points};
+    if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, system.input.dilatation->space.n_functions};
     return uses;
 }
 
@@ -319,7 +300,6 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
     const auto add = [&](const std::string& effect, long n) {
         if (n == 0) return;
         EffectUse& use = solved.uses[effect];
-        ++use.calls;
         use.items += n;
         use.seconds += on_rows * static_cast<double>(n) / static_cast<double>(rows);
     };
@@ -329,66 +309,11 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
     solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
 }
 
-/// Items: unknowns that were not solved for.
-void add_symmetry_use(double seconds, SolvedAssembly& solved) {
-    EffectUse& use = solved.uses["symmetry"];
-    use.seconds += seconds;
-    ++use.calls;
-    for (const solver::PartSystem& s : solved.problem.parts) use.items += 2L * s.n() - s.n_kept;
-}
-
-/// True: something is not symmetric, and noted.
-bool note_failure(const Scene& scene, const solver::MirrorFailure& failure, SolvedAssembly& solved) {
-    if (failure.what.empty()) return false;
-    const auto name = [&](int part) { return scene.parts[at(solved.grids[at(part)].part)].name; };
-    solved.not_folded = "part " + name(failure.part) + ": " +
-                        (failure.other_part < 0 ? "" : "its contact with " + name(failure.other_part) + " ") + failure.what;
-    return true;
-}
-
-/// On the half where the systems are folded. False: the interfaces are not symmetric.
-bool solve_systems(const Scene& scene, SolvedAssembly& solved, int threads) {
-    if (!solved.is_folded) {
-        solved.solution = solve_groups(solved.problem, threads);
-        return true;
-    }
-    solver::MirroredSolution half = solve_mirrored(solved.problem, threads);
-    if (note_failure(scene, half.failure, solved)) return false;
-    solved.solution = std::move(half.solution);
-    add_symmetry_use(half.seconds, solved);
-    return true;
-}
-
-/// Systems of all unknowns.
-void unfold(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, int threads,
-            SolvedAssembly& solved) {
-    const Timed timed(seconds, "assembly");
-    solved.is_folded = false;
-    for (PartOnGrid& g : solved.grids) g.input.mirror.reset();
-    solved.problem.parts.clear();
-    solved.problem.part_load.clear();
-    solved.problem.constraints.clear();
-    // what the systems are made of is counted anew
-    std::erase_if(solved.uses, [](const auto& use) {
-        return use.first != "contact" && use.first != "bonding" && use.first != "interference";
-    });
-    make_systems(scene, conditions, threads, solved);
-    seconds["factorisation"] += factorisation_seconds(solved, timed.seconds());
-}
-
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
-void solve_contacts(const Scene& scene, const ResolvedConditions& conditions, SolvedAssembly& solved, Stopwatches& seconds,
-                    int threads) {
-    bool is_done = false;
+void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "solve");
-        is_done = solve_systems(scene, solved, threads);
-    }
-    if (!is_done) {
-        unfold(scene, conditions, seconds, threads, solved);
-        if (!solved.failure.empty()) return;
-        const Timed timed(seconds, "solve");
-        solve_systems(scene, solved, threads);
+        solved.solution = solve_groups(solved.problem, threads);
     }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
@@ -410,16 +335,12 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         for (std::size_t i = 0; i < scene.parts.size(); ++i) {
             if (!solve_part[i]) continue;
             solved.solver_part[i] = static_cast<int>(solved.grids.size());
-            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, conditions.mirror, solved));
+            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
             if (!solved.grids.back().input.space.failure.empty())
                 solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
         }
     }
     if (!solved.failure.empty()) return solved;
-    if (conditions.mirror) {
-        solved.not_folded = set_mirrors(scene, *conditions.mirror, solved);
-        solved.is_folded = solved.not_folded.empty();
-    }
     {
         const Timed timed(seconds, "assembly");
         make_interfaces(scene, candidates, solved);
@@ -429,16 +350,12 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
         if (!solved.failure.empty()) return solved;
     }
-    if (solved.is_folded && note_failure(scene, asymmetry_of_parts(solved.problem), solved)) {
-        unfold(scene, conditions, seconds, threads, solved);
-        if (!solved.failure.empty()) return solved;
-    }
-    solve_contacts(scene, conditions, solved, seconds, threads);
+    solve_contacts(solved, seconds, threads);
     return solved;
 }
 
-void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
+                          Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "assembly");
         solved.contacts.clear();
@@ -449,7 +366,7 @@ void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditio
         solved.problem.own_normals.clear();
         make_interfaces(scene, candidates, solved);
     }
-    solve_contacts(scene, conditions, solved, seconds, threads);
+    solve_contacts(solved, seconds, threads);
 }
 
 double largest_condition(const SolvedAssembly& solved, int threads) {
@@ -457,8 +374,7 @@ double largest_condition(const SolvedAssembly& solved, int threads) {
     std::vector<double> condition(parts.size(), 0);
     solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const solver::PartSystem& system = parts[at(i)];
-        if (!system.body && !solver::is_follower(system.input) && system.failure.empty())
-            condition[at(i)] = condition_estimate(system);
+        if (!system.body && system.failure.empty()) condition[at(i)] = condition_estimate(system);
     });
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
 }

@@ -23,8 +23,8 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
 
 /// The same grids and factorisations with interfaces made anew, where the candidates expect other ends of contact. Costs the
 /// contact solution alone.
-void solve_contacts_again(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          SolvedAssembly& solved, Stopwatches& seconds, int threads);
+void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
+                          Stopwatches& seconds, int threads);
 
 /// Largest condition number of the parts' scaled matrices; costs about ten solves each.
 double largest_condition(const SolvedAssembly& solved, int threads);

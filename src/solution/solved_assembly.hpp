@@ -23,8 +23,6 @@ struct SolvedAssembly {
     std::string failure;        ///< not empty: not solvable, and why
     int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;            ///< of the effects' code in this pass
-    bool is_folded = false;     ///< half of it was solved (solver/parts/fold.hpp)
-    std::string not_folded;     ///< not empty: a mirror symmetric scene that was solved as drawn, and why
     int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 

@@ -90,9 +90,9 @@ TEST(NextCandidates, PressuresAreExpectedWhereTheyWereFound) {
     next[0].ends = pin.candidates[0].ends;
     std::vector<Candidate> without = next;
     without[0].expected = {};
-    solve_contacts_again(pin_scene(), resolve_conditions(pin_scene()), without, pin.solved, seconds, 1);
+    solve_contacts_again(pin_scene(), without, pin.solved, seconds, 1);
     EXPECT_GT(pin.solved.solution.iterations, 1);
-    solve_contacts_again(pin_scene(), resolve_conditions(pin_scene()), next, pin.solved, seconds, 1);
+    solve_contacts_again(pin_scene(), next, pin.solved, seconds, 1);
     EXPECT_EQ(pin.solved.solution.iterations, 1);
     EXPECT_LT((pin.solved.solution.pressure[0] - pressure).norm(), 1e-9 * pressure.norm());
 }

@@ -32,7 +32,7 @@ TEST(ResultJson, HasTheKeysOfTheContractInItsOrder) {
                               "contacts", "mobility",      "reactions",   "probes",         "warnings"}));
     EXPECT_EQ(keys(j["solver"]), (Names{"grids", "factorizations", "contact_iterations", "condition_estimate", "converged",
                                         "groups", "contact_problems"}));
-    EXPECT_EQ(keys(j["effects"][0]), (Names{"name", "on", "why", "parts", "pairs", "seconds", "share", "calls", "items"}));
+    EXPECT_EQ(keys(j["effects"][0]), (Names{"name", "on", "why", "parts", "pairs", "seconds", "share", "items"}));
     EXPECT_EQ(keys(j["timing"]), (Names{"import", "geometry", "assembly", "solve", "recovery", "output", "total"}));
     EXPECT_EQ(keys(j["equilibrium"]), (Names{"applied", "reaction", "relative_residual", "relative_moment_residual"}));
     EXPECT_EQ(keys(j["parts"][0]), (Names{"name", "area", "unknowns", "solved", "rigid", "max_displacement", "max_von_mises",

@@ -161,6 +161,9 @@ TEST(BadInput, part_names_and_parameters) {
         {"\"R\": 1", "\"R\": \"Q\"", "s.json:2 /parameters/R: in the expression 'Q', column 1: unknown name 'Q'"});
     expect_one_problem(
         {"\"R\": 1", "\"R\": 1, \"pi\": 3", "s.json:2 /parameters/pi: 'pi' has a meaning in expressions already"});
+    expect_one_problem(
+        {"\"abut\": 1,", "\"abut\": 1, \"symmetry\": \"auto\",",
+         "s.json:1 /symmetry: every part is solved as drawn: no half of a symmetric scene is solved alone any more"});
     expect_one_problem({"\"R\": 1", "\"R\": 1, \"2a\": 3", "s.json:2 /parameters/2a: '2a' cannot name a parameter"});
 }
 

@@ -56,7 +56,7 @@ const std::string drawing = std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_b
 
 TEST(ReadScene, general_entries) {
     const Scene scene = scene_of(R"({
-        "abut": 1, "title": "Vise", "units": {"length": "mm", "force": "N"}, "analysis": "plane_strain", "thickness": "h", "symmetry": "off",
+        "abut": 1, "title": "Vise", "units": {"length": "mm", "force": "N"}, "analysis": "plane_strain", "thickness": "h",
         "parameters": {"a": 2, "h": "a^2+1"},   // h may use a
         "materials": {"steel": {"E": 2.1e5, "nu": 0.3, "density": 7.85e-9, "expansion": 1.2e-5, "yield": 250}, "brass": {"E": 1e5, "nu": 0.35}},
         "parts": [{"name": "one", "material": "brass", "geometry": {"circle": {"center": [0, 0], "radius": "a"}}},
@@ -387,7 +387,7 @@ TEST(ReadScene, contacts) {
 TEST(ReadScene, accuracy) {
     const Accuracy accuracy =
         with_members(R"("accuracy": {"level": "fine", "degree": 3, "cell_size": 0.1, "basis": "web", "dirichlet": "nitsche",
-        "adapt": true, "refine": [{"near": [0, 1], "radius": 0.2, "cell_size": 0.01}],
+        "adapt": true, "solver": "cholmod", "refine": [{"near": [0, 1], "radius": 0.2, "cell_size": 0.01}],
         "grids": {"p": {"cells": [4, 8], "offset": [0.1, 0], "angle": 45, "degree": [2, 3]}}})")
             .accuracy;
     EXPECT_EQ(accuracy.level, "fine");
@@ -396,6 +396,7 @@ TEST(ReadScene, accuracy) {
     EXPECT_EQ(accuracy.basis, "web");
     EXPECT_EQ(accuracy.dirichlet, "nitsche");
     EXPECT_EQ(accuracy.adapt, true);
+    EXPECT_TRUE(accuracy.by_cholmod);
     ASSERT_EQ(accuracy.refine.size(), 1u);
     EXPECT_EQ(accuracy.refine[0].near, Vec2(0, 1));
     EXPECT_EQ(accuracy.refine[0].radius, 0.2);

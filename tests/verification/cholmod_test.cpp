@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CHOLMOD as an oracle: every example scene with its factors in place of ours.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "src/analysis/analysis.hpp"
+#include "src/results/result.hpp"
+#include "src/scene/read_scene.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut::cholmod_test {
+namespace {
+
+std::vector<std::string> scenes() {
+    std::vector<std::string> files;
+    for (const char* folder : {"/data/scenes", "/data/verification"})
+        for (const auto& entry : std::filesystem::directory_iterator(std::string(ABUT_SOURCE_DIR) + folder))
+            if (entry.path().extension() == ".json") files.push_back(entry.path().string());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+double relative_difference(double a, double b, double scale) {
+    return scale == 0 ? std::abs(a - b) : std::abs(a - b) / scale;
+}
+
+/// The largest relative difference of two answers: forces of contacts, their peaks, displacements of parts.
+double difference(const Result& a, const Result& b) {
+    double largest = 0, force = 0, moved = 0;
+    for (const ContactResult& c : a.contacts) force = std::max(force, c.force.norm());
+    for (const PartResult& p : a.parts) moved = std::max(moved, p.max_displacement.value);
+    for (std::size_t k = 0; k < a.contacts.size(); ++k) {
+        largest = std::max(largest, relative_difference((a.contacts[k].force - b.contacts[k].force).norm(), 0, force));
+        largest = std::max(largest, relative_difference(a.contacts[k].max_pressure.value, b.contacts[k].max_pressure.value,
+                                                        a.contacts[k].max_pressure.value));
+    }
+    for (std::size_t i = 0; i < a.parts.size(); ++i)
+        largest =
+            std::max(largest, relative_difference(a.parts[i].max_displacement.value, b.parts[i].max_displacement.value, moved));
+    return largest;
+}
+
+class Cholmod : public testing::TestWithParam<std::string> {};
+
+TEST_P(Cholmod, FactorsGiveTheAnswersOfOurs) {
+    Scene scene = read_scene(GetParam());
+    const Result ours = analyze(scene, {});
+    scene.accuracy.by_cholmod = true;
+    const Result theirs = analyze(scene, {});
+    ASSERT_EQ(ours.status, theirs.status);
+    ASSERT_EQ(ours.contacts.size(), theirs.contacts.size());
+    EXPECT_EQ(ours.solver.grids, theirs.solver.grids);
+    // Both solve the same equations: rounding (1e-16) times the condition of the scaled matrices
+    EXPECT_LE(difference(ours, theirs), 1e-15 * ours.solver.condition_estimate) << ours.solver.condition_estimate;
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, Cholmod, testing::ValuesIn(scenes()),
+                         [](const auto& scene) { return std::filesystem::path(scene.param).stem().string(); });
+
+}  // namespace
+}  // namespace abut::cholmod_test
