@@ -63,7 +63,7 @@ CommandSpec study_spec() {
          {"--quiet", "", "print nothing but errors"}},
         "Solved are the accuracy levels; degrees 1 to 4 and two bases with seven cell sizes, on one grid graded like that of\n"
         "the level standard; equal cells. Errors are against the known answer where the scene is a problem of verify, else\n"
-        "against the finest run. The exit status is 1 where no level gives an answer.\n"};
+        "against a run at a fifth of the target of \"fine\". The exit status is 1 where no level gives an answer.\n"};
 }
 
 int study_command(const Arguments& arguments) {

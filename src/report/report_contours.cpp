@@ -6,6 +6,7 @@
 #include "src/report/report_contours.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -131,12 +132,6 @@ void add_patch(const Patch& patch, BandEdges& bands) {
     for (std::size_t i = 0; i < 4; ++i) add_triangle(corners.corner[i], corners.after(i), middle, bands);
 }
 
-/// An edge without its direction, by numbers that are ordered like its points, lower one first; and which way it ran.
-struct CountedEdge {
-    std::uint64_t low, high;
-    int sign;
-};
-
 constexpr std::uint32_t flip = 0x80000000u;  // makes unsigned numbers ordered like signed ones
 
 std::uint64_t packed(const GridPoint& p) {
@@ -148,31 +143,60 @@ GridPoint unpacked(std::uint64_t p) {
             static_cast<std::int32_t>(static_cast<std::uint32_t>(p) ^ flip)};
 }
 
-std::vector<CountedEdge> with_counts(const std::vector<DirectedEdge>& edges) {
-    std::vector<CountedEdge> result;
-    result.reserve(edges.size());
-    for (const DirectedEdge& e : edges) {
+/// How often edges ran one way more than the other, by the edge without its direction. Open addressing: of some ten thousand
+/// edges few are left, and sorting all of them to find these was a third of a report's time.
+class EdgeBalance {
+public:
+    explicit EdgeBalance(std::size_t n_edges) : slots_(std::bit_ceil(2 * n_edges + 1)) {}
+
+    void add(const DirectedEdge& e) {
         const std::uint64_t a = packed(e.from), b = packed(e.to);
-        result.push_back(a < b ? CountedEdge{a, b, 1} : CountedEdge{b, a, -1});
+        Slot& slot = find(std::min(a, b), std::max(a, b));
+        slot.balance += a < b ? 1 : -1;
     }
-    std::sort(result.begin(), result.end(),
-              [](const CountedEdge& a, const CountedEdge& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
-    return result;
-}
+
+    /// The edges that are left, ordered by their first points.
+    std::vector<DirectedEdge> left() const {
+        std::vector<DirectedEdge> edges;
+        for (const Slot& s : slots_) {
+            if (s.balance == 0) continue;
+            const GridPoint a = unpacked(s.low), b = unpacked(s.high);
+            edges.insert(edges.end(), static_cast<std::size_t>(std::abs(s.balance)),
+                         s.balance > 0 ? DirectedEdge{a, b} : DirectedEdge{b, a});
+        }
+        std::sort(edges.begin(), edges.end());
+        return edges;
+    }
+
+private:
+    struct Slot {
+        std::uint64_t low = 0, high = 0;  ///< equal: empty, since no edge is a point
+        int balance = 0;
+    };
+
+    Slot& find(std::uint64_t low, std::uint64_t high) {
+        const std::size_t mask = slots_.size() - 1;
+        std::uint64_t hash = (low * 0x9E3779B97F4A7C15u) ^ (high * 0xC2B2AE3D27D4EB4Fu);
+        hash ^= hash >> 32;
+        for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+            Slot& s = slots_[i];
+            if (s.low == low && s.high == high) return s;
+            if (s.low == s.high) {
+                s.low = low;
+                s.high = high;
+                return s;
+            }
+        }
+    }
+
+    std::vector<Slot> slots_;
+};
 
 /// What is left when opposite edges have cancelled, ordered by their first points.
 std::vector<DirectedEdge> without_pairs(const std::vector<DirectedEdge>& edges) {
-    const std::vector<CountedEdge> all = with_counts(edges);
-    std::vector<DirectedEdge> left;
-    for (std::size_t i = 0; i < all.size();) {
-        const CountedEdge& first = all[i];
-        int balance = 0;
-        for (; i < all.size() && all[i].low == first.low && all[i].high == first.high; ++i) balance += all[i].sign;
-        const DirectedEdge forward{unpacked(first.low), unpacked(first.high)}, backward{forward.to, forward.from};
-        left.insert(left.end(), static_cast<std::size_t>(std::abs(balance)), balance > 0 ? forward : backward);
-    }
-    std::sort(left.begin(), left.end());
-    return left;
+    EdgeBalance balance(edges.size());
+    for (const DirectedEdge& e : edges) balance.add(e);
+    return balance.left();
 }
 
 std::vector<std::vector<GridPoint>> closed_loops(const std::vector<DirectedEdge>& edges) {

@@ -94,21 +94,22 @@ void Course::run_levels(const std::vector<StudySetting>& settings) {
     if (!grids_.empty()) equal_size_ = equal_cell_size(scene_, grids_);
 }
 
-/// Grids at `reference_size` have more cells by its square, and the grids of "standard" are among those that are known.
 void Course::run_reference() {
     if (known_ || grids_.empty()) return;
     const double limit = reference_share * left();
+    const StudySetting reference = reference_setting(scene_, options_);
+    if (reference.kind == Kind::level) return run(reference, limit);
+    // grids at its size have more cells by its square, and those of size 1 are among the runs
     const auto base =
         std::find_if(study_.runs.begin(), study_.runs.end(), [](const StudyRun& r) { return r.status == Status::ok; });
     StudyRun like = *base;
-    like.setting = reference_setting(options_);
+    like.setting = reference;
     like.setting.size = 1;
-    const double predicted = *predicted_seconds({like}, reference_setting(options_));
+    const double predicted = *predicted_seconds({like}, reference);
     if (predicted > limit)
-        skip(reference_setting(options_),
-             "it would take about " + duration_text(predicted) + ", more than its share of the budget");
+        skip(reference, "it would take about " + duration_text(predicted) + ", more than its share of the budget");
     else
-        run(reference_setting(options_), limit);
+        run(reference, limit);
 }
 
 void Course::run_grids() {
@@ -125,9 +126,11 @@ void Course::run_grids() {
     }
 }
 
-/// The run with most unknowns among those whose basis bears any grid.
+/// The reference that was asked for; where it was not solved the run with most unknowns among those whose basis bears any grid.
 std::optional<std::size_t> finest_run(const std::vector<StudyRun>& runs) {
     std::optional<std::size_t> finest;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        if (runs[i].status == Status::ok && runs[i].setting.level == level_reference) return i;
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (runs[i].status == Status::ok && runs[i].setting.basis == "web" && runs[i].setting.degree > 1 &&
             runs[i].setting.kind != Kind::uniform && (!finest || runs[i].unknowns > runs[*finest].unknowns))
@@ -160,7 +163,7 @@ void Course::name_reference() {
         study_.reference = "the known answer of verification problem " + known_->name + " (" + known_->about + ")";
     else if (study_.reference_run)
         study_.reference =
-            "the finest run (" + setting_text(study_.runs[static_cast<std::size_t>(*study_.reference_run)].setting) + ")";
+            "the reference run (" + setting_text(study_.runs[static_cast<std::size_t>(*study_.reference_run)].setting) + ")";
 }
 
 /// Wall time over processor time of all runs on one thread.
@@ -181,8 +184,8 @@ void Course::add_notes() {
                                "errors and memory are not touched by it.");
     if (study_.reference_run)
         study_.notes.push_back(
-            "No closed form is known for this scene. Errors are differences from the finest run: those of the next finest "
-            "ones come out too small, and an error that all runs share is not seen.");
+            "No closed form is known for this scene. Errors are differences from the reference run: those of runs that are as "
+            "fine come out wrong, and an error that all runs share is not seen.");
     if (options_.threads != 1 && threads_ == 1)
         study_.notes.push_back(
             "No runs with threads: there is one processor, or the linear algebra library may not be called from several "

@@ -14,6 +14,8 @@ namespace abut {
 
 /// In place of a level, where the scene gives its grids or its cell size: there is nothing that a level could change.
 inline constexpr const char* level_as_given = "as given";
+/// A level of a study's own, that the others are compared with where no closed form is known.
+inline constexpr const char* level_reference = "a fifth of fine";
 
 /// How one run of a study solves the scene.
 struct StudySetting {
@@ -23,7 +25,7 @@ struct StudySetting {
         uniform,  ///< one solution on equal cells
     };
     Kind kind = Kind::level;
-    std::string level{};        ///< of Kind::level: "draft", "standard", "fine", or level_as_given
+    std::string level{};        ///< of Kind::level: "draft", "standard", "fine", level_as_given, level_reference
     int degree = 2;             ///< levels: the scene's own, as is the basis
     std::string basis = "web";  ///< "web", "normalized"
     double size = 1;            ///< cell size over that of the grids of "standard"; uniform: over that of as many equal cells

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/scene/accuracy_goal.hpp"
 #include "src/study/study_measure.hpp"
 
 namespace abut {
@@ -50,6 +51,10 @@ Scene scene_at(Scene scene, const StudyTask& task) {
         if (setting.level == level_as_given) return scene;
         accuracy.target.reset();
         accuracy.level = setting.level;
+        if (setting.level == level_reference) {
+            accuracy.level = "fine";
+            accuracy.target = target_of(accuracy) / 5;
+        }
         return scene;
     }
     forget_grids(accuracy);

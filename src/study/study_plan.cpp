@@ -19,15 +19,22 @@ bool is_family_mate(const StudySetting& a, const StudySetting& b) {
     return a.kind == b.kind && a.degree == b.degree && a.basis == b.basis && a.threads == b.threads;
 }
 
+/// There is nothing that a level could change.
+bool gives_grids(const Accuracy& accuracy) {
+    return (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
+}
+
+StudySetting level_setting(const Accuracy& accuracy, const char* level) {
+    return {Kind::level, level, accuracy.degree, accuracy.basis == "auto" ? "web" : accuracy.basis, 1};
+}
+
 }  // namespace
 
 std::vector<StudySetting> level_settings(const Scene& scene) {
-    const Accuracy& accuracy = scene.accuracy;
-    const std::string basis = accuracy.basis == "auto" ? "web" : accuracy.basis;
     std::vector<StudySetting> settings;
-    const bool is_given = (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
-    const std::vector<const char*> levels = is_given ? std::vector{level_as_given} : std::vector{"standard", "draft", "fine"};
-    for (const char* level : levels) settings.push_back({Kind::level, level, accuracy.degree, basis, 1});
+    const std::vector<const char*> levels =
+        gives_grids(scene.accuracy) ? std::vector{level_as_given} : std::vector{"standard", "draft", "fine"};
+    for (const char* level : levels) settings.push_back(level_setting(scene.accuracy, level));
     return settings;
 }
 
@@ -48,7 +55,8 @@ std::vector<StudySetting> grid_settings(const StudyOptions& options) {
     return settings;
 }
 
-StudySetting reference_setting(const StudyOptions& options) {
+StudySetting reference_setting(const Scene& scene, const StudyOptions& options) {
+    if (!gives_grids(scene.accuracy)) return level_setting(scene.accuracy, level_reference);
     return {Kind::graded, "", 2, "web", reference_refinement * options.sizes.back()};
 }
 

@@ -18,8 +18,9 @@ std::vector<StudySetting> threaded_settings(const Scene& scene, int threads);
 /// Those on given grids, size by size: all degrees, both bases, and equal cells of degree 2.
 std::vector<StudySetting> grid_settings(const StudyOptions& options);
 
-/// A run that is finer than all of these, to compare them with.
-StudySetting reference_setting(const StudyOptions& options);
+/// The run that the others are compared with: grids that follow the contacts down to a fifth of fine's target, or where the
+/// scene gives its grids these, finer than all others.
+StudySetting reference_setting(const Scene& scene, const StudyOptions& options);
 
 /// Seconds that one solution at the setting will take, by the next coarser runs of its family; unset where there is none.
 std::optional<double> predicted_seconds(const std::vector<StudyRun>& runs, const StudySetting& setting);

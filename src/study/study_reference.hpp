@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the errors of a study are against: closed forms of the verification problems, or its finest run.
+// What the errors of a study are against: closed forms of the verification problems, or a run of its own.
 #pragma once
 #include <string>
 #include <vector>

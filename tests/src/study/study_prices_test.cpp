@@ -112,7 +112,10 @@ TEST(StudyPlan, HasAllDegreesSizesAndBasesFromCoarseToFine) {
                 EXPECT_EQ(std::count(settings.begin(), settings.end(), StudySetting{Kind::graded, "", degree, basis, size, 1}),
                           1);
     EXPECT_TRUE(std::is_sorted(settings.begin(), settings.end(), [](const auto& a, const auto& b) { return a.size > b.size; }));
-    EXPECT_LT(reference_setting({}).size, settings.back().size);
+    Scene given;
+    given.accuracy.cell_size = 1;
+    EXPECT_LT(reference_setting(given, {}).size, settings.back().size);
+    EXPECT_EQ(reference_setting({}, {}).level, level_reference);
 }
 
 TEST(StudyChart, TicksLieWithinTheAxisAndAreNeitherManyNorFew) {
