@@ -86,9 +86,9 @@ struct CutCells {
     double area = 0;                     ///< sum over the cells: equals the part's area where the grid covers it
 };
 
-/// Cost O(cells + contours log(contours of a grid line)), memory O(cells + contours + edges): a million cells with a hundred
-/// thousand segments take 30 ms, with as many cubic splines 0.4 s. The grid must cover the part; where it does not, `area`
-/// falls short of the part's.
+/// Classifies the cells of a grid and clips the part's boundary to them. Cost O(cells + contours log(contours of a grid line)),
+/// memory O(cells + contours + edges): a million cells with a hundred thousand segments take 30 ms, with as many cubic splines
+/// 0.4 s. The grid must cover the part; where it does not, `area` falls short of the part's.
 CutCells cut_cells(const Part& part, const Grid& grid);
 
 /// The piece of `edge` that holds parameter t.

@@ -44,7 +44,7 @@ struct Difference {
     std::vector<CsgNode> of;
 };                                 ///< the first less all others
 enum class Mirror { none, x, y };  ///< x: negates x
-/// Applied in the order scale, mirror, rotate (degrees), translate; the first three about `about`.
+/// A child that is scaled, mirrored, rotated (degrees) and translated, in this order; the first three about `about`.
 struct Placed {
     std::vector<CsgNode> of;
     double rotate = 0;

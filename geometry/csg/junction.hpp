@@ -23,7 +23,8 @@ struct JunctionTolerance {
 /// times the tolerance on both sides of it. None if there is neither.
 std::optional<Junction> find_junction(const Curve& a, double ta, const Curve& b, double tb, const JunctionTolerance& tolerance);
 
-/// The touching point alone: parallel tangents, at most `merge` apart.
+/// The point where a and b touch next to a(ta) and b(tb): parallel tangents, at most `merge` apart. None where they do not
+/// touch.
 std::optional<Junction> find_touching(const Curve& a, double ta, const Curve& b, double tb, const JunctionTolerance& tolerance);
 
 /// Parameter of the point of the curve nearest to p, near the parameter t in a portion of the width `range`; not confined to

@@ -9,7 +9,7 @@
 
 namespace abut::geometry {
 
-/// Sources that are no primitive's edge.
+/// Numbers that stand for sources that are no primitive's edge.
 inline constexpr int bridge_source = std::numeric_limits<int>::max();   ///< joins two tangential edges, see boolean.hpp
 inline constexpr int far_source = std::numeric_limits<int>::max() - 1;  ///< the artificial end of a half plane
 

@@ -41,11 +41,12 @@ struct Primitive {
 /// All leaves of the tree in reading order. What is wrong with one of them, or with the nodes above, is added to `problems`.
 std::vector<Primitive> primitives_of(const CsgNode& tree, std::vector<GeometryProblem>& problems);
 
+/// A curve or a point after all moves, the innermost first.
 Curve placed(Curve curve, const std::vector<Move>& moves);
 Vec2 placed(Vec2 p, const std::vector<Move>& moves);
-/// Is left exchanged with right?
+/// Do the moves exchange left with right?
 bool is_mirrored(const std::vector<Move>& moves);
-/// Lengths are multiplied by this.
+/// The factor by which the moves multiply lengths.
 double scale_of(const std::vector<Move>& moves);
 
 }  // namespace abut::geometry

@@ -18,6 +18,7 @@ struct ArcFit {
     double excess;  ///< at most 1: within the tolerance and most_arc_kink, by a bound. Grows with the third power of the length
 };
 
+/// Fits one arc to a portion; `tolerance` (length) is what its excess is measured by.
 ArcFit fit_arc(const Portion& portion, double tolerance);
 
 }  // namespace abut::geometry

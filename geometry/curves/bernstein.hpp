@@ -6,6 +6,7 @@
 
 namespace abut::geometry {
 
+/// The value of the polynomial at t.
 double bernstein_value(const std::vector<double>& coefficients, double t);
 
 /// Where the polynomial changes sign in [0, 1], ascending, and where it is zero at 0 or 1: found by halving until the

@@ -51,9 +51,10 @@ struct Structure {
     Structure& operator=(Structure&&) = default;
 };
 
-/// Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost: see split_groups().
+/// Reads the structure of a DXF file. Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost:
+/// see split_groups().
 Structure read_structure(const std::string& path);
-/// The same of a file's bytes; `file` is its name in messages.
+/// Reads the structure from a file's bytes; `file` is its name in messages.
 Structure structure_of(const std::string& file, std::string bytes);
 
 }  // namespace abut::geometry::dxf

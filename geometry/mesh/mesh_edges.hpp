@@ -16,7 +16,7 @@ struct MeshEdge {
     std::vector<EdgeSide> sides;
 };
 
-/// Ordered by vertices, the sides of each by triangle. Cost O(n log n).
+/// All edges of a mesh, ordered by vertices, the sides of each by triangle. Cost O(n log n).
 std::vector<MeshEdge> edges_of(const Mesh& mesh);
 
 }  // namespace abut::geometry

@@ -29,6 +29,7 @@ struct Shells {
     Vec3 turned_at{0, 0, 0}, inverted_at{0, 0, 0}, told_apart_at{0, 0, 0};
 };
 
+/// Splits a mesh into closed shells:
 /// 1. Triangles are turned to agree across edges that two of them share; of each connected patch the minority is turned.
 /// 2. If the whole then holds a negative volume, all is turned.
 /// 3. At edges with more triangles these bound wedges of material, one after the other about the edge: the two sides of one

@@ -22,9 +22,9 @@ struct SectionLoops {
     Box2 box;  ///< of all of it
 };
 
-/// Points in the plane as SectionPlane says. Vertices on the plane count as above it, so that every triangle crosses it in one
-/// segment or not at all. The body's indices must be valid. Loops begin at their first triangle. Cost O(n log n), and
-/// O(open ends^2).
+/// The section of one body by a plane, its points in the plane as SectionPlane says. Vertices on the plane count as above it,
+/// so that every triangle crosses it in one segment or not at all. The body's indices must be valid. Loops begin at their first
+/// triangle. Cost O(n log n), and O(open ends^2).
 SectionLoops section_loops(const Mesh& body, const SectionPlane& plane);
 
 }  // namespace abut::geometry

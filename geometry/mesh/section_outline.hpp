@@ -9,9 +9,9 @@ namespace abut::geometry {
 
 struct OutlinePiece {
     enum class Kind {
-        line,    ///< as the section is; through several points within the tolerance
+        line,    ///< a line as the section has it; through several points within the tolerance
         arc,     ///< vertices on one circle
-        circle,  ///< all of them
+        circle,  ///< all vertices on one circle
         curve    ///< arcs through the vertices of a curve
     };
     Kind kind = Kind::line;
@@ -26,7 +26,7 @@ struct Outline {
     std::vector<OutlinePiece> pieces;  ///< in order along the points
 };
 
-/// `recognise_arcs` false: lines from point to point. Cost near linear.
+/// Recovers a closed polyline as lines and arcs; with `recognise_arcs` false as lines from point to point. Cost near linear.
 Outline outline_of(const std::vector<Vec2>& points, double tolerance, bool recognise_arcs);
 
 /// Point k of the outline, counted on around it.

@@ -18,8 +18,8 @@ struct EdgePair {
     double opposition = 0;  ///< -n1.n2, 1 where the normals oppose each other exactly
 };
 
-/// Between begin and end every point of edge1 has its partner on edge2; the gap is monotone. begin.s1 < end.s1, begin.s2 >
-/// end.s2.
+/// A stretch of edge1 that faces edge2: between begin and end every point of edge1 has its partner on edge2; the gap is
+/// monotone. begin.s1 < end.s1, begin.s2 > end.s2.
 struct FacingStretch {
     int edge1 = -1, edge2 = -1;
     EdgePair begin, end;

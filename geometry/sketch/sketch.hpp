@@ -82,7 +82,7 @@ struct SketchParts {
 /// once, each area is a part (sketch_faces.hpp). Open chains, branchings and crossings are problems with place, gap size and
 /// file line; everything that was mended is a repair. The numbers of the results are in the file's coordinates.
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
-/// The same with parts_by layer.
+/// Makes parts by layer, whatever options.parts_by says.
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
 
 /// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.

@@ -12,8 +12,8 @@ struct Crossing {
     SketchProblem problem;
 };
 
-/// One for each pair of outlines that cross (or outline that crosses or touches itself), at one of their meetings: which side
-/// of them is material cannot be told. Two outlines may touch each other; none may touch itself.
+/// The outlines that cross: one entry for each pair (or outline that crosses or touches itself), at one of their meetings:
+/// which side of them is material cannot be told. Two outlines may touch each other; none may touch itself.
 std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance);
 
