@@ -26,10 +26,10 @@ struct PassRecord {
 
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
-/// Of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
+/// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
 struct PressureChange {
     double difference = 0;  ///< L2, like the norm without the neighbourhoods of corners
-    double inside = 0;      ///< the same without those of free ends
+    double inside = 0;      ///< L2, without the neighbourhoods of corners and of free ends
     double refinement = 1;  ///< of the knots there: their spacing over that before, geometric mean
     double norm = 0;        ///< L2 of the pressure
     double peak = 0, peak_before = 0;
@@ -39,7 +39,7 @@ struct PressureChange {
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
 /// Do both tables begin and end at the same places? Those of a closed zone may have moved.
 bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory);
-/// The same from what theory has, which is no force and no knots: refinement 1.
+/// The change of a contact's pressure from the theory's, which has no force and no knots: refinement 1.
 PressureChange change_from(const ContactRecord& now, const PlanePressure& theory);
 
 }  // namespace abut

@@ -13,7 +13,7 @@ struct SingularPlace {
     bool is_of_contact = false;
 };
 
-/// Of one part of the scene.
+/// The places of one part of the scene.
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved, int part);
 

@@ -40,10 +40,10 @@ struct BatchEnd {
     std::string write_fault;  ///< why no more jobs were begun: nothing can be written; empty where it did not come to that
 };
 
-/// Jobs begin in their order, several at once; answers do not depend on how many. Interrupted, workers are ended and what they
-/// had begun is removed. A job one of whose files is written while it runs is done again; its key is that of what it read. A
-/// job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError where not even the first
-/// folder can be made.
+/// Does the jobs of a batch, in their order, several at once; answers do not depend on how many. Interrupted, workers are ended
+/// and what they had begun is removed. A job one of whose files is written while it runs is done again; its key is that of what
+/// it read. A job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError where not even
+/// the first folder can be made.
 BatchEnd run_batch(const std::vector<BatchJob>& jobs, const std::string& out, const BatchRun& run);
 
 }  // namespace abut

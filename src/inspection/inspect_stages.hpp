@@ -23,15 +23,15 @@ struct Stages {
     std::vector<PartCells> parts;  ///< by scene part
 };
 
-/// Before a basis that cannot be made halves any cells. Drawn overlaps are no fault here.
-/// Throws InputError where the scene asks for an impossible grid.
+/// The candidates and grids of an analysis before a basis that cannot be made halves any cells. Drawn overlaps are no fault
+/// here. Throws InputError where the scene asks for an impossible grid.
 Stages first_stages(const Scene& scene);
 
 std::string cells_svg(const Inspection& inspection, const Stages& stages);
 std::string pieces_svg(const Inspection& inspection, const Stages& stages);
 std::string candidates_svg(const Inspection& inspection, const Stages& stages);
 
-/// The parts, pale.
+/// Paths of all parts, pale.
 std::string pale_parts(const Scene& scene, const View& view);
 /// A grid crossing in the picture.
 Vec2 grid_point(const PartCells& part, std::size_t column, std::size_t row, const View& view);

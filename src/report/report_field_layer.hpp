@@ -9,7 +9,7 @@
 
 namespace abut::report {
 
-/// Value of a field at a sample.
+/// The value of a field at a sample.
 using FieldValue = std::function<double(const FieldSample&)>;
 
 struct LayerOptions {
@@ -20,10 +20,10 @@ struct LayerOptions {
     std::string id;           ///< prefix of the clip paths' ids, unique in the page
 };
 
-/// What pictures of stress show.
+/// The von Mises stress of a sample, which pictures of stress show.
 double von_mises_of(const FieldSample& sample);
 
-/// All parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
+/// The fields of all parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
 std::string field_layer(const Result& result, const View& view, const LayerOptions& options);
 
 /// The largest value among the patches whose middle lies inside its part, and the value below which the fraction of their area

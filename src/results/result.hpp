@@ -90,11 +90,11 @@ struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
     std::vector<double> shear;       ///< of bonded ones: tangential traction on the second part, along its normal turned left
-    std::vector<std::string> edge2;  ///< the same points on the second part
+    std::vector<std::string> edge2;  ///< "part/edge" of the facing points on the second part
     std::vector<double> s2, x2, y2;
 };
 
-/// Estimated, relative to the contact's own values (src/analysis/error_estimate.hpp).
+/// Estimated errors, relative to the contact's own values (src/analysis/error_estimate.hpp).
 struct ContactErrors {
     double pressure = 0;  ///< L2 over the contact
     double peak = 0, force = 0, length = 0;
@@ -131,7 +131,7 @@ struct PartMobility {
     std::vector<Screw> wrenches, twists;  ///< of its supports alone: what they can exert, what they leave free
     std::vector<std::string> alone;       ///< the twists in words
     std::vector<Screw> free;              ///< with the contacts, in all motions of the assembly
-    std::vector<std::string> motions;     ///< the same in words
+    std::vector<std::string> motions;     ///< the free twists in words
 };
 struct MobilityResult {
     int degrees_of_freedom = 0, gruebler = 0;
@@ -146,7 +146,7 @@ struct Reaction {
     Vec2 force{0, 0};
     double moment = 0;
     std::string why{};                        ///< the method, in words
-    std::optional<Vec2> force_from_stress{};  ///< "structure": the same from the stresses along the edges, a second opinion
+    std::optional<Vec2> force_from_stress{};  ///< "structure": the force from the stresses along the edges, a second opinion
     std::optional<double> energy{};           ///< "spring": stored in it
 };
 
@@ -193,7 +193,7 @@ struct Result {
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)
-    /// The same split finer, without reading and writing: geometry, assembly, factorisation, contact, recovery (seconds).
+    /// The timing split finer, without reading and writing: geometry, assembly, factorisation, contact, recovery (seconds).
     std::vector<std::pair<std::string, double>> stages;
     std::vector<Effect> effects;
     double strain_energy = 0;
@@ -231,7 +231,7 @@ struct Result {
     std::vector<LoadMark> load_marks;
 };
 
-/// The text of result.json (SCENE.md); deterministic but for timing.
+/// The text of result.json; deterministic but for timing.
 std::string result_json(const Result& result);
 /// The text of contact_<k>.csv.
 std::string contact_csv(const ContactResult& contact);

@@ -36,7 +36,8 @@ struct ContactInterface {
     geometry::FacingZone zone;
     solver::Interface face;  ///< face.part: indices among the solver's parts
     std::vector<std::array<Vec2, 2>> own_normals;
-    /// Table: arc length on chain 1 against that of the middle curve (penalty: on chain 1 from the zone's begin), ascending.
+    /// The table of arc length on chain 1 against that of the middle curve (penalty: on chain 1 from the zone's begin),
+    /// ascending.
     std::vector<double> s1, s;
     std::vector<double> s2;  ///< partners on chain 2 of the table's entries
     double foundation = 0;
@@ -44,14 +45,14 @@ struct ContactInterface {
     Pairing pairing = Pairing::middle;
 };
 
-/// Mortar's, or penalty's where the scene asks for it.
+/// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it.
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
                                 const PartOnGrid& second, std::array<int, 2> solver_part);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);
 
-/// Element of a part that holds a point of its boundary.
+/// The element of a part that holds a point of its boundary.
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p);
 
 }  // namespace abut

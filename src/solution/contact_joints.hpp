@@ -15,7 +15,7 @@ struct ContactJoint {
     double opening;         ///< by how much the gap's second derivative grows there, along the middle curve (1/length)
 };
 
-/// Of both chains, over the whole interface, those that change the gap's curvature by half of it or more; ascending.
+/// The joints of both chains, over the whole interface, that change the gap's curvature by half of it or more; ascending.
 std::vector<ContactJoint> contact_joints(const Scene& scene, const ContactInterface& contact);
 
 }  // namespace abut

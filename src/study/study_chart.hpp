@@ -32,7 +32,7 @@ struct LogChart {
     std::vector<ChartSeries> series;                    ///< later ones are drawn above
 };
 
-/// Values at which a logarithmic axis is marked: 1, 10, 100 where it spans three decades or more; 1, 2, 5 in less.
+/// The values at which a logarithmic axis is marked: 1, 10, 100 where it spans three decades or more; 1, 2, 5 in less.
 std::vector<double> log_ticks(double low, double high);
 
 /// An SVG of the report's half width; empty without two different points.

@@ -9,7 +9,7 @@
 
 namespace abut::report {
 
-/// Curves of all families; y: a run's value, its title ends in y's text.
+/// A number of a run for a chart's axis.
 struct RunValue {
     std::function<double(const StudyRun&)> value;
     std::string (*text)(double);

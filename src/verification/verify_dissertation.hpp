@@ -17,7 +17,7 @@ enum class Ours { penalty, mortar, automatic };
 inline constexpr std::size_t n_ours = 3;
 inline constexpr std::array<const char*, n_ours> ours_name{"penalty", "mortar", "default"};
 
-/// What a value of one of our columns must keep to.
+/// A tolerance that a value of one of our columns must keep to.
 struct Judged {
     Ours column;
     double tolerance;            ///< on the error relative to the reference
@@ -41,12 +41,12 @@ struct DissertationTable {
     std::vector<std::string> notes{};
 };
 
-/// In the dissertation's order.
+/// The dissertation's tables, in its order.
 std::vector<DissertationTable> dissertation_tables();
 
 struct SolvedTable {
     DissertationTable table;
-    /// By line and column; unset where the column has no run or its answer does not tell.
+    /// The cells by line and column; unset where the column has no run or its answer does not tell.
     std::vector<std::array<std::optional<VerifyRow>, n_ours>> cells;
 };
 
@@ -57,9 +57,9 @@ SolvedTable solve_table(const DissertationTable& table, const std::string& data_
 /// mesh-free value (NaN without either).
 std::vector<VerifyRow> rows_of(const SolvedTable& solved);
 
-/// One block of text a table, and how to read them.
+/// The tables as text, one block each, and how to read them.
 std::string dissertation_text(const std::vector<SolvedTable>& solved);
-/// Its line in `abut verify --list`.
+/// The tables' line in `abut verify --list`.
 std::string dissertation_list();
 
 }  // namespace abut
