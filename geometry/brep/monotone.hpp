@@ -42,7 +42,7 @@ double dx_dy(const MonotonePiece& piece, double y);
 /// The parameter of the edge's curve at a point of the piece.
 double parameter_at(const MonotonePiece& piece, const Vec2& p, const Curve& curve);
 
-/// Where a piece meets a grid line: the point, on the line exactly, and the parameter there.
+/// The place where a piece meets a grid line: the point, on the line exactly, and the parameter there.
 struct LineMeeting {
     Vec2 at;
     double t;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Elements: the connected components of (cell and part). Where a slot or a crack is thinner than a cell, one cell holds a piece
 // of each of its arms, or two cells side by side hold one each with no material on the side that they share; functions that
-// live on both must not tie the arms together (DESIGN 3).
+// live on both must not tie the arms together.
 //
 //     +-------+-------+        The two cells above: left arm # and right arm @ in one cell, elements 0 and 4 of it; the right
 //     |###  @@|@@@@@@@|        cell is one element and neighbours element 4 only. Below: the slot lies on the grid line, both

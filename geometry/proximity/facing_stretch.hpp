@@ -26,8 +26,8 @@ struct FacingStretch {
 };
 
 inline constexpr double least_opposition = 0.5;  ///< normals oppose each other within 60 degrees
-/// At the centre of curvature of either side the pairing folds back. Neighbouring points may draw together to this fraction of
-/// their distance on the way to the middle curve; closer to the centre they have no partners.
+/// The fraction of their distance to which neighbouring points may draw together on the way to the middle curve: at the centre
+/// of curvature of either side the pairing folds back, and closer to it points have no partners.
 inline constexpr double least_spread = 0.05;
 
 /// Everything the search needs to know about the two parts, made once.

@@ -20,7 +20,7 @@ struct RigidMotion {
     Vec2 at(const Vec2& x) const { return translation + rotation * Vec2(-(x.y() - center.y()), x.x() - center.x()); }
 };
 
-/// How a support set was imposed.
+/// The way in which a support set was imposed.
 enum class SupportMethod { aligned, nitsche, structure };
 
 struct SupportRecord {

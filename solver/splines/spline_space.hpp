@@ -3,7 +3,7 @@
 //
 // Elements are the connected components of (cell and part): 0 to n_cells - 1 the cells themselves, or the first component of
 // cells in several pieces, whose other components follow. A tensor B-spline whose support inside the part falls into several
-// connected pieces, the arms beside a slot, is as many functions, its branches (DESIGN 3, "arms apart"): each lives on one of
+// connected pieces, the arms beside a slot, is as many functions, its branches: each lives on one of
 // them, and nothing ties the arms together.
 #pragma once
 #include <Eigen/Core>

@@ -11,7 +11,7 @@ namespace abut {
 
 class LabelPlacement {
 public:
-    /// The picture's free area.
+    /// Labels are to stay inside this area.
     explicit LabelPlacement(const Box2& area);
 
     /// Marks a curve that labels are not to cover.

@@ -29,7 +29,7 @@ struct DissertationLine {
     std::string what, unit;                                     ///< unit: powers of F (force) and L (length); empty: a number
     std::function<std::optional<double>(const Result&)> value;  ///< unset: the answer does not tell
     std::optional<double> ansys{}, mesh_free{};                 ///< as printed
-    std::optional<double> reference{};                          ///< VALIDATION's, for the scene as it stands
+    std::optional<double> reference{};                          ///< converged number or closed form, for the scene as it stands
     std::vector<Judged> judged{};                               ///< all others are recorded
     std::string mark{};                                         ///< of a footnote: a misprint
 };
@@ -53,7 +53,7 @@ struct SolvedTable {
 /// Solves a table's runs. Throws InputError where a scene cannot be read.
 SolvedTable solve_table(const DissertationTable& table, const std::string& data_folder);
 
-/// The cells as rows of `abut verify --json`: names "dissertation-B-mortar", the reference VALIDATION's or else the printed
+/// The cells as rows of `abut verify --json`: names "dissertation-B-mortar", the reference our own or else the printed
 /// mesh-free value (NaN without either).
 std::vector<VerifyRow> rows_of(const SolvedTable& solved);
 
