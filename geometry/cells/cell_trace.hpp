@@ -18,7 +18,7 @@
 
 namespace abut::geometry {
 
-/// Portion of a cell's side with material on the inner side of it: coordinates along the side, from < to.
+/// A stretch of a cell's side with material on the inner side of it: coordinates along the side, from < to.
 struct SideStretch {
     int component;
     CellSide side;

@@ -53,7 +53,7 @@ enum class CellClass : std::uint8_t { outer, boundary, inner };
 /// A cell whose filled fraction is below this (above 1 minus this) counts as outer (inner): the rounding of the fraction.
 inline constexpr double sliver_fraction = 1e-13;
 
-/// Portion of an edge inside one cell.
+/// The piece of an edge inside one cell.
 struct BoundaryPiece {
     int edge;
     double t0, t1;
@@ -65,7 +65,7 @@ inline CellSide opposite(CellSide side) {
     return side == CellSide::none ? side : static_cast<CellSide>((static_cast<int>(side) + 2) % 4);
 }
 
-/// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
+/// A piece of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
 struct ContourPiece {
     int cell;
     int edge;

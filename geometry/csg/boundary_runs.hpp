@@ -25,9 +25,9 @@ struct Run {
 
 /// The lengths below which things are one.
 struct MergeLengths {
-    double rounding = 0;  ///< sliver_width_fraction of the size plus the distance from the origin
-    double merge = 0;     ///< merge_fraction of the size
-    double joint = 0;     ///< what the ends of primitives' edges may be apart: merge_fraction of the size of all sources
+    double rounding = 0;   ///< sliver_width_fraction of the size plus the distance from the origin
+    double merge = 0;      ///< merge_fraction of the size
+    double joint_gap = 0;  ///< what the ends of primitives' edges may be apart: merge_fraction of the size of all sources
 };
 
 /// Has the curve no closed form (ellipses and splines)?

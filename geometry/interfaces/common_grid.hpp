@@ -15,7 +15,7 @@ namespace abut::geometry {
 /// Two parts that come together on the grid, and where.
 struct ContactCells {
     std::array<int, 2> part{0, 0};  ///< the first is the earlier one
-    MeetingCells meeting;           ///< case 'a' to 'd'; numbers of the common grid's cells
+    CaseCells its_case;             ///< case 'a' to 'd'; numbers of the common grid's cells
 };
 
 struct CommonGrid {

@@ -67,8 +67,8 @@ struct FacingPair {
     ChainPoint on1, on2;
     Vec2 normal{0, 0};  ///< n above: from body 1 towards body 2
     double gap = 0;
-    double slope = 0;    ///< ds2/ds1, negative
-    double stretch = 0;  ///< d(middle curve's length)/ds1, measured across n
+    double slope = 0;        ///< ds2/ds1, negative
+    double length_rate = 0;  ///< d(middle curve's length)/ds1, measured across n
     bool found = false;
 };
 

@@ -9,7 +9,7 @@
 
 namespace abut {
 
-/// The Poisson's ratio from which on materials in plane strain have their volume strain projected
+/// The Poisson's ratio from which on materials that are not in plane stress have their volume strain projected
 /// (solver/terms/dilatation.hpp). Measured on the thick ring and a field of varying pressure, degrees 1 to 4: without the
 /// projection the errors of stresses are 2 to 3.5 times those at 0.3 here, 10 to 20 times at 0.49, a thousand times at 0.4999;
 /// with it they stay the same.

@@ -130,7 +130,7 @@ struct Accuracy {
     int degree = 2;
     std::optional<double> cell_size;
     std::vector<Refinement> refine;
-    std::string basis = "auto";                ///< "auto", "plain", "web"
+    std::string basis = "auto";                ///< "auto", "plain", "normalized", "web"
     std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche", "solution_structure"
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
