@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// What is known at the end of a batch besides its jobs.
 struct BatchCircumstances {
     double seconds = 0;
     bool quiet = false;

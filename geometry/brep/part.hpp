@@ -22,6 +22,7 @@ struct Loop {
     std::vector<int> edges;  ///< indices into Part::edges
 };
 
+/// A region of the plane: its edges, and the loops that they make.
 struct Part {
     std::string name;
     std::vector<Edge> edges;
@@ -34,6 +35,7 @@ inline const Curve& curve_of(const Part& part, int edge) {
 /// The loop that the edge belongs to; nullptr if to none.
 const Loop* loop_of(const Part& part, int edge);
 
+/// The smallest axis-parallel box around a part's edges, exact but for rounding.
 Box2 bounding_box(const Part& part);
 /// Area (length^2) and centroid of a part by Green's theorem (curve_moments.hpp), to rounding. Holes count negative.
 double area(const Part& part);

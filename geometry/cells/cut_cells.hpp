@@ -74,6 +74,7 @@ struct ContourPiece {
     CellSide enters = CellSide::none, leaves = CellSide::none;
 };
 
+/// A part on a grid: the class and filled fraction of every cell, and the boundary by cells, as pieces and as contours.
 struct CutCells {
     Grid grid;
     std::vector<CellClass> cell_class;   ///< by cell

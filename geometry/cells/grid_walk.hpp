@@ -14,6 +14,7 @@ struct LineCrossing {
     int turn;  ///< +1: to the right (material begins above), -1: to the left (material ends)
 };
 
+/// What the walk of a boundary through a grid has met.
 struct GridWalk {
     std::vector<LineCrossing> crossings;  ///< in the order of the walk
     std::vector<ContourPiece> contours;   ///< of edges, inside the grid, in the order of the walk

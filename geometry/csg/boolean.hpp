@@ -15,6 +15,7 @@ struct BoundingDisc {
     double radius = 1;
 };
 
+/// The boundary of an evaluated tree as raw pieces.
 struct BooleanBoundary {
     std::vector<std::vector<RawPiece>> loops;  ///< head to tail, material on the left
     std::vector<GeometryProblem> problems;     ///< a boundary that could not be made exact

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// A place on two curves, by its parameters and points.
 struct Junction {
     double ta = 0, tb = 0;    ///< parameters; may lie outside [0, 1] on closed curves and by rounding
     Vec2 xa{0, 0}, xb{0, 0};  ///< the points there: equal at crossings, at most `merge` apart where the curves touch

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// A meeting of two edges of `loops`.
 struct EdgeMeeting {
     enum class Kind {
         same,   ///< both run along each other over all their length

@@ -8,6 +8,7 @@
 
 namespace abut::geometry {
 
+/// All edges of `loops` by number, and the lengths that they are judged by.
 struct LoopModel {
     std::vector<LoopEdge> edges;  ///< in file order
     std::vector<int> list;        ///< by edge: which of the lists it stands in

@@ -26,6 +26,7 @@ struct RawPiece {
 /// are what rounding leaves between two edges meant to coincide, and are dropped.
 inline constexpr double sliver_width_fraction = 1e-12;
 
+/// The boundary of a Boolean as pieces of the sources' own curves.
 struct MergedBoundary {
     std::vector<std::vector<Piece>> loops;
     std::vector<Repair> repairs;            ///< tiny edges and slivers that were left out

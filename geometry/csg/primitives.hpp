@@ -27,6 +27,7 @@ struct SourceEdge {
     double begin = 0;  ///< arc length where the curve begins on its source: not 0 for imported pieces only
 };
 
+/// A leaf of the tree, with its edges and where the tree moves it.
 struct Primitive {
     std::string name;                 ///< names of the nodes on the way to it, "base/foot"; may be empty
     std::string where;                ///< JSON pointer

@@ -15,6 +15,7 @@
 
 namespace abut::geometry {
 
+/// A straight line from point to point.
 struct Segment {
     Vec2 from, to;
 };

@@ -5,6 +5,7 @@
 
 namespace abut::geometry {
 
+/// An area (length^2) and its first moments (length^3) about a point o.
 struct Moments {
     double area = 0;
     Vec2 first{0, 0};  ///< integral of (x - o)

@@ -25,6 +25,7 @@ struct PieceTree {
 std::vector<ArcPiece> calm_arc_spline(const Curve& curve, double tolerance);
 inline constexpr double flat_fraction = 0.1;
 
+/// The tree of a curve's calm arc spline.
 PieceTree piece_tree(const Curve& curve, double tolerance);
 
 /// The parameter of the curve at a point of one of its arcs: near the true one, to start an iteration with.

@@ -9,6 +9,7 @@
 
 namespace abut::geometry {
 
+/// Points that a spline is to pass through, and its tangents at the ends where they are given.
 struct SplineThrough {
     std::vector<Vec2> points;  ///< to pass through, in order; the first is not repeated where it is closed
     bool closed = false;

@@ -25,12 +25,14 @@ struct Record {
     double number(int code, double missing) const;
 };
 
+/// A layer's look, for the entities on it.
 struct Layer {
     bool off = false, frozen = false;
     std::string linetype;
     int color = 7;
 };
 
+/// A block: entities that INSERT records place.
 struct Block {
     Record head;  ///< holds the base point (10, 20)
     std::string name;
@@ -38,6 +40,7 @@ struct Block {
     bool is_external = false;  ///< its entities are in another file
 };
 
+/// A DXF file taken apart into records; it can be moved and not copied, since records point into it.
 struct Structure {
     Groups groups;                                  ///< what the records point to
     std::map<std::string, std::string> header;      ///< first value of each variable: "$INSUNITS" -> "4"

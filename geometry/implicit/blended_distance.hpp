@@ -17,6 +17,7 @@
 
 namespace abut::geometry {
 
+/// The choices of a blended distance function.
 struct BlendedDistance {
     double delta = 0;  ///< width of the strip, length; 0: strip_width(part)
     int gamma = 3;     ///< >= 1; the field is gamma - 1 times continuously differentiable where it becomes flat

@@ -9,6 +9,7 @@
 
 namespace abut::geometry {
 
+/// A formula behind a field: values from doubles, derivatives from jets.
 class FieldShape {
 public:
     FieldShape() = default;

@@ -15,6 +15,7 @@
 
 namespace abut::geometry {
 
+/// A field's value at a point with its first and second derivatives.
 struct FieldValue {
     double value = 0;
     Vec2 gradient{0, 0};

@@ -20,6 +20,7 @@ struct FacingEdges {
     double gap;  ///< the smallest
 };
 
+/// What a contact is to an engineer: its kind, its measures, what it transmits and what it leaves free.
 struct FunctionalInterface {
     std::string kind;                               ///< of the stretch that carries most: "pin-in-hole", "flat-on-flat", ...
     std::array<std::optional<double>, 2> diameter;  ///< of its edges, where they are circles

@@ -47,6 +47,7 @@ struct Connection {
     Screw wrench{0, 0, 0};
 };
 
+/// What connections leave bodies to do.
 struct Mobility {
     int degrees_of_freedom = 0;  ///< 3 bodies - rank of the connections
     int gruebler = 0;            ///< 3 bodies - connections: the count on one's fingers, negative where over-constrained

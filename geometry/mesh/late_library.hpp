@@ -6,6 +6,7 @@
 
 namespace abut::geometry {
 
+/// A shared library, loaded when this is made.
 class LateLibrary {
 public:
     /// Loads it, for good: by its name ("libassimp.so.5"), or from where it was when the program was built.

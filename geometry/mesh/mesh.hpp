@@ -24,6 +24,7 @@ struct Mesh {
     std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
+/// The bodies of a mesh file, and what was mended, ignored and wrong in it.
 struct MeshFile {
     std::string file, format;  ///< format: "STL", "OBJ", "PLY", "glTF", "COLLADA", "3MF"
     std::string unit;          ///< 3MF states one; COLLADA and glTF are brought to "m"; empty otherwise

@@ -5,12 +5,14 @@
 
 namespace abut::geometry {
 
+/// A triangle at an edge.
 struct EdgeSide {
     int triangle;
     int apex;         ///< its third vertex
     bool is_forward;  ///< does the triangle run along the edge in its direction?
 };
 
+/// An edge of a mesh with all triangles at it.
 struct MeshEdge {
     int from, to;  ///< vertices, from < to
     std::vector<EdgeSide> sides;

@@ -8,12 +8,14 @@ namespace abut::geometry {
 /// Half-planes about an edge closer than this angle, radians, are one: the common face of two bodies.
 inline constexpr double coincident_angle = 1e-3;
 
+/// How many edges of a shell are wrong in one way, and where the first is.
 struct EdgeFault {
     int n = 0;  ///< edges
     Vec3 at{0, 0, 0};
     double length = 0;  ///< longest
 };
 
+/// A connected surface of a mesh, and what keeps it from closing.
 struct Shell {
     Mesh mesh;  ///< unnamed
     bool is_closed = true;
@@ -21,6 +23,7 @@ struct Shell {
     EdgeFault branching;  ///< edges where bodies meet that cannot be told apart, or faces whose sides contradict each other
 };
 
+/// The shells of a mesh, and what was turned or told apart to find them.
 struct Shells {
     std::vector<Shell> shells;  ///< in order of their first triangle; whatever does not close is one shell, the last
     int n_turned = 0;           ///< triangles turned to agree with their neighbours

@@ -14,6 +14,7 @@ inline constexpr double single_rounding = 1.2e-7;
 /// The distance below which two vertices of the object are one.
 double weld_length(const std::vector<Vec3>& vertices);
 
+/// What joining vertices did to a mesh, with the place of the first of each kind.
 struct Weld {
     int n_joined = 0;  ///< vertices that moved by more than rounding
     int n_degenerate = 0, n_doubled = 0;

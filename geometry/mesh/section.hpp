@@ -27,6 +27,7 @@ inline constexpr int most_nudges = 64;
 /// equally thin z, else y.
 SectionPlane default_plane(const std::vector<Mesh>& bodies);
 
+/// Bodies cut by a plane, as a drawing.
 struct Section {
     Drawing drawing;
     SectionPlane plane;  ///< the plane that was cut at
@@ -35,6 +36,7 @@ struct Section {
     std::vector<Repair> repairs;
 };
 
+/// The choices of a cut.
 struct SectionOptions {
     double tolerance = 0;        ///< of arcs; 0: arc_fraction of the body's section
     bool recognise_arcs = true;  ///< facets that are arcs within the tolerance, or stand for a curve, become arcs

@@ -14,6 +14,7 @@ struct BodyOutlines {
     double tolerance = 0;  ///< of its arcs
 };
 
+/// A recovered piece of an outline that another boundary rules out.
 struct BulgeConflict {
     int body = 0, outline = 0, piece = 0;  ///< whose curve is none
     int other = 0;                         ///< the body whose boundary is in the way

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// A line or a curve that an outline was recovered as, with the facets that it stands for.
 struct OutlinePiece {
     enum class Kind {
         line,    ///< a line as the section has it; through several points within the tolerance
@@ -21,6 +22,7 @@ struct OutlinePiece {
     double sagitta = 0;   ///< its largest distance from its facets; 0 of lines
 };
 
+/// A closed polyline and the pieces that it was recovered as.
 struct Outline {
     std::vector<Vec2> points;
     std::vector<OutlinePiece> pieces;  ///< in order along the points

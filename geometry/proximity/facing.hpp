@@ -35,6 +35,7 @@ inline constexpr double chain_angle = 1e-3;  ///< radians; a sharper turn is a c
 /// The boundary of a part as chains; every edge is in one.
 std::vector<Chain> smooth_chains(const Part& part);
 
+/// A point of a chain with the boundary's frame and curvature there.
 struct ChainPoint {
     int edge = -1;
     double t = 0;                               ///< parameter of that edge's curve

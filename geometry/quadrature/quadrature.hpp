@@ -23,6 +23,7 @@ std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int de
 /// for bit.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, const Elements& elements, int degree);
 
+/// A quadrature point of the boundary.
 struct BoundaryPoint {
     int element;
     int edge;

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// How well a part's quadrature knows the part.
 struct RuleCheck {
     double area = 0;        ///< error relative to the part's area
     double centroid = 0;    ///< distance from the part's centroid, in diagonals of the grid

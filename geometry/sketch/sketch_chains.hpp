@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// An entity as a chain runs through it.
 struct ChainLink {
     int entity;
     bool along;  ///< in the entity's own direction?

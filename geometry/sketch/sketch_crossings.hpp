@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// Two closed outlines that cross, by number, and what the user is told.
 struct Crossing {
     int chain, other;  ///< the earlier one first; the same where one crosses itself
     SketchProblem problem;

@@ -8,6 +8,7 @@
 
 namespace abut::geometry {
 
+/// Entities that may belong to one part.
 struct EntityGroup {
     std::string name;  ///< the layer, block, instance, or colour ("color3"); empty of PartsBy::loop, where all is one group
     std::vector<SketchEntity> entities;

@@ -20,6 +20,7 @@ struct Joint {
     double gap = 0;               ///< how far apart they are drawn
 };
 
+/// All joints of a drawing, and which of them each entity ends at.
 struct Joints {
     std::vector<Joint> joints;
     std::vector<int> at_begin, at_end;  ///< joint by entity; -1 for full circles and ellipses, which have no ends

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// The outlines that entities close to, after mending.
 struct ClosedOutlines {
     Outlines outlines;
     std::vector<Repair> repairs;

@@ -15,6 +15,8 @@ struct Elasticity {
     double expansion = 0, expansion_zz = 0;
 };
 
+/// The elasticity of a modulus E (force per area) and a Poisson's ratio, without stress out of the plane (nu < 1) or without
+/// strain out of it (nu < 1/2).
 inline Elasticity plane_stress(double E, double nu) {
     return {E / (1 - nu * nu), nu * E / (1 - nu * nu), E / (2 * (1 + nu)), 0, E / (1 - nu), 0};
 }

@@ -24,6 +24,7 @@ inline double radius(const PartInput& input, const Vec2& x) {
     return x.x() - *input.axis;
 }
 
+/// Is a point as good as on the axis?
 inline bool is_on_axis(const PartInput& input, const Vec2& x) {
     const std::vector<double>& lines = input.space.x.breakpoints;
     return radius(input, x) <= on_axis_fraction * (lines[1] - lines[0]);

@@ -20,6 +20,7 @@ KnotVector uniform_knots(double cell_size, int first_cell, int n_cells, int degr
 /// pinned: the deflection is prescribed; clamped: the slope, too.
 enum class BeamEnd { free, pinned, clamped };
 
+/// How an end of the beam is held.
 struct BeamHold {
     BeamEnd end = BeamEnd::free;
     double deflection = 0, slope = 0;  ///< prescribed; read where the end holds them
@@ -74,6 +75,7 @@ struct BeamSystem {
 /// in `failure`. Cost: points of the rule x intervals x (p + 1)^2.
 BeamSystem assemble_beam(const Beam& beam, const BeamLoad& load, BeamScaling scaling = BeamScaling::jacobi);
 
+/// The deflection as a spline, or why there is none.
 struct BeamSolution {
     Eigen::VectorXd coefficient;  ///< of every function of the knots, not scaled; 0: it is not on the beam
     std::string failure;          ///< not empty: the system's, or what its factorisation found

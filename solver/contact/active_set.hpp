@@ -19,11 +19,13 @@ struct ShiftedQp {
     Eigen::VectorXd gap;  ///< under the amplitudes that these are measured from (m)
 };
 
+/// The proximal term 1/2 (a - anchor)'E (a - anchor) on the amplitudes.
 struct Proximal {
     Eigen::MatrixXd stiffness;  ///< E (n x n)
     Eigen::VectorXd anchor;     ///< (n)
 };
 
+/// The unknowns of the contact problem at one point of a search.
 struct ContactState {
     Eigen::VectorXd multipliers, amplitudes;
     Eigen::VectorXd closing;  ///< C l

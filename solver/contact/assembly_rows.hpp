@@ -7,6 +7,7 @@
 
 namespace abut::solver {
 
+/// The rows of an assembly, in order, with what the start of the search needs.
 struct AssemblyRows {
     Rows rows;                   ///< of the interfaces, then one for each constraint
     std::vector<int> first_row;  ///< by interface

@@ -20,6 +20,7 @@ struct MeanConstraint {
     FunctionIntegrals integrals;
 };
 
+/// A rigid motion of one part, by its number.
 struct PartMotion {
     int part;
     RigidMotion motion;
@@ -32,6 +33,7 @@ inline constexpr double neutral_motion_fraction = 1e-3;
 /// that a load straight against a face is inclined to it by so much.
 inline constexpr double neutral_work_fraction = 1e-6;
 
+/// Parts, what couples them, and the scales that rounding is measured by.
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
     std::vector<Interface> interfaces;
@@ -52,6 +54,7 @@ struct SolveSeconds {
     double displacements = 0;  ///< with the refinement
 };
 
+/// The displacements and forces of an assembly, or the motions that it cannot resist.
 struct AssemblySolution {
     std::vector<Eigen::VectorXd> displacement;  ///< (2n) by part
     std::vector<Eigen::VectorXd> load;          ///< (2n) by part, contact and constraints included

@@ -11,6 +11,7 @@
 
 namespace abut::solver {
 
+/// The problem in m multipliers and n amplitudes.
 struct ContactQp {
     Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
     Eigen::VectorXd gap;           ///< g (m)
@@ -25,6 +26,7 @@ struct ContactQp {
     Eigen::VectorXd expected{};
 };
 
+/// The solution of the contact problem, or why there is none.
 struct ContactQpResult {
     Eigen::VectorXd multipliers, gap;
     Eigen::VectorXd settled, motion;  ///< amplitudes of the rigid settle, and from there to the answer

@@ -30,6 +30,7 @@ struct InterfacePoint {
 /// at the unknown end of contact.
 inline constexpr int multiplier_degree = 2;
 
+/// A stretch along which two parts are coupled: its points and its unknowns.
 struct Interface {
     std::array<int, 2> part;
     double thickness = 1;
@@ -61,6 +62,7 @@ struct RowEntry {
     double value;
 };
 
+/// Rows of the system over all parts: matrices D by part, gaps of the undeformed bodies, and what kind each row is.
 struct Rows {
     int n = 0;
     std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once

@@ -7,6 +7,7 @@
 
 namespace abut::solver {
 
+/// The bodies at rest on the foundation.
 struct Settled {
     Eigen::VectorXd amplitudes, multipliers;
     Eigen::MatrixXd stiffness;  ///< of the whole foundation

@@ -8,6 +8,7 @@
 
 namespace abut::solver {
 
+/// The matrix K, which is never made: products with it, and its scale. The last `n_eliminated` rows are those of M.
 class SchurComplement {
 public:
     SchurComplement(SparseSymmetric matrix, int n_eliminated);

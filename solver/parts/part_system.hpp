@@ -23,6 +23,7 @@ struct RigidMotion {
 /// The way in which a support set was imposed.
 enum class SupportMethod { aligned, nitsche, structure };
 
+/// A support of the part, and how it is imposed.
 struct SupportRecord {
     SupportSet set;
     SupportMethod method;
@@ -47,6 +48,7 @@ inline constexpr double largest_spring_condition = 1e12;
 
 struct RigidBody;
 
+/// A part ready to be solved. Sizes: n functions, vectors (2n) ordered (function, component).
 struct PartSystem {
     PartInput input;
     std::shared_ptr<const RigidBody> body{};  ///< of a rigid part (rigid_body.hpp): no stiffness, no factor, no unknowns

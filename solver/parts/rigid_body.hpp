@@ -21,6 +21,7 @@ struct MotionCondition {
 /// The condition direction . u(x) = value.
 MotionCondition held_point(int tag, const Vec2& x, const Vec2& center, const Vec2& direction, double value, double weight);
 
+/// A rigid part's motion as far as supports prescribe it.
 struct RigidBody {
     Vec2 center{0, 0};
     double size = 1;  ///< the length at which rotations are measured

@@ -21,6 +21,7 @@ struct FullCellEquations {
     Eigen::MatrixX3d rhs;
 };
 
+/// The equations of full cells: what depends on a column or row alone is done once.
 class FullCellFit {
 public:
     /// displacement, fit: spaces on the same grid. Cost: O(columns + rows).

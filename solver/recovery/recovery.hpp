@@ -10,11 +10,13 @@
 
 namespace abut::solver {
 
+/// A place where stresses are sampled.
 struct SamplePoint {
     int element;
     Vec2 x;
 };
 
+/// A smoothed stress field: a spline for each component.
 struct StressField {
     SplineSpace space;
     Eigen::MatrixX3d coefficients;  ///< (n_functions x (xx, yy, xy))

@@ -21,6 +21,7 @@ struct LineValues {
 };
 
 template <int N>
+/// N fields of a space on one element; the space must outlive it.
 class LocalSpline {
 public:
     using Values = Eigen::Matrix<double, N, 1>;

@@ -16,12 +16,14 @@
 
 namespace abut::solver {
 
+/// A scalar and its gradient at a point.
 struct ScalarAt {
     double value = 0;
     Vec2 gradient{0, 0};
 };
 using ScalarField = std::function<ScalarAt(const Vec2&)>;
 
+/// The weights and data of a part's supports, and the rules that products with them are integrated by.
 struct SolutionStructure {
     std::array<ScalarField, 2> weight;  ///< w by component, between 0 and 1 on the part; empty: 1, the component is not held
     std::array<ScalarField, 2> data;    ///< phi by component; empty: 0

@@ -18,6 +18,7 @@
 
 namespace abut {
 
+/// The contacts of a solution as half planes have them.
 struct TheoryOfContacts {
     ContactRuns runs;
     /// The pressure by theory, by contact; where all of its runs are small beside their parts and of half planes.

@@ -22,6 +22,7 @@ struct MissedContact {
 using MissedContacts = std::vector<std::vector<MissedContact>>;
 MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share);
 
+/// Is there a missed stretch in any contact?
 bool any_missed(const MissedContacts& missed);
 
 /// The runs of each contact with its missed stretches among them, ascending.

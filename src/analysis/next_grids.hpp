@@ -13,6 +13,7 @@ namespace abut {
 /// locate the contacts, and show what the shape's cells do.
 inline constexpr double first_coarsening = 2, coarsening_step = 1.4;
 
+/// What the next grids are to have; kept and changed from pass to pass.
 struct NextGrids {
     double target;                                ///< estimated relative error aimed at
     double coarseness;                            ///< of the shape's cells, at the target

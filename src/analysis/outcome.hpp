@@ -21,6 +21,7 @@ enum class PathEnd {
     out_of_digits   ///< rounding hides what finer grids would change
 };
 
+/// The last solution with its stresses and errors, and the way there.
 struct Outcome {
     std::vector<Candidate> candidates;
     SolvedAssembly solved;                    ///< on the last grids

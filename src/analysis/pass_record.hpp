@@ -8,6 +8,7 @@
 
 namespace abut {
 
+/// A contact's pressure in one pass.
 struct ContactRecord {
     std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
     solver::KnotVector pressure;  ///< over s; no intervals: no interface
@@ -17,6 +18,7 @@ struct ContactRecord {
     std::optional<Vec2> resultant{};  ///< force on the first part
 };
 
+/// One pass.
 struct PassRecord {
     std::vector<ContactRecord> contacts;  ///< by candidate
     double energy = 0;
@@ -24,6 +26,7 @@ struct PassRecord {
     double seconds = 0;  ///< since the first grid was begun
 };
 
+/// Records a solution; seconds: since the first grid was begun.
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
 /// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.

@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// The energy that a grid misses at one place.
 struct SingularError {
     std::size_t grid;  ///< index into SolvedAssembly::grids
     Vec2 at;           ///< assembly coordinates

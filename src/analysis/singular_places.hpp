@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// A place without a limit of the stress.
 struct SingularPlace {
     Vec2 at;              ///< assembly coordinates
     double missed_share;  ///< what splines miss of the strain energy in the cells within a cell's size; 0 where not known

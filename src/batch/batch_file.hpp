@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// A batch: its settings, and its jobs with what each was asked.
 struct BatchFile {
     std::string source;                           ///< as it was given; for titles
     std::map<std::string, std::string> settings;  ///< options that change answers, and the program's version

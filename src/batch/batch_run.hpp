@@ -14,12 +14,14 @@
 
 namespace abut {
 
+/// How far a batch is, as it is told after every job.
 struct BatchProgress {
     std::size_t total = 0, done = 0, kept = 0, not_ok = 0;  ///< done: with those kept from an earlier run
     const JobRecord* last = nullptr;                        ///< the job that is done now; null: nothing but time has passed
     bool last_kept = false;
 };
 
+/// How a batch is run: workers and limits, the shard, what is asked of a job, and who does it.
 struct BatchRun {
     std::size_t workers = 1;
     WorkerLimits limits{};
@@ -33,6 +35,7 @@ struct BatchRun {
     std::function<void(const BatchProgress&)> progress{};  ///< may be empty
 };
 
+/// How a batch ended.
 struct BatchEnd {
     BatchProgress progress;
     bool interrupted = false;

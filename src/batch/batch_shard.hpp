@@ -8,6 +8,7 @@
 
 namespace abut {
 
+/// The index-th of `count` shares of a batch.
 struct Shard {
     std::size_t index = 1, count = 1;  ///< index from 1 to count
 };

@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// One job: a name, a file and values of parameters.
 struct BatchJob {
     std::string name;  ///< of its folder: unique in the batch, without '/', the same on every machine and for every shard
     std::string file;  ///< scene, drawing or mesh; empty: the template alone
@@ -14,6 +15,7 @@ struct BatchJob {
     std::string where;                         ///< "table.csv:12", for messages; empty: a file of a folder
 };
 
+/// The jobs of a batch, and what was left out.
 struct BatchSource {
     std::vector<BatchJob> jobs;                     ///< in the order of the table or list, else by name
     std::map<std::string, std::string> parameters;  ///< columns of the table that stand for parameters, and where they stand

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// The records of a batch and their counts.
 struct BatchSummary {
     std::vector<JobRecord> jobs;                  ///< those that OUT has, in the batch's order
     std::vector<std::string> missing;             ///< names of the others

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// What one job was asked and what it came to.
 struct JobRecord {
     enum class Status {
         ok,

@@ -11,11 +11,13 @@
 
 namespace abut {
 
+/// What a worker may take.
 struct WorkerLimits {
     double memory_bytes = 0;  ///< of data (heap, stacks, private maps: RLIMIT_DATA), beyond this allocations fail; 0: none
     unsigned seconds = 0;     ///< of wall time, then it is ended; 0: none
 };
 
+/// How a worker ended: with its text or with a reason.
 struct WorkerEnd {
     std::size_t job = 0;
     std::string text;   ///< what the work gave

@@ -13,6 +13,7 @@ namespace abut {
 
 using geometry::FunctionalInterface;
 
+/// The faces of a candidate, by pairs of edges, and what they make of it.
 struct CandidateFaces {
     std::map<std::array<int, 2>, double> lengths;  ///< on the first part, by pair of edges
     std::array<int, 2> carrying{0, 0};             ///< the pair that is longest

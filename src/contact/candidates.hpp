@@ -26,6 +26,7 @@ struct ExpectedPressure {
     std::vector<double> pressure;
 };
 
+/// A zone of two parts that may come into contact, with the scene's rule for it and what earlier grids know of it.
 struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second
     geometry::FacingZone zone;

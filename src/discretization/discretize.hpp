@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// A part on its grid: frame, cells and elements, and the solver's input made of them.
 struct PartOnGrid {
     int part;               ///< index into Scene::parts
     bool is_rigid = false;  ///< one cell of bilinear functions, which hold its motions; no stiffness

@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// The grid of a part, and the part in the grid's frame.
 struct PartGrid {
     Frame frame;
     geometry::Part local;  ///< the part in that frame

@@ -10,6 +10,7 @@
 
 namespace abut {
 
+/// What a file holds.
 struct Inspection {
     std::string file, format, unit;
     Scene scene;                     ///< with the parts that could be read

@@ -12,12 +12,14 @@
 
 namespace abut::inspect {
 
+/// A part's first grid and its cells.
 struct PartCells {
     Frame frame;  ///< of the grid
     geometry::CutCells cells;
     bool is_limited = false;  ///< the grid is coarser than wanted, to bound the number of cells
 };
 
+/// The first stages of an analysis.
 struct Stages {
     std::vector<Candidate> candidates;
     std::vector<PartCells> parts;  ///< by scene part

@@ -8,6 +8,7 @@
 
 namespace abut {
 
+/// One row of a table.
 struct TableRow {
     std::map<std::string, std::string> cells;  ///< by column; without those that are empty
     int line = 0;                              ///< where the row begins, from 1

@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// A value of a JSON text, with its place.
 struct JsonValue {
     enum class Kind { null, boolean, number, string, array, object };
     Kind kind = Kind::null;
@@ -21,6 +22,7 @@ struct JsonValue {
     std::vector<JsonValue> items;  ///< of an array or an object, in file order
 };
 
+/// A JSON text as a tree.
 struct JsonDocument {
     std::string file;
     JsonValue root;

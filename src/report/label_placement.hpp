@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// The free room of a picture.
 class LabelPlacement {
 public:
     /// Labels are to stay inside this area.

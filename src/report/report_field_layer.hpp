@@ -12,6 +12,7 @@ namespace abut::report {
 /// The value of a field at a sample.
 using FieldValue = std::function<double(const FieldSample&)>;
 
+/// How fields are drawn.
 struct LayerOptions {
     FieldValue value;
     double top = 1;           ///< the value at the end of the colour scale

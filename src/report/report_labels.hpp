@@ -10,6 +10,7 @@ namespace abut::report {
 using geometry::Box2;
 using geometry::Vec2;
 
+/// The places of a picture that are taken.
 class LabelPlaces {
 public:
     /// frame: labels stay inside it (picture coordinates).

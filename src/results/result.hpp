@@ -17,16 +17,19 @@ using geometry::FunctionalInterface;
 using geometry::Screw;
 using geometry::Vec2;
 
+/// A largest value and where it is.
 struct ValueAt {
     double value = 0;
     Vec2 at{0, 0};
 };
 
+/// The stress at a point; xy is the shear.
 struct Stress {
     double xx = 0, yy = 0, xy = 0, zz = 0;
 };
 double von_mises(const Stress& stress);
 
+/// An effect of the plan; after the run with what its code took.
 struct Effect {
     std::string name;
     bool on = false;
@@ -52,6 +55,7 @@ struct CutQuality {
     } self_check;
 };
 
+/// What is known of one part.
 struct PartResult {
     std::string name, material;
     double area = 0;
@@ -86,6 +90,8 @@ struct PartField {
     std::vector<std::vector<FieldSample>> boundary;
 };
 
+/// A contact's pressure and gap point by point along the first part's edges; lists are parallel. Arc lengths are on the model's
+/// edges, in their own direction.
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
@@ -107,6 +113,7 @@ struct NextLevel {
     double target = 0, seconds = 0;
 };
 
+/// What one contact does.
 struct ContactResult {
     std::array<int, 2> part{0, 0};  ///< indices into Result::parts
     std::array<std::string, 2> parts, between;
@@ -139,6 +146,7 @@ struct MobilityResult {
     std::vector<PartMobility> parts;
 };
 
+/// The force of a support on the assembly, total over the thickness, and its moment about the origin.
 struct Reaction {
     int support = 0;     ///< index into Scene::supports
     std::string label;   ///< "fix x, y on base/bottom"
@@ -150,6 +158,7 @@ struct Reaction {
     std::optional<double> energy{};           ///< "spring": stored in it
 };
 
+/// Displacement and stress at a point that the scene asks for.
 struct ProbeResult {
     std::string part;
     Vec2 at;
@@ -180,6 +189,7 @@ struct Reason {
     std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
 };
 
+/// The answer. With status "failed" it holds what is known, and `message` says why.
 struct Result {
     std::string title, status = "ok", message;  ///< status: ok, failed
     std::string length_unit, force_unit;

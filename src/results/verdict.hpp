@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// What an answer is worth, in one word.
 enum class Verdict {
     reached,     ///< solved, and known as well as was asked for
     solved_but,  ///< solved, with reasons not to take it as it is

@@ -5,6 +5,7 @@
 
 namespace abut {
 
+/// Reads the value of "accuracy".
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy);
 
 /// Reads the value of "grids": the spline grids of parts, by part.

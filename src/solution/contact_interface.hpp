@@ -30,6 +30,7 @@ struct GapRule {
     double of(double gap) const { return (no_overlap && gap < 0 ? 0.0 : gap) - closing; }
 };
 
+/// A candidate as the solver's interface, with the way back from its arc length to the parts' chains.
 struct ContactInterface {
     std::array<int, 2> part;  ///< indices into Scene::parts
     geometry::FacingZone zone;

@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// A place within a contact where the gap's curvature jumps.
 struct ContactJoint {
     double s;               ///< on the middle curve
     std::array<Vec2, 2> x;  ///< of both bodies, in the assembly's frame

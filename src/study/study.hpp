@@ -40,6 +40,7 @@ using StageSeconds = std::array<double, 8>;
 inline constexpr std::array<const char*, 8> study_stages{"import",  "geometry", "assembly", "factorisation",
                                                          "contact", "recovery", "report",   "other"};
 
+/// What one run of a study came to.
 struct StudyRun {
     StudySetting setting;
     enum class Status { ok, failed, skipped } status = Status::ok;
@@ -63,6 +64,7 @@ struct StudyMeasure {
     bool held = false;  ///< every run has it but for rounding: it says nothing about accuracy
 };
 
+/// A scene at many settings.
 struct Study {
     std::string title, file;
     std::string reference;             ///< what errors are against, in words
@@ -73,6 +75,7 @@ struct Study {
     std::vector<std::string> notes;  ///< what the reader must know of this study: what was left out, and why
 };
 
+/// The choices of a study.
 struct StudyOptions {
     int threads = 0;     ///< of the levels' second runs; 0: one for each processor; 1: there are none
     double budget = 60;  ///< seconds of wall time; runs that would not fit are skipped, those that do not end are stopped

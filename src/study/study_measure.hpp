@@ -31,6 +31,7 @@ struct StudyGrid {
     std::vector<double> x, y;
 };
 
+/// A measured run with what later runs are compared with or made from.
 struct StudyMeasured {
     StudyRun run;
     std::vector<Problem> problems;    ///< not empty: the scene's own fault, nothing else is filled in

@@ -34,6 +34,7 @@ struct DissertationLine {
     std::string mark{};                                         ///< of a footnote: a misprint
 };
 
+/// One of the dissertation's tables: our runs, its lines, and notes on them.
 struct DissertationTable {
     std::string name, title;  ///< "B"; "Case B: convex cylinders (tables 4.2, 5.1, 5.2, Figure 5.4)"
     std::array<std::optional<VerifyRun>, n_ours> runs;
@@ -44,6 +45,7 @@ struct DissertationTable {
 /// The dissertation's tables, in its order.
 std::vector<DissertationTable> dissertation_tables();
 
+/// A table with our answers.
 struct SolvedTable {
     DissertationTable table;
     /// The cells by line and column; unset where the column has no run or its answer does not tell.
