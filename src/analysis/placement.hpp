@@ -20,8 +20,8 @@ struct PlacedScene {
 };
 
 /// The scene with its parts where they came to rest. Nothing where no part moves by more than `placed_fraction` of its own
-/// size, or a load or support is given by expressions of the place. Edges keep their numbers and parameters, so that conditions
-/// resolved before hold. Parts may overlap a little: contact presses them apart.
+/// size, or a load is given by expressions of the place or a support prescribes a motion. Edges keep their numbers and
+/// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
 std::optional<PlacedScene> placed_at_rest(const Scene& scene, const SolvedAssembly& solved);
 
 /// The motion of a part, over its size, from which on it is placed: pairs of curved faces that were found where a part was
