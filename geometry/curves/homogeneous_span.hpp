@@ -37,7 +37,7 @@ struct HomogeneousSpan {
     bool rational = false;
 };
 
-/// Span k of a spline's shape.
+/// Span k of a spline's shape in homogeneous coordinates.
 HomogeneousSpan homogeneous_span(const SplineShape& shape, std::size_t k, const Vec2& origin);
 /// The ellipse of these axes (its start and sweep do not matter) between two eccentric angles less than pi apart. Its parameter
 /// s belongs to the angle (u0 + u1) / 2 + 2 atan((2s - 1) tan((u1 - u0) / 4)).

@@ -18,7 +18,7 @@ struct ContactCells {
     CaseCells its_case;             ///< case 'a' to 'd'; numbers of the common grid's cells
 };
 
-/// The outcome of the four steps.
+/// The common grid of parts: the outcome of the four steps.
 struct CommonGrid {
     UniformGrid grid;                    ///< step 1
     std::vector<CellClasses> parts;      ///< step 2, by part: the cells of the box around it

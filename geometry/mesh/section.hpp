@@ -36,7 +36,7 @@ struct Section {
     std::vector<Repair> repairs;
 };
 
-/// The choices of a cut.
+/// The choices of a cut of meshes.
 struct SectionOptions {
     double tolerance = 0;        ///< of arcs; 0: arc_fraction of the body's section
     bool recognise_arcs = true;  ///< facets that are arcs within the tolerance, or stand for a curve, become arcs

@@ -13,7 +13,7 @@ struct EntityEnd {
     bool is_begin;
 };
 
-/// Ends that lie together.
+/// A joint: ends of entities that lie together.
 struct Joint {
     std::vector<EntityEnd> ends;  ///< in the entities' order
     Vec2 at{0, 0};                ///< where they are to meet

@@ -7,7 +7,7 @@
 
 namespace abut::solver {
 
-/// Where the iteration ended.
+/// The outcome of the interior point method.
 struct InteriorPoint {
     ActiveSet active;    ///< closed at the end: pressed more than open, each in its own unit
     ContactState state;  ///< to `complementarity` of the largest force times length

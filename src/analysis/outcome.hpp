@@ -11,7 +11,7 @@
 
 namespace abut {
 
-/// Why there are no finer grids.
+/// Why the walk over grids ended.
 enum class PathEnd {
     no_need,        ///< grids are given and no target, or there is no error to bring down: one solution
     fixed_grids,    ///< grids are given, and a target with them

@@ -18,7 +18,7 @@ struct ContactRecord {
     std::optional<Vec2> resultant{};  ///< force on the first part
 };
 
-/// One pass.
+/// What is kept of one pass.
 struct PassRecord {
     std::vector<ContactRecord> contacts;  ///< by candidate
     double energy = 0;

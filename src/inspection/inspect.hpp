@@ -10,7 +10,7 @@
 
 namespace abut {
 
-/// What a file holds.
+/// What `abut inspect` finds in a file.
 struct Inspection {
     std::string file, format, unit;
     Scene scene;                     ///< with the parts that could be read

@@ -21,7 +21,7 @@ struct Patch {
 /// Number of colour bands: enough to look smooth, few enough to keep the picture small.
 inline constexpr int n_bands = 40;
 
-/// Colour of a band.
+/// The fill colour of a band ("#rrggbb").
 std::string band_color(int band);
 
 /// The bands of a field as SVG paths, one per band. Within a patch the field is interpolated linearly on four triangles around

@@ -26,7 +26,7 @@ std::vector<ContactStretch> contact_stretches(const Result& result, const Contac
 /// The point where a contact's number is hung: where the pressure is largest, or the middle of the candidate.
 Vec2 contact_anchor(const ContactResult& contact, const std::vector<ContactStretch>& stretches);
 
-/// The stretches as thick lines.
+/// A contact's stretches as thick lines (SVG).
 std::string contact_lines(const std::vector<ContactStretch>& stretches, const View& view, double width);
 /// A contact's number in a disc, with a leader to the contact.
 std::string number_disc(const std::string& number, const Vec2& anchor, LabelPlaces& places);

@@ -15,7 +15,7 @@ struct RunValue {
     std::string (*text)(double);
     std::string title;
 };
-/// Unknowns of a run.
+/// The number of unknowns of a run, for a chart's axis.
 RunValue unknowns_of_run();
 std::vector<ChartSeries> study_series(const Study& study, const RunValue& x, const RunValue& y);
 

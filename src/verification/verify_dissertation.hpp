@@ -24,7 +24,7 @@ struct Judged {
     bool below_printed = false;  ///< instead: it must stay below this fraction of the printed mesh-free value
 };
 
-/// One line of a table.
+/// One line of a dissertation's table, with what our answers to it are judged by.
 struct DissertationLine {
     std::string what, unit;                                     ///< unit: powers of F (force) and L (length); empty: a number
     std::function<std::optional<double>(const Result&)> value;  ///< unset: the answer does not tell
@@ -45,7 +45,7 @@ struct DissertationTable {
 /// The dissertation's tables, in its order.
 std::vector<DissertationTable> dissertation_tables();
 
-/// A table with our answers.
+/// A dissertation's table with our answers.
 struct SolvedTable {
     DissertationTable table;
     /// The cells by line and column; unset where the column has no run or its answer does not tell.
