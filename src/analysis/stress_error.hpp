@@ -2,8 +2,8 @@
 // Error of the stresses in the energy norm, from one solution alone: the smoothed stresses are the more accurate ones, and what
 // they differ by is the error of the others (Zienkiewicz and Zhu, Int. J. Numer. Meth. Engng. 24, 1987). Estimate over true
 // error, measured by tests/verification/estimate_test.cpp: 0.5 to 1.6 where the stress is smooth, down to 0.31 with
-// contact on draft's grids. Where the stress has no limit it sees 0.07 to 0.3 of the energy's error: singular_errors says what is
-// missed there.
+// contact on draft's grids. Where the stress has no limit it sees 0.07 to 0.3 of the energy's error: singular_errors says what
+// is missed there.
 #pragma once
 #include <optional>
 #include <vector>
