@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// What is known at the end of a batch besides its jobs.
 struct BatchCircumstances {
     double seconds = 0;
     bool quiet = false;
@@ -18,10 +19,10 @@ struct BatchCircumstances {
 /// nothing could be written, 128 + the signal where one came.
 int end_batch(const std::string& out, const BatchFile& batch, const BatchEnd& end, const BatchCircumstances& circumstances);
 
-/// Those that OUT has from another batch, on standard error, and what to do about them; nothing where there are none.
+/// Prints the jobs that OUT has from another batch on standard error, and what to do about them; nothing where there are none.
 void print_stale(const BatchSummary& summary, const std::string& what_to_do);
 
-/// The jobs that did not end well, on standard error, the first ones of them.
+/// Prints the first of the jobs that did not end well on standard error.
 void print_failures(const BatchSummary& summary);
 
 }  // namespace abut

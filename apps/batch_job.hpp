@@ -12,6 +12,7 @@
 
 namespace abut {
 
+/// What the call of `batch` says of every job.
 struct JobSettings {
     std::string template_file;  ///< empty: each job's file is a scene of its own, or a drawing to be searched for contacts
     bool contacts_only = false;

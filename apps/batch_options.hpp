@@ -8,14 +8,14 @@
 
 namespace abut {
 
-/// -j; without it what Slurm gives a task (SLURM_CPUS_PER_TASK), else the processors that this process may use. Throws
-/// InputError.
+/// The number of workers: -j; without it what Slurm gives a task (SLURM_CPUS_PER_TASK), else the processors that this process
+/// may use. Throws InputError.
 std::size_t workers_of(const Arguments& arguments);
-/// --memory in bytes: "500M", "2G"; 0 where it is not given. Throws InputError.
+/// The value of --memory in bytes: "500M", "2G"; 0 where it is not given. Throws InputError.
 double memory_of(const Arguments& arguments);
-/// --timeout in whole seconds, 0 where it is not given. Throws InputError.
+/// The value of --timeout in whole seconds, 0 where it is not given. Throws InputError.
 unsigned timeout_of(const Arguments& arguments);
-/// --shard; without it that of the Slurm job array that this is a task of, else the whole. Throws InputError.
+/// The shard of --shard; without it that of the Slurm job array that this is a task of, else the whole. Throws InputError.
 Shard shard_of(const Arguments& arguments);
 
 }  // namespace abut

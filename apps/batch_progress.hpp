@@ -6,8 +6,8 @@
 
 namespace abut {
 
-/// How far a batch is: on a terminal one line that is renewed (done, not ok, rate, time left), else a line for each job on
-/// standard output. Jobs kept from an earlier run do not count for the rate.
+/// The progress of a batch in text: on a terminal one line that is renewed (done, not ok, rate, time left), else a line for
+/// each job on standard output. Jobs kept from an earlier run do not count for the rate.
 class BatchProgressText {
 public:
     explicit BatchProgressText(bool quiet);
@@ -20,11 +20,11 @@ private:
     double shown_at_ = -1;
 };
 
-/// "12.3 jobs/s", "4.1 s", "2 h 05 min"
+/// A rate and a time in words: "12.3 jobs/s", "4.1 s", "2 h 05 min".
 std::string rate_text(double jobs, double seconds);
 std::string time_text(double seconds);
 
-/// "ok pin.dxf: 3 parts, 2 pairs, peak 193 N/mm^2, 0.12 s"
+/// A job's line: "ok pin.dxf: 3 parts, 2 pairs, peak 193 N/mm^2, 0.12 s".
 std::string job_line(const JobRecord& record, bool kept);
 
 }  // namespace abut

@@ -16,7 +16,7 @@ enum ExitStatus : int {
     exit_wrong_input = 2,  ///< the input or the usage is wrong
 };
 
-/// Throws InputError for wrong usage and wrong input; so do the others.
+/// The commands. All throw InputError for wrong usage and wrong input.
 int analyze_command(const Arguments& arguments);
 int contacts_command(const Arguments& arguments);
 int inspect_command(const Arguments& arguments);
@@ -26,7 +26,7 @@ int verify_command(const Arguments& arguments);
 int batch_command(const Arguments& arguments);
 int merge_command(const Arguments& arguments);
 
-/// What each command accepts, for parsing and for its help.
+/// The words that each command accepts, for parsing and for its help.
 CommandSpec analyze_spec();
 CommandSpec contacts_spec();
 CommandSpec inspect_spec();

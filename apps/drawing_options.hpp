@@ -12,13 +12,15 @@ namespace abut {
 
 std::vector<OptionSpec> drawing_option_specs();
 
-/// Throws InputError where a value is wrong, or where the options are given beside a scene, which states them itself.
+/// Reads the options of a command whose operand is a scene, drawing or mesh. Throws InputError where a value is wrong, or where
+/// the options are given beside a scene, which states them itself.
 ImportOptions drawing_options(const Arguments& arguments);
-/// The same without a look at the operand.
+/// Reads the options without a look at the operand. Throws InputError where a value is wrong.
 ImportOptions import_options(const Arguments& arguments);
 
 enum class FileKind { scene, drawing };  ///< meshes count as drawings
-/// By the file's extension, in either case. Throws InputError where the file is missing, or of a kind that cannot be read.
+/// The kind of a file by its extension, in either case. Throws InputError where the file is missing, or of a kind that cannot
+/// be read.
 FileKind kind_of_file(const std::string& path);
 
 }  // namespace abut

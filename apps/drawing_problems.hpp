@@ -10,13 +10,13 @@
 
 namespace abut {
 
-/// Throws them as an InputError, each with file, line, entity and place; returns where there are none.
+/// Throws the problems as an InputError, each with file, line, entity and place; returns where there are none.
 void throw_if_any(const std::string& file, const std::vector<geometry::SketchProblem>& problems);
 
-/// The drawing or mesh that the operand names. One with problems is refused: parts that could not be read would be missing
-/// without notice.
+/// Reads the drawing or mesh that the operand names. One with problems is refused: parts that could not be read would be
+/// missing without notice.
 SketchReading read_whole_sketch(const Arguments& arguments);
-/// The same of any drawing or mesh.
+/// Reads any drawing or mesh; one with problems is refused.
 SketchReading read_whole_sketch(const std::string& file, const ImportOptions& options);
 
 }  // namespace abut

@@ -8,9 +8,9 @@
 
 namespace abut {
 
-/// One line per effect: its name, on or off, why, and the parts or pairs that it concerns.
+/// The plan as text, one line per effect: its name, on or off, why, and the parts or pairs that it concerns.
 std::string plan_table(const std::vector<Effect>& effects);
-/// An array of objects with the keys of `effects` in result.json, without the seconds.
+/// The plan as JSON: an array of objects with the keys of `effects` in result.json, without the seconds.
 std::string plan_json(const std::vector<Effect>& effects);
 
 }  // namespace abut

@@ -4,7 +4,7 @@
 
 namespace abut {
 
-/// To standard output, with a newline at the end if the text has none.
+/// Prints a text to standard output, with a newline at the end if it has none.
 void print_text(const std::string& text);
 
 /// The text with its line breaks turned into spaces, and none at its end: for messages that must stay on one line.

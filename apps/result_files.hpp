@@ -10,7 +10,7 @@
 
 namespace abut {
 
-/// Throws InputError if the scene asks for a format that cannot be written: before the analysis, not after it.
+/// Checks the scene's formats before the analysis, not after it: throws InputError if one cannot be written.
 void check_formats(const Scene& scene);
 
 /// Adds the time of reading the scene to the timing, where the analysis has not stated it.
@@ -21,7 +21,8 @@ void complete_import_time(Result& result, double seconds);
 void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start);
 
-/// "report: DIR/report.html", or the first file there is where no report is asked for; empty where none is.
+/// The line that names the report, "report: DIR/report.html", or the first file there is where no report is asked for; empty
+/// where none is.
 std::string main_file_line(const std::string& folder, const Output& output);
 
 }  // namespace abut

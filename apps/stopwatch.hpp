@@ -4,7 +4,7 @@
 
 namespace abut {
 
-/// Seconds of wall time since it was made.
+/// A clock that tells the seconds of wall time since it was made.
 class Stopwatch {
 public:
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

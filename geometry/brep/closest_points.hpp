@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// A pair of points of two boundaries, one on each, with the edges that they are on.
 struct ClosestPoints {
     double distance = 0;  ///< 0 where the boundaries cross or touch
     int edge1 = -1, edge2 = -1;

@@ -7,11 +7,12 @@
 
 namespace abut::geometry {
 
-/// Built in O(n log n), asked in O(log n + found). Keeps boxes and edge numbers only, no reference to the part.
+/// A tree of boxes, built in O(n log n) and asked in O(log n + found). It keeps boxes and edge numbers only, no reference to
+/// the part.
 class EdgeTree {
 public:
     explicit EdgeTree(const Part& part);
-    /// Over anything that has boxes: "edges" are their numbers then.
+    /// A tree over any boxes in place of a part's edges; the edges that near() gives are their numbers.
     explicit EdgeTree(std::vector<Box2> boxes);
     /// Edges, ascending, whose bounding box comes within `margin` of the box.
     std::vector<int> near(const Box2& box, double margin) const;

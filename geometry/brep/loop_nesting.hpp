@@ -6,9 +6,9 @@
 
 namespace abut::geometry {
 
-/// For each loop of the part the smallest loop around it, if its inside is material (the loop is that one's hole), or -1 where
-/// the loop lies inside an even number of others. All loops must run counter-clockwise, and none may cross or touch another.
-/// Cost O(n log n) for loops that are spread out.
+/// The smallest loop around each loop of the part, if its inside is material (the loop is that one's hole), or -1 where the
+/// loop lies inside an even number of others. All loops must run counter-clockwise, and none may cross or touch another. Cost
+/// O(n log n) for loops that are spread out.
 std::vector<int> hole_of(const Part& part);
 
 }  // namespace abut::geometry

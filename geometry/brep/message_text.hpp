@@ -7,9 +7,9 @@
 
 namespace abut::geometry {
 
-/// Six significant digits.
+/// A number with six significant digits.
 std::string number_text(double value);
-/// "(x, y)"
+/// A point as "(x, y)", each coordinate as number_text() writes it.
 std::string place_text(const Vec2& p);
 
 }  // namespace abut::geometry

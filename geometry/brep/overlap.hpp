@@ -5,6 +5,7 @@
 
 namespace abut::geometry {
 
+/// The region that two parts have in common: its area and how deep it is, and where.
 struct Overlap {
     double area = 0;
     double depth = 0;            ///< how far the boundary of one part reaches into the other's material, at most

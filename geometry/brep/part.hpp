@@ -22,6 +22,7 @@ struct Loop {
     std::vector<int> edges;  ///< indices into Part::edges
 };
 
+/// A region of the plane: its edges, and the loops that they make.
 struct Part {
     std::string name;
     std::vector<Edge> edges;
@@ -34,13 +35,14 @@ inline const Curve& curve_of(const Part& part, int edge) {
 /// The loop that the edge belongs to; nullptr if to none.
 const Loop* loop_of(const Part& part, int edge);
 
+/// The smallest axis-parallel box around a part's edges, exact but for rounding.
 Box2 bounding_box(const Part& part);
-/// By Green's theorem (curve_moments.hpp), to rounding; length^2. Holes count negative.
+/// Area (length^2) and centroid of a part by Green's theorem (curve_moments.hpp), to rounding. Holes count negative.
 double area(const Part& part);
 Vec2 centroid(const Part& part);
-/// Length of all edges, those of holes included.
+/// The length of all edges, those of holes included.
 double perimeter(const Part& part);
-/// Loops that run clockwise.
+/// The number of holes: loops that run clockwise.
 int count_holes(const Part& part);
 
 /// Has the part edges that are ellipses or splines? Lines and circles have closed forms for everything.
@@ -53,7 +55,7 @@ bool contains(const Part& part, const Vec2& p);
 inline constexpr double merge_fraction = 1e-9;
 double merge_length(const Part& part);
 
-/// Rotated by (c, s), then moved by d.
+/// The part rotated about the origin by the angle of cosine c and sine s, then moved by d.
 Part transformed(const Part& part, double c, double s, const Vec2& d);
 
 /// Arc length along the named edge (the piece), counted in the source's own direction, of the point at parameter t of the
@@ -65,7 +67,7 @@ struct SourcePoint {
     std::string name;   ///< of the primitive's or imported edge
     double arc_length;  ///< along it from its beginning, in its own direction; in the part's unit, after scaling
 };
-/// Of the point at parameter t of the edge's curve.
+/// The point at parameter t of the edge's curve as a point of its source.
 SourcePoint source_point(const Edge& edge, double t);
 
 }  // namespace abut::geometry

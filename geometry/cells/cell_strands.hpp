@@ -65,7 +65,7 @@ struct Strands {
     std::vector<WalkedContour> walked;    ///< of the last loop; kept here so that it need not be allocated for each
 };
 
-/// loop_of: by edge. `strands` is overwritten.
+/// Finds the strands of a cell's contours; `strands` is overwritten. loop_of: the loop of each edge (loops_of_edges).
 void find_strands(Strands& strands, const CellContours& cell, const std::vector<int>& loop_of);
 
 }  // namespace abut::geometry

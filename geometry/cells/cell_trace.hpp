@@ -18,14 +18,15 @@
 
 namespace abut::geometry {
 
-/// Portion of a cell's side with material on the inner side of it: coordinates along the side, from < to.
+/// A stretch of a cell's side with material on the inner side of it: coordinates along the side, from < to.
 struct SideStretch {
     int component;
     CellSide side;
     double from, to;
 };
 
-/// Component 0 is the largest; those below sliver_fraction do not count and are called -1.
+/// The components of one cell and the part. Component 0 is the largest; those below sliver_fraction do not count and are called
+/// -1.
 struct CellTrace {
     std::vector<double> fraction;        ///< of the cell's area, by component; where there is one, not given
     std::vector<int> of_contour;         ///< component of each of the cell's contours
@@ -36,9 +37,8 @@ struct CellTrace {
     int n_components() const { return fraction.empty() ? 1 : static_cast<int>(fraction.size()); }
 };
 
-/// Of a boundary cell. loop_of: loops_of_edges(part). `trace` is
-/// overwritten; keep it over cells, so that it allocates nothing.
-/// Cost O(contours of the cell), with holes in a cell of several components O(holes x contours).
+/// Finds the components of a boundary cell. loop_of: loops_of_edges(part). `trace` is overwritten; keep it over cells, so that
+/// it allocates nothing. Cost O(contours of the cell), with holes in a cell of several components O(holes x contours).
 void trace_cell(CellTrace& trace, const Part& part, const CutCells& cells, const std::vector<int>& loop_of, int cell);
 
 }  // namespace abut::geometry

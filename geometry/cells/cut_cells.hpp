@@ -53,7 +53,7 @@ enum class CellClass : std::uint8_t { outer, boundary, inner };
 /// A cell whose filled fraction is below this (above 1 minus this) counts as outer (inner): the rounding of the fraction.
 inline constexpr double sliver_fraction = 1e-13;
 
-/// Portion of an edge inside one cell.
+/// The piece of an edge inside one cell.
 struct BoundaryPiece {
     int edge;
     double t0, t1;
@@ -65,7 +65,7 @@ inline CellSide opposite(CellSide side) {
     return side == CellSide::none ? side : static_cast<CellSide>((static_cast<int>(side) + 2) % 4);
 }
 
-/// Portion of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
+/// A piece of the boundary of (cell and part): of an edge, or of the cell's right side (edge = -1, t the y coordinate).
 struct ContourPiece {
     int cell;
     int edge;
@@ -74,6 +74,7 @@ struct ContourPiece {
     CellSide enters = CellSide::none, leaves = CellSide::none;
 };
 
+/// A part on a grid: the class and filled fraction of every cell, and the boundary by cells, as pieces and as contours.
 struct CutCells {
     Grid grid;
     std::vector<CellClass> cell_class;   ///< by cell
@@ -86,9 +87,9 @@ struct CutCells {
     double area = 0;                     ///< sum over the cells: equals the part's area where the grid covers it
 };
 
-/// Cost O(cells + contours log(contours of a grid line)), memory O(cells + contours + edges): a million cells with a hundred
-/// thousand segments take 30 ms, with as many cubic splines 0.4 s. The grid must cover the part; where it does not, `area`
-/// falls short of the part's.
+/// Classifies the cells of a grid and clips the part's boundary to them. Cost O(cells + contours log(contours of a grid line)),
+/// memory O(cells + contours + edges): a million cells with a hundred thousand segments take 30 ms, with as many cubic splines
+/// 0.4 s. The grid must cover the part; where it does not, `area` falls short of the part's.
 CutCells cut_cells(const Part& part, const Grid& grid);
 
 /// The piece of `edge` that holds parameter t.

@@ -14,16 +14,17 @@ struct LineCrossing {
     int turn;  ///< +1: to the right (material begins above), -1: to the left (material ends)
 };
 
+/// What the walk of a boundary through a grid has met.
 struct GridWalk {
     std::vector<LineCrossing> crossings;  ///< in the order of the walk
     std::vector<ContourPiece> contours;   ///< of edges, inside the grid, in the order of the walk
     std::vector<BoundaryPiece> pieces;    ///< all of every edge, in the order of the walk; cells not yet given (-1)
 };
 
-/// By edge: its loop. A part without loops counts as one loop of all its edges in order.
+/// The loop of each edge. A part without loops counts as one loop of all its edges in order.
 std::vector<int> loops_of_edges(const Part& part);
 
-/// Cost O(edges x (log lines) + contours).
+/// Walks a part's boundary through a grid. Cost O(edges x (log lines) + contours).
 GridWalk walk_boundary(const Part& part, const Grid& grid);
 
 }  // namespace abut::geometry

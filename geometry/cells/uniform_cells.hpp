@@ -8,7 +8,7 @@
 
 namespace abut::geometry {
 
-/// Square cells; numbered row by row from the lower left.
+/// A grid of square cells, numbered row by row from the lower left.
 struct UniformGrid {
     Vec2 corner{0, 0};  ///< lower left
     double cell = 0;    ///< side of a cell

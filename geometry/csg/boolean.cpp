@@ -12,7 +12,7 @@ namespace {
 /// Walks the tree in reading order, so that the next leaf is always the next primitive.
 class Evaluator {
 public:
-    Evaluator(ExactPrimitives& primitives, const Reach& reach) : primitives_(primitives), reach_(reach) {}
+    Evaluator(ExactPrimitives& primitives, const BoundingDisc& disc) : primitives_(primitives), disc_(disc) {}
 
     ExactRegion evaluate(const CsgNode& node) {
         if (const auto* place = std::get_if<Placed>(&node.shape)) return evaluate(place->of.front());
@@ -64,22 +64,22 @@ private:
     void add_primitive(const CsgNode& node, ExactPolygons& polygons) {
         const std::size_t k = next_primitive_++;
         if (const auto* half = std::get_if<HalfPlane>(&node.shape))
-            primitives_.append_half_plane(k, *half, reach_, polygons);
+            primitives_.append_half_plane(k, *half, disc_, polygons);
         else
             primitives_.append(k, polygons, problems);
     }
 
     ExactPrimitives& primitives_;
-    Reach reach_;
+    BoundingDisc disc_;
     std::size_t next_primitive_ = 0;
 };
 
 }  // namespace
 
 BooleanBoundary boolean_boundary(const CsgNode& tree, const std::vector<Primitive>& primitives,
-                                 const std::vector<PlacedSource>& sources, const Carriers& carriers, const Reach& reach) {
+                                 const std::vector<PlacedSource>& sources, const Carriers& carriers, const BoundingDisc& disc) {
     ExactPrimitives exact(primitives, sources, carriers);
-    Evaluator evaluator(exact, reach);
+    Evaluator evaluator(exact, disc);
     const ExactRegion region = evaluator.evaluate(tree);
     BooleanBoundary boundary;
     boundary.problems = std::move(evaluator.problems);

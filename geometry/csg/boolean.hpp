@@ -9,12 +9,13 @@
 
 namespace abut::geometry {
 
-/// Half planes stand for polygons that reach beyond this disc; nothing bounded may lie outside it.
-struct Reach {
+/// The disc that nothing bounded lies outside of; half planes stand for polygons that reach beyond it.
+struct BoundingDisc {
     Vec2 center{0, 0};
     double radius = 1;
 };
 
+/// The boundary of an evaluated tree as raw pieces.
 struct BooleanBoundary {
     std::vector<std::vector<RawPiece>> loops;  ///< head to tail, material on the left
     std::vector<GeometryProblem> problems;     ///< a boundary that could not be made exact
@@ -28,7 +29,7 @@ struct BooleanBoundary {
 /// (closer than tangent_sine), the doubles need not cross at all: the corner is then bridged by a line that runs forward along
 /// the common tangent, at most bridge_fraction of the size (plus 8 times the gap there) long.
 BooleanBoundary boolean_boundary(const CsgNode& tree, const std::vector<Primitive>& primitives,
-                                 const std::vector<PlacedSource>& sources, const Carriers& carriers, const Reach& reach);
+                                 const std::vector<PlacedSource>& sources, const Carriers& carriers, const BoundingDisc& disc);
 
 inline constexpr double tangent_sine = 1e-3;
 inline constexpr double bridge_fraction = 1e-13;

@@ -14,7 +14,7 @@ struct RunEnd {
     Vec2 vertex{0, 0};  ///< where the Boolean put it
 };
 
-/// Consecutive pieces of one source in one direction.
+/// A run: consecutive pieces of one source in one direction.
 struct Run {
     int source = -1;
     bool along = true;
@@ -23,11 +23,11 @@ struct Run {
     bool whole = false;  ///< the run is the whole loop
 };
 
-/// Lengths below which things are one.
+/// The lengths below which things are one.
 struct MergeLengths {
-    double rounding = 0;  ///< sliver_width_fraction of the size plus the distance from the origin
-    double merge = 0;     ///< merge_fraction of the size
-    double joint = 0;     ///< what the ends of primitives' edges may be apart: merge_fraction of the size of all sources
+    double rounding = 0;   ///< sliver_width_fraction of the size plus the distance from the origin
+    double merge = 0;      ///< merge_fraction of the size
+    double joint_gap = 0;  ///< what the ends of primitives' edges may be apart: merge_fraction of the size of all sources
 };
 
 /// Has the curve no closed form (ellipses and splines)?
@@ -46,7 +46,7 @@ std::vector<Run> runs_of(std::vector<RawPiece> loop, const std::vector<PlacedSou
 /// May b go on where a ends, as one run? Not over the place where a closed spline begins.
 bool goes_on(const Run& a, const Run& b, const Curve& source);
 
-/// Signed arc length, negative where its ends have been moved past each other.
+/// The signed arc length of a run, negative where its ends have been moved past each other.
 double run_length(const Run& run, const Curve& source);
 
 /// The run's curve, along the boundary, and its portion of the source.

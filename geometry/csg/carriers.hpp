@@ -15,6 +15,7 @@ struct CarrierArc {
     bool straight = false;
 };
 
+/// A whole ellipse or spline shape with the arcs that follow it.
 struct Carrier {
     Curve curve;                   ///< the whole ellipse (from its own angle 0) or spline shape, placed
     bool closed = false;           ///< the last point is the first one
@@ -33,6 +34,7 @@ struct CarrierRun {
     std::vector<double> t;  ///< the source's parameters at the ends of the run's arcs, n_arcs + 1, in the source's direction
 };
 
+/// All carriers of a model, and where its sources lie on them.
 struct Carriers {
     std::vector<Carrier> carriers;
     std::vector<CarrierRun> of_source;  ///< by source

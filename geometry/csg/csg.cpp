@@ -79,7 +79,7 @@ Part placed_import(const Imported& imported, const Primitive& primitive) {
 }
 
 /// A disc that holds all bounded primitives and all crossings of half planes' lines, enlarged.
-Reach reach_of(const std::vector<Primitive>& primitives, const std::vector<PlacedSource>& sources) {
+BoundingDisc disc_of(const std::vector<Primitive>& primitives, const std::vector<PlacedSource>& sources) {
     Box2 box;
     std::vector<Segment> lines;
     for (const PlacedSource& source : sources) {
@@ -129,11 +129,11 @@ std::vector<double> arc_tolerances(const Carriers& carriers) {
 MergedBoundary merged_boundary(const CsgNode& tree, const std::vector<Primitive>& primitives,
                                const std::vector<PlacedSource>& sources, std::vector<GeometryProblem>& problems) {
     const double same = same_length(primitives, sources);
-    const Reach reach = reach_of(primitives, sources);
+    const BoundingDisc disc = disc_of(primitives, sources);
     MergedBoundary merged;
     for (const double fraction : arc_fractions) {
         const Carriers carriers = carriers_of(sources, same, fraction);
-        BooleanBoundary boundary = boolean_boundary(tree, primitives, sources, carriers, reach);
+        BooleanBoundary boundary = boolean_boundary(tree, primitives, sources, carriers, disc);
         problems = std::move(boundary.problems);
         if (problems.empty() && reaches_far(boundary.loops)) problems.push_back(unbounded(tree));
         if (!problems.empty()) return {};

@@ -44,7 +44,7 @@ struct Difference {
     std::vector<CsgNode> of;
 };                                 ///< the first less all others
 enum class Mirror { none, x, y };  ///< x: negates x
-/// Applied in the order scale, mirror, rotate (degrees), translate; the first three about `about`.
+/// A child that is scaled, mirrored, rotated (degrees) and translated, in this order; the first three about `about`.
 struct Placed {
     std::vector<CsgNode> of;
     double rotate = 0;
@@ -68,6 +68,7 @@ struct Imported {
     Part part;
 };
 
+/// A node of the tree: a shape or an operation, with its children in `of`.
 struct CsgNode {
     std::variant<Rectangle, Circle, Ellipse, Slot, Polygon, HalfPlane, Union, Intersection, Difference, Placed, Loops, Imported>
         shape;
@@ -83,6 +84,7 @@ struct GeometryProblem {
     Vec2 at{0, 0};
 };
 
+/// A part, or what is wrong with the tree.
 struct CsgResult {
     Part part;                              ///< one part; several disjoint regions are allowed (name left empty)
     std::vector<GeometryProblem> problems;  ///< not empty: the part must not be used

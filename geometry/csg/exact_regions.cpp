@@ -324,7 +324,7 @@ struct ExactPrimitives::Model {
     std::vector<MonotoneCurve> boundary(std::size_t primitive, std::size_t loop);
 
     /// A polygon that holds the half plane's share of the disc: its line, and three far edges.
-    std::vector<MonotoneCurve> half_plane(std::size_t primitive, const HalfPlane& half, const Reach& reach) const;
+    std::vector<MonotoneCurve> half_plane(std::size_t primitive, const HalfPlane& half, const BoundingDisc& disc) const;
 
     void add_primitive(const Primitive& primitive, int first_source);
     /// The i-th point of a run, in the boundary's direction, as an index into its carrier's points.
@@ -474,16 +474,16 @@ std::vector<MonotoneCurve> ExactPrimitives::Model::boundary(std::size_t primitiv
 }
 
 std::vector<MonotoneCurve> ExactPrimitives::Model::half_plane(std::size_t primitive, const HalfPlane& half,
-                                                              const Reach& reach) const {
+                                                              const BoundingDisc& disc) const {
     const ExactMap& map = maps_[primitive];
     const int portion = first_portion_of_primitive_[primitive];
-    const Rational p = placed_exactly(half.point, map), c = exact_point(reach.center);
+    const Rational p = placed_exactly(half.point, map), c = exact_point(disc.center);
     const Kernel::Vector_2 n = turned_exactly(half.normal, map), d(-n.y(), n.x());
     const Number unit = 1 / Number(half.normal.norm() * map.scale);  // rounded: how far the polygon reaches need not be exact
     const Rational foot = p + ((c - p) * d) / (d * d) * d;
     const Number depth =
-        3 * reach.radius + std::abs((reach.center - Vec2(CGAL::to_double(foot.x()), CGAL::to_double(foot.y()))).norm());
-    const Kernel::Vector_2 side = (2 * reach.radius * unit) * d, down = (-depth * unit) * n;
+        3 * disc.radius + std::abs((disc.center - Vec2(CGAL::to_double(foot.x()), CGAL::to_double(foot.y()))).norm());
+    const Kernel::Vector_2 side = (2 * disc.radius * unit) * d, down = (-depth * unit) * n;
     const Rational corners[] = {foot - side, foot + side, foot + side + down, foot - side + down};
     std::vector<MonotoneCurve> pieces;
     for (int i = 0; i < 4; ++i)
@@ -594,9 +594,9 @@ void ExactPrimitives::append(std::size_t k, ExactPolygons& polygons, std::vector
     }
 }
 
-void ExactPrimitives::append_half_plane(std::size_t k, const HalfPlane& half, const Reach& reach,
+void ExactPrimitives::append_half_plane(std::size_t k, const HalfPlane& half, const BoundingDisc& disc,
                                         ExactPolygons& polygons) const {
-    polygons.data->polygons.emplace_back(polygon_of(model_->half_plane(k, half, reach)));
+    polygons.data->polygons.emplace_back(polygon_of(model_->half_plane(k, half, disc)));
 }
 
 std::vector<std::vector<RawPiece>> ExactPrimitives::loops(const ExactRegion& region) const {

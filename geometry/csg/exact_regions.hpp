@@ -40,7 +40,7 @@ public:
     /// The k-th primitive; appends a problem for every loop that rounding makes cross itself.
     void append(std::size_t k, ExactPolygons& polygons, std::vector<GeometryProblem>& problems);
     /// The k-th primitive is a half plane: a polygon that holds its share of the disc, its line and three far edges.
-    void append_half_plane(std::size_t k, const HalfPlane& half, const Reach& reach, ExactPolygons& polygons) const;
+    void append_half_plane(std::size_t k, const HalfPlane& half, const BoundingDisc& disc, ExactPolygons& polygons) const;
 
     /// Loops of a region made of these primitives, rounded; pieces know their source.
     std::vector<std::vector<RawPiece>> loops(const ExactRegion& region) const;

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// A place on two curves, by its parameters and points.
 struct Junction {
     double ta = 0, tb = 0;    ///< parameters; may lie outside [0, 1] on closed curves and by rounding
     Vec2 xa{0, 0}, xb{0, 0};  ///< the points there: equal at crossings, at most `merge` apart where the curves touch
@@ -23,7 +24,8 @@ struct JunctionTolerance {
 /// times the tolerance on both sides of it. None if there is neither.
 std::optional<Junction> find_junction(const Curve& a, double ta, const Curve& b, double tb, const JunctionTolerance& tolerance);
 
-/// The touching point alone: parallel tangents, at most `merge` apart.
+/// The point where a and b touch next to a(ta) and b(tb): parallel tangents, at most `merge` apart. None where they do not
+/// touch.
 std::optional<Junction> find_touching(const Curve& a, double ta, const Curve& b, double tb, const JunctionTolerance& tolerance);
 
 /// Parameter of the point of the curve nearest to p, near the parameter t in a portion of the width `range`; not confined to

@@ -8,13 +8,15 @@
 
 namespace abut::geometry {
 
+/// All edges of `loops` by number, and the lengths that they are judged by.
 struct LoopModel {
     std::vector<LoopEdge> edges;  ///< in file order
     std::vector<int> list;        ///< by edge: which of the lists it stands in
     std::vector<int> first;       ///< first edge of each list, and the number of edges
     double size = 0;              ///< diagonal of the box around all edges
     double tolerance = 0;         ///< merge_fraction of the size
-    /// By end (2 edge where it begins, 2 edge + 1 where it ends): the other ends of its list within the tolerance.
+    /// The other ends of its list that lie within the tolerance of an end, by end (2 edge where it begins, 2 edge + 1 where it
+    /// ends).
     std::vector<std::vector<int>> joined;
 
     const Curve& curve(int edge) const { return edges[static_cast<std::size_t>(edge)].curve; }
@@ -27,7 +29,7 @@ struct LoopModel {
     }
 };
 
-/// Edges and lists only.
+/// A model of the edges and lists; `joined` is not filled in.
 LoopModel loop_model(const Loops& loops);
 
 /// Fills in `joined`, leaving out the ends of edges that are left out. Cost O(n log n).

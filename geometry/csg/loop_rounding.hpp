@@ -5,13 +5,14 @@
 
 namespace abut::geometry {
 
-/// Extent and distance from the origin: what rounding is relative to.
+/// The length that rounding is relative to: a primitive's extent plus its distance from the origin, where it is placed.
 double size_of(const Primitive& primitive);
 
-/// Only arcs that meet other edges, and arc splines, are moved by rounding; everything else is valid as it was checked.
+/// May rounding have made the loop invalid? It moves only arcs that meet other edges, and arc splines; everything else is valid
+/// as it was checked.
 bool may_be_invalid(const Primitive& primitive, const BoundaryLoop& loop);
 
-/// For a loop that rounding made cross itself.
+/// The problem that tells the user of a loop that rounding made cross itself.
 GeometryProblem self_crossing(const Primitive& primitive, const BoundaryLoop& loop);
 
 }  // namespace abut::geometry

@@ -20,6 +20,7 @@ struct BoundaryLoop {
     int hole_of = -1;  ///< index of the outer loop whose hole this is, -1 for an outer loop
 };
 
+/// The closed boundaries that lists of edges make, or what is wrong with them.
 struct Boundary {
     std::vector<BoundaryLoop> loops;  ///< in order of their first edges; empty if there are problems
     std::vector<GeometryProblem> problems;

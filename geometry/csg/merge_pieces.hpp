@@ -9,7 +9,7 @@
 
 namespace abut::geometry {
 
-/// Sources that are no primitive's edge.
+/// Numbers that stand for sources that are no primitive's edge.
 inline constexpr int bridge_source = std::numeric_limits<int>::max();   ///< joins two tangential edges, see boolean.hpp
 inline constexpr int far_source = std::numeric_limits<int>::max() - 1;  ///< the artificial end of a half plane
 
@@ -26,6 +26,7 @@ struct RawPiece {
 /// are what rounding leaves between two edges meant to coincide, and are dropped.
 inline constexpr double sliver_width_fraction = 1e-12;
 
+/// The boundary of a Boolean as pieces of the sources' own curves.
 struct MergedBoundary {
     std::vector<std::vector<Piece>> loops;
     std::vector<Repair> repairs;            ///< tiny edges and slivers that were left out

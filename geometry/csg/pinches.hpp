@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// Cuts loops that touch, so that each bounds one region or a hole.
 /// Where loops come within the merge length of each other or of themselves, there are several ways to go on. Which of them a
 /// Boolean takes depends on roundings; here it is decided once: every loop bounds one region, or a hole of one region, whose
 /// inside hangs together.

@@ -27,6 +27,7 @@ struct SourceEdge {
     double begin = 0;  ///< arc length where the curve begins on its source: not 0 for imported pieces only
 };
 
+/// A leaf of the tree, with its edges and where the tree moves it.
 struct Primitive {
     std::string name;                 ///< names of the nodes on the way to it, "base/foot"; may be empty
     std::string where;                ///< JSON pointer
@@ -41,11 +42,12 @@ struct Primitive {
 /// All leaves of the tree in reading order. What is wrong with one of them, or with the nodes above, is added to `problems`.
 std::vector<Primitive> primitives_of(const CsgNode& tree, std::vector<GeometryProblem>& problems);
 
+/// A curve or a point after all moves, the innermost first.
 Curve placed(Curve curve, const std::vector<Move>& moves);
 Vec2 placed(Vec2 p, const std::vector<Move>& moves);
-/// Is left exchanged with right?
+/// Do the moves exchange left with right?
 bool is_mirrored(const std::vector<Move>& moves);
-/// Lengths are multiplied by this.
+/// The factor by which the moves multiply lengths.
 double scale_of(const std::vector<Move>& moves);
 
 }  // namespace abut::geometry

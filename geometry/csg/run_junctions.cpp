@@ -178,7 +178,7 @@ void check_gaps(const std::vector<Run>& loop, const RunContext& context, std::ve
         const Run &a = loop[i], &b = loop[(i + 1) % loop.size()];
         const Curve end = restored(a, context.curve(a), context.lengths).curve;
         const Curve begin = restored(b, context.curve(b), context.lengths).curve;
-        if ((point(end, 1) - point(begin, 0)).norm() > 2 * context.lengths.joint)
+        if ((point(end, 1) - point(begin, 0)).norm() > 2 * context.lengths.joint_gap)
             unsolved.push_back(unsolved_junction(a, b, context));
     }
 }

@@ -19,15 +19,16 @@ struct RunContext {
     std::string name(int source) const;
 };
 
-/// Lines and circles meet in the exact vertex as it is, or where they touch if it is only rounding that they cross. Ends of
-/// anything else are put at a source's end where the vertex is one, otherwise at the curves' crossing or touching point next to
-/// the vertex. What cannot be solved is a problem that names both edges and the place.
+/// Puts the ends of a loop's runs where the true curves meet. Lines and circles meet in the exact vertex as it is, or where
+/// they touch if it is only rounding that they cross. Ends of anything else are put at a source's end where the vertex is one,
+/// otherwise at the curves' crossing or touching point next to the vertex. What cannot be solved is a problem that names both
+/// edges and the place.
 void solve_junctions(std::vector<Run>& loop, const RunContext& context, std::vector<GeometryProblem>& unsolved);
 
-/// Runs whose ends have been moved past each other are problems too.
+/// Appends a problem for each run whose ends have been moved past each other.
 void check_directions(const std::vector<Run>& loop, const RunContext& context, std::vector<GeometryProblem>& unsolved);
 
-/// So are ends that do not meet, whatever the reason.
+/// Appends a problem for each end of a run that the next one does not begin at, whatever the reason.
 void check_gaps(const std::vector<Run>& loop, const RunContext& context, std::vector<GeometryProblem>& unsolved);
 
 /// Leaves out runs shorter than the merge length. Their neighbours' ends are moved together: to the curves' crossing where

@@ -8,7 +8,7 @@
 
 namespace abut::geometry {
 
-/// What one exact line or arc is of its source: all of it, or of an ellipse or spline the portion that one arc follows.
+/// What one exact line or arc is of its source: all of it, or the portion of an ellipse or spline that one arc follows.
 struct SourcePortion {
     int source = -1;
     double t0 = 0, t1 = 1;
@@ -16,12 +16,13 @@ struct SourcePortion {
     Vec2 way{0, 0};  ///< lines: the source's own direction
 };
 
-/// Portions are numbered source by source, along each: first[s] is the first one of source s. The turns of a carrier's arcs are
-/// not known here: 0.
+/// All portions, numbered source by source, along each: first[s] is the first one of source s. The turns of a carrier's arcs
+/// are not known here: 0.
 struct SourcePortions {
     std::vector<SourcePortion> portions;
     std::vector<int> first;
 };
+/// Numbers the portions of all sources.
 SourcePortions number_portions(const std::vector<PlacedSource>& sources, const Carriers& carriers);
 
 }  // namespace abut::geometry

@@ -9,16 +9,16 @@
 
 namespace abut::geometry {
 
-/// A view; weights are empty where they are all equal.
+/// One rational Bezier span, a view; weights are empty where they are all equal.
 struct BezierSpan {
     std::span<const Vec2> points;
     std::span<const double> weights;
 };
 
-/// Point and the first two derivatives by s. The ends are the control points bit for bit. At an end where the curve stands
+/// The point and the first two derivatives by s. The ends are the control points bit for bit. At an end where the curve stands
 /// still, the derivative is the one a rounding of s further in: its direction is the limit of the tangents.
 std::array<Vec2, 3> evaluate(const BezierSpan& span, double s);
-/// Arc length from s0 to s1, signed, to rounding.
+/// The arc length from s0 to s1, signed, to rounding.
 double length(const BezierSpan& span, double s0, double s1);
 
 /// Bernstein coefficients of a positive multiple of dx/ds (axis 0) or dy/ds (axis 1), and bounds of their errors for points
@@ -28,7 +28,7 @@ struct Velocity {
 };
 Velocity velocity(const BezierSpan& span, int axis);
 
-/// Of the control polygon: no shorter than the curve.
+/// The length of the control polygon, no shorter than the curve.
 double polygon_length(std::span<const Vec2> points);
 
 /// How far rounding takes points: coordinate_roundings of the largest coordinate.

@@ -15,6 +15,7 @@
 
 namespace abut::geometry {
 
+/// A straight line from point to point.
 struct Segment {
     Vec2 from, to;
 };
@@ -46,12 +47,13 @@ struct Spline {
 
 using Curve = std::variant<Segment, Arc, EllipticArc, Spline>;
 
-/// "line", "arc", "ellipse", "bezier", "nurbs".
+/// The kind of a curve in a word: "line", "arc", "ellipse", "bezier", "nurbs".
 std::string kind_name(const Curve& curve);
 bool is_finite(const Curve& curve);
 
+/// The point at parameter t.
 Vec2 point(const Curve& curve, double t);
-/// First and second derivative by t (not normalised).
+/// The first and the second derivative by t (not normalised).
 Vec2 derivative(const Curve& curve, double t);
 Vec2 second_derivative(const Curve& curve, double t);
 Vec2 unit_tangent(const Curve& curve, double t);
@@ -59,12 +61,12 @@ Vec2 unit_tangent(const Curve& curve, double t);
 Vec2 outward_normal(const Curve& curve, double t);
 /// Signed curvature, positive where the curve turns left (1/length).
 double curvature(const Curve& curve, double t);
-/// Arc length of the whole curve, or between two parameters (signed); to rounding.
+/// The arc length of the whole curve, or between two parameters (signed); to rounding.
 double length(const Curve& curve);
 double length(const Curve& curve, double t0, double t1);
 /// Parameter of the point at arc length s from the curve's beginning; s outside the curve gives its nearer end.
 double parameter_at_length(const Curve& curve, double s);
-/// Exact but for rounding.
+/// The smallest axis-parallel box around the curve, exact but for rounding.
 Box2 bounding_box(const Curve& curve);
 /// Parameter of the point closest to p (global minimum; the smaller parameter where several are equally close).
 double closest_parameter(const Curve& curve, const Vec2& p);
@@ -74,15 +76,15 @@ std::vector<double> axis_extrema(const Curve& curve);
 /// Parameters in (0, 1), ascending, where the curve is less than infinitely smooth (a spline's knots): Gauss rules and Taylor
 /// series must not run across them.
 std::vector<double> smoothness_breaks(const Curve& curve);
-/// Parameters in [0, 1], ascending, where coordinate `axis` (0: x, 1: y) equals c: all crossings and touching points. Of a
-/// curve that runs along the line, nothing.
+/// Parameters in [0, 1], ascending, where coordinate `axis` (0: x, 1: y) equals c: all crossings and touching points. A curve
+/// that runs along the line has none.
 std::vector<double> crossings(const Curve& curve, int axis, double c);
-/// Angle by which the tangent turns between two parameters, t0 <= t1, left and right turns both counted positive; splines: an
-/// upper estimate.
+/// The angle (radians) by which the tangent turns between two parameters, t0 <= t1, left and right turns both counted positive;
+/// for splines an upper estimate.
 double turning(const Curve& curve, double t0, double t1);
-/// The same curve run backwards.
+/// The curve run backwards.
 Curve reversed(const Curve& curve);
-/// The portion between two parameters, t0 < t1.
+/// The portion of the curve between two parameters, t0 < t1.
 Curve trimmed(const Curve& curve, double t0, double t1);
 
 /// x -> scale R M x + d: M negates x where `mirror` is set, R = [c -s; s c] with (c, s) of unit length, scale > 0.
@@ -97,9 +99,9 @@ struct Similarity {
         return scale * Vec2(c * x - s * v.y(), s * x + c * v.y());
     }
 };
-/// The image runs the same way through its parameter; what lay on its left lies on its right if mirrored.
+/// The image of a curve. It runs the same way through its parameter; what lay on its left lies on its right if the map mirrors.
 Curve transformed(const Curve& curve, const Similarity& map);
-/// Moved by x -> R x + d with R = [c -s; s c] and (c, s) of unit length.
+/// The curve moved by x -> R x + d with R = [c -s; s c] and (c, s) of unit length.
 Curve transformed(const Curve& curve, double c, double s, const Vec2& d);
 
 }  // namespace abut::geometry

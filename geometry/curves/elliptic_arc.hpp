@@ -12,7 +12,7 @@ namespace abut::geometry {
 /// same points at shifted u. This is how an affine map acts on ellipses and circles.
 EllipticArc from_conjugate(const Vec2& center, const Vec2& p, const Vec2& q, double start, double sweep);
 
-/// Point and the first two derivatives by t.
+/// The point and the first two derivatives by t.
 std::array<Vec2, 3> evaluate(const EllipticArc& arc, double t);
 /// Parameters in (0, 1), ascending, where dx/dt (axis 0) or dy/dt (axis 1) vanishes.
 std::vector<double> stationary_parameters(const EllipticArc& arc, int axis);

@@ -11,7 +11,7 @@ struct GaussRule {
 
 inline constexpr int most_gauss_points = 128;
 
-/// n from 1 to most_gauss_points; computed at its first use, then shared. Safe to call from several threads.
+/// The rule of n points, 1 to most_gauss_points; computed at its first use, then shared. Safe to call from several threads.
 const GaussRule& gauss_rule(int n);
 
 }  // namespace abut::geometry

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// Points within `tolerance` of both curves, in four steps:
 /// 1. Arcs of both curves' arc splines whose boxes come within the tolerances.         (piece_pairs)
 /// 2. Where these arcs meet within the tolerances: starting points, in closed form.    (curve_meetings)
 /// 3. From each, the crossing and the closest approach of the true curves by Newton.   (curve_polish)

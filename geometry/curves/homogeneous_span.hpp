@@ -26,18 +26,18 @@ Bernstein operator-(const Bernstein& a, const Bernstein& b);  ///< of equal degr
 Bernstein operator*(double factor, const Bernstein& a);
 Bernstein operator*(const Bernstein& a, const Bernstein& b);
 Bernstein derivative(const Bernstein& a);
-/// Over [0, 1/2] and [1/2, 1]; over [s0, s1].
+/// The polynomial over [0, 1/2] and over [1/2, 1], and over [s0, s1], each with coefficients on a [0, 1] of its own.
 std::array<Bernstein, 2> halves(const Bernstein& a);
 Bernstein portion(const Bernstein& a, double s0, double s1);
 double largest(const Bernstein& a);  ///< absolute value of a coefficient
 
-/// The points (x, y) / w, relative to an origin. Where not rational, w is 1 and of degree 0.
+/// A portion of a curve as points (x, y) / w, relative to an origin. Where not rational, w is 1 and of degree 0.
 struct HomogeneousSpan {
     Bernstein x, y, w;
     bool rational = false;
 };
 
-/// Span k of the shape.
+/// Span k of a spline's shape in homogeneous coordinates.
 HomogeneousSpan homogeneous_span(const SplineShape& shape, std::size_t k, const Vec2& origin);
 /// The ellipse of these axes (its start and sweep do not matter) between two eccentric angles less than pi apart. Its parameter
 /// s belongs to the angle (u0 + u1) / 2 + 2 atan((2s - 1) tan((u1 - u0) / 4)).

@@ -13,7 +13,7 @@ struct LengthTable {
     std::vector<double> rate{};  ///< dt/ds there: for the first guess
 };
 
-/// For ellipses and splines.
+/// Makes the table of an ellipse or a spline.
 LengthTable length_table(const Curve& curve);
 
 /// Parameter at arc length s, by safeguarded Newton between two entries; 0 below and 1 above the table.

@@ -25,9 +25,10 @@ struct PieceTree {
 std::vector<ArcPiece> calm_arc_spline(const Curve& curve, double tolerance);
 inline constexpr double flat_fraction = 0.1;
 
+/// The tree of a curve's calm arc spline.
 PieceTree piece_tree(const Curve& curve, double tolerance);
 
-/// Parameter of the curve at a point of one of its arcs: near the true one, to start an iteration with.
+/// The parameter of the curve at a point of one of its arcs: near the true one, to start an iteration with.
 double curve_parameter(const ArcPiece& piece, const Vec2& p);
 
 /// Calls visit(piece of a, piece of b) for all pairs whose boxes come within limit(), which may shrink as pairs are visited.

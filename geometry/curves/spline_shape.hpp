@@ -45,18 +45,19 @@ std::vector<Curve> nurbs_curves(const Nurbs& nurbs);
 /// numbers must be valid (bezier_fault).
 Curve bezier_curve(const std::vector<Vec2>& points, const std::vector<double>& weights);
 
-/// Point and the first two derivatives by the shape's parameter u in [0, 1]; at a break those of the span that begins there.
-/// Both ends and all breaks are control points bit for bit. Where the curve stands still at an end, the derivative is the one
-/// a rounding of u further in: tiny, but with the tangent's direction.
+/// The point and the first two derivatives by the shape's parameter u in [0, 1]; at a break those of the span that begins
+/// there. Both ends and all breaks are control points bit for bit. Where the curve stands still at an end, the derivative is
+/// the one a rounding of u further in: tiny, but with the tangent's direction.
 std::array<Vec2, 3> evaluate(const SplineShape& shape, double u);
-/// Signed arc length between two parameters.
+/// The signed arc length between two parameters.
 double length(const SplineShape& shape, double u0, double u1);
 /// Parameters in (0, 1), ascending, where dx/du (axis 0) or dy/du (axis 1) changes its sign: all of them, by Bernstein
 /// subdivision; where it only touches zero, they may be given. None where the coordinate is constant but for rounding.
 std::vector<double> stationary_parameters(const SplineShape& shape, int axis);
-/// The same shape moved.
+/// The shape moved by a similarity.
 SplineShape transformed(const SplineShape& shape, const Similarity& map);
-/// The control points, scaled and moved as homogeneous points, are what any affine map acts on; used by imports.
+/// The image of a shape under the affine map p -> origin + p.x x_axis + p.y y_axis, which acts on its control points; used by
+/// imports.
 SplineShape affine_image(const SplineShape& shape, const Vec2& x_axis, const Vec2& y_axis, const Vec2& origin);
 
 }  // namespace abut::geometry

@@ -18,13 +18,13 @@ struct KnotSpan {
 
 /// Knots closer to each other than the rounding of the largest are made equal to the first of them.
 std::vector<double> settled_knots(std::vector<double> knots);
-/// weights, or nothing where they are all equal.
+/// The weights, or nothing where they are all equal.
 std::vector<double> effective_weights(const std::vector<double>& weights);
 
 /// The spans that have a length, in order; consecutive ones share their joint bit for bit unless there is a gap. An end that
 /// returns to the beginning within rounding is the beginning.
 std::vector<KnotSpan> knot_spans(const Nurbs& nurbs);
-/// One span over [0, 1]; empty points if it has no length.
+/// A Bezier curve as one span over [0, 1]; empty points if it has no length.
 KnotSpan bezier_knot_span(const std::vector<Vec2>& points, const std::vector<double>& weights);
 
 BezierSpan view(const KnotSpan& span);
@@ -32,7 +32,7 @@ BezierSpan view(const SplineShape& shape, std::size_t span);
 
 /// A run of smoothly joined spans as one curve; a Segment if it is one span of degree 1 without weights.
 Curve joined(const std::vector<KnotSpan>& run, bool from_nurbs);
-/// Fills arc_length.
+/// Fills in the shape's arc_length.
 void measure(SplineShape& shape);
 
 }  // namespace abut::geometry

@@ -10,6 +10,7 @@
 
 namespace abut::geometry {
 
+/// A circle that touches two curves.
 struct TangentBall {
     double radius = 0;      ///< signed, see above
     double t = 0;           ///< parameter of the touching point on the other curve; beyond [0, 1]: on its continuation

@@ -10,6 +10,7 @@
 
 namespace abut::geometry::dxf {
 
+/// The curves of one entity, or why it cannot be read.
 struct Outline {
     std::vector<Curve> curves;
     bool is_in_pieces = false;  ///< is each curve a piece with a number of its own (polylines, splines with corners)?

@@ -9,6 +9,7 @@
 
 namespace abut::geometry::dxf {
 
+/// A group: a code and its value.
 struct Group {
     int code;
     int place;               ///< of the value: line, counted from 1; in binary files the byte offset of the group, from 0

@@ -15,13 +15,13 @@ struct Look {
     bool frozen = false, off = false;  ///< the layer's
 };
 
-/// `block`: the look of the insert that the entity stands in (where nothing is inserted: Look{}). Entities on layer 0 of a
-/// block take the insert's layer; colours and line types may be by layer (the default) or by block.
+/// How an entity is drawn. `block`: the look of the insert that the entity stands in (where nothing is inserted: Look{}).
+/// Entities on layer 0 of a block take the insert's layer; colours and line types may be by layer (the default) or by block.
 Look look_of(const Record& entity, const Look& block, const Structure& structure);
 
 bool is_in_paper_space(const Record& entity);
 
-/// Belongs to the entity before it (VERTEX, ATTRIB, SEQEND) and is not counted by itself.
+/// Does the record belong to the entity before it (VERTEX, ATTRIB, SEQEND), so that it is not counted by itself?
 bool is_subentity(const Record& entity);
 
 /// Why an entity is left out; empty for those to be read. Hidden things come first: what is not shown is not asked for its

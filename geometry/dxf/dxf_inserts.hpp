@@ -17,7 +17,8 @@ struct Insert {
     std::string wrong;  ///< as one line for the user; empty if nothing is
 };
 
-/// `base`: the block's base point. Steps between rows and columns turn with the insert and are not scaled.
+/// Reads an INSERT record. `base`: the block's base point. Steps between rows and columns turn with the insert and are not
+/// scaled.
 Insert read_insert(const Record& record, const Vec2& base);
 Placement placement_of(const Insert& insert, int row, int column);
 

@@ -17,7 +17,7 @@ public:
     explicit Numbers(const Record& record) : record_(record) {}
 
     double of(const Group& group);
-    /// Of the first group with the code.
+    /// The number of the first group with the code; without such a group a fault, or `missing` where that is given.
     double operator()(int code);
     double operator()(int code, double missing);
     Vec2 point(int x_code) { return {(*this)(x_code), (*this)(x_code + 10)}; }

@@ -18,14 +18,14 @@ struct Placement {
 /// The map that applies `inner` first.
 Placement composed(const Placement& outer, const Placement& inner);
 
-/// Axes by a rotation (degrees; quarter turns are exact) of the axes scaled by sx and sy.
+/// The map whose axes are scaled by sx and sy, then rotated by an angle (degrees; quarter turns are exact).
 Placement rotated_and_scaled(double degrees, double sx, double sy);
 
-/// x negated: coordinates of a plane whose normal is -z (the "arbitrary axis" of an extrusion (0, 0, -1)).
+/// The map that negates x: coordinates of a plane whose normal is -z (the "arbitrary axis" of an extrusion (0, 0, -1)).
 Placement seen_from_below();
 
-/// What is wrong with it, as one line for the user ("its scale is zero"); empty if nothing. Coordinates and scales beyond
-/// `largest` are damage, not drawing.
+/// What is wrong with a placement, as one line for the user ("its scale is zero"); empty if nothing. Coordinates and scales
+/// beyond `largest` are damage, not drawing.
 std::string placement_fault(const Placement& placement, double largest);
 
 /// The ellipse center + cos(u) a + sin(u) b, or the circle where a and b are equally long and at a right angle within rounding.

@@ -25,12 +25,14 @@ struct Record {
     double number(int code, double missing) const;
 };
 
+/// A layer's look, for the entities on it.
 struct Layer {
     bool off = false, frozen = false;
     std::string linetype;
     int color = 7;
 };
 
+/// A block: entities that INSERT records place.
 struct Block {
     Record head;  ///< holds the base point (10, 20)
     std::string name;
@@ -38,6 +40,7 @@ struct Block {
     bool is_external = false;  ///< its entities are in another file
 };
 
+/// A DXF file taken apart into records; it can be moved and not copied, since records point into it.
 struct Structure {
     Groups groups;                                  ///< what the records point to
     std::map<std::string, std::string> header;      ///< first value of each variable: "$INSUNITS" -> "4"
@@ -51,9 +54,10 @@ struct Structure {
     Structure& operator=(Structure&&) = default;
 };
 
-/// Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost: see split_groups().
+/// Reads the structure of a DXF file. Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost:
+/// see split_groups().
 Structure read_structure(const std::string& path);
-/// The same of a file's bytes; `file` is its name in messages.
+/// Reads the structure from a file's bytes; `file` is its name in messages.
 Structure structure_of(const std::string& file, std::string bytes);
 
 }  // namespace abut::geometry::dxf

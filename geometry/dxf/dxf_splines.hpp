@@ -5,9 +5,9 @@
 
 namespace abut::geometry::dxf {
 
-/// Control points with knots (none: uniform, clamped at the ends), weights (none: all 1) and degree; a closed one may leave out
-/// the control points that repeat. Without control points the cubic through the fit points (spline_through.hpp). Cut into
-/// smooth pieces; pieces of degree 1 are lines.
+/// Reads a SPLINE record as curves: by control points with knots (none: uniform, clamped at the ends), weights (none: all 1)
+/// and degree, of which a closed one may leave out those that repeat; without control points as the cubic through the fit
+/// points (spline_through.hpp). Cut into smooth pieces; pieces of degree 1 are lines.
 Outline read_spline(const Record& record);
 
 }  // namespace abut::geometry::dxf

@@ -17,6 +17,7 @@
 
 namespace abut::geometry {
 
+/// The choices of a blended distance function.
 struct BlendedDistance {
     double delta = 0;  ///< width of the strip, length; 0: strip_width(part)
     int gamma = 3;     ///< >= 1; the field is gamma - 1 times continuously differentiable where it becomes flat
@@ -25,10 +26,10 @@ struct BlendedDistance {
     int m = 2;         ///< order of the joins
 };
 
-/// Throws std::logic_error for numbers outside these ranges. Memory: one list of edges
-/// for each of (diagonal / h')^2 splines. Cost of a point: point-in-part, and the edges within delta of the
-/// (degree + 1)^2 supports around it, whatever the part's size. Not smooth on medial axes closer to the boundary than delta,
-/// nor (Hessian only) where an end of an edge becomes its closest point.
+/// Makes the field w of a part. Throws std::logic_error for options outside their ranges. Memory: one list of edges for each of
+/// (diagonal / h')^2 splines. Cost of a point: point-in-part, and the edges within delta of the (degree + 1)^2 supports around
+/// it, whatever the part's size. Not smooth on medial axes closer to the boundary than delta, nor (Hessian only) where an end
+/// of an edge becomes its closest point.
 ImplicitField blended_distance(const Part& part, const BlendedDistance& options = {});
 
 /// Half the smallest radius of curvature, at most widest_strip_fraction of the part's diagonal: within this strip the distance

@@ -28,7 +28,8 @@ NearCurve<T> joined(const std::vector<NearCurve<T>>& near, int m) {
     return {equivalence(all, m), near[nearest_to_zero(all)].sided};
 }
 
-/// Positive everywhere; within `on_edge` of an edge the material's side goes on smoothly, so that the derivatives are its.
+/// The field's size, positive everywhere; within `on_edge` of an edge the material's side goes on smoothly, so that the
+/// derivatives are its.
 inline double without_side(const NearCurve<double>& near, double) {
     return near.w < 0 ? -near.w : near.w;
 }
@@ -40,7 +41,7 @@ inline Jet without_side(const NearCurve<Jet>& near, double on_edge) {
     return w;
 }
 
-/// Positive inside, negative outside; within `on_edge` of an edge its own side decides.
+/// The field with a sign, positive inside, negative outside; within `on_edge` of an edge its own side decides.
 inline double with_side(const NearCurve<double>& near, double on_edge, bool inside) {
     if (near.sided && std::abs(near.w) <= on_edge) return near.w;
     return inside == (near.w > 0) ? near.w : -near.w;
@@ -50,6 +51,7 @@ inline Jet with_side(const NearCurve<Jet>& near, double on_edge, bool inside) {
     return inside == (near.w.v > 0) ? near.w : -near.w;
 }
 
+/// The place of a point, without derivatives.
 inline Vec2 position(const PointOf<double>& p) {
     return {p.x, p.y};
 }

@@ -13,7 +13,7 @@ struct CardinalValues {
     std::array<double, max_cardinal_degree + 1> value{}, slope{}, bend{};
 };
 
-/// degree >= 1. Sums: values 1, slopes 0, bends 0.
+/// The splines around x, of a degree from 1 on. Their values sum to 1, slopes and bends to 0.
 CardinalValues cardinal_splines(int degree, double x);
 
 }  // namespace abut::geometry

@@ -14,9 +14,9 @@ struct NearCurve {
     bool sided = true;
 };
 
-/// Distance from p to the curve's closest point. At a closest point inside the curve the gradient is the unit normal and the
-/// Hessian -k / (1 - k d) along the tangent (k curvature, positive to the left); at an end they are those of the distance to
-/// it. Kinks where several points of the curve are equally close.
+/// The distance from p to the curve's closest point. At a closest point inside the curve the gradient is the unit normal and
+/// the Hessian -k / (1 - k d) along the tangent (k curvature, positive to the left); at an end they are those of the distance
+/// to it. It has kinks where several points of the curve are equally close.
 NearCurve<Jet> curve_distance(const Curve& curve, const PointOf<Jet>& p);
 NearCurve<double> curve_distance(const Curve& curve, const PointOf<double>& p);
 

@@ -9,6 +9,7 @@
 
 namespace abut::geometry {
 
+/// A formula behind a field: values from doubles, derivatives from jets.
 class FieldShape {
 public:
     FieldShape() = default;
@@ -36,7 +37,7 @@ ImplicitField make_field(Formula formula) {
     return {std::make_shared<const FormulaShape<Formula>>(std::move(formula))};
 }
 
-/// Of arguments: the caller's fault.
+/// Throws std::logic_error with this text unless `ok`: wrong arguments are the caller's fault.
 inline void require(bool ok, const char* what) {
     if (!ok) throw std::logic_error(what);
 }

@@ -15,6 +15,7 @@
 
 namespace abut::geometry {
 
+/// A field's value at a point with its first and second derivatives.
 struct FieldValue {
     double value = 0;
     Vec2 gradient{0, 0};
@@ -23,20 +24,23 @@ struct FieldValue {
 
 class FieldShape;
 
-/// Immutable; copies share what is behind. Evaluation is free of side effects and may run in several threads.
+/// A function of the plane. Immutable; copies share what is behind. Evaluation is free of side effects and may run in several
+/// threads.
 struct ImplicitField {
     std::shared_ptr<const FieldShape> shape;
 };
 
+/// The value of a field at p.
 double value(const ImplicitField& field, const Vec2& p);
-/// Exact derivatives (automatic differentiation; closest points of splines: closed forms at the foot).
+/// Value, gradient and Hessian of a field at p, exact (automatic differentiation; closest points of splines: closed forms at
+/// the foot).
 FieldValue evaluate(const ImplicitField& field, const Vec2& p);
 
-/// R-functions of fields (r_functions.hpp). Of more than two in a balanced tree, neighbours first: depth log n.
+/// R-functions of fields (r_functions.hpp). More than two are joined in a balanced tree, neighbours first: depth log n.
 ImplicitField conjunction(const std::vector<ImplicitField>& fields, double alpha = 0);
 ImplicitField disjunction(const std::vector<ImplicitField>& fields, double alpha = 0);
 ImplicitField negation(const ImplicitField& field);
-/// (sum |w_i|^-m)^(-1/m): zero where one of them is.
+/// The field (sum |w_i|^-m)^(-1/m): zero where one of the fields is.
 ImplicitField equivalence(const std::vector<ImplicitField>& fields, int m);
 
 /// The R-function of a geometry tree: half planes, circles, ellipses and rectangles (four half planes) in closed form, slots,
@@ -48,18 +52,19 @@ ImplicitField equivalence(const std::vector<ImplicitField>& fields, int m);
 ImplicitField implicit_of(const CsgNode& tree, double alpha = 0);
 inline constexpr int leaf_join_order = 2;
 
-/// Field of a part out of its edges: trimmed_edge.hpp's fields joined by (sum w_i^-m)^(-1/m), with the sign by contains().
+/// The field of a part out of its edges: trimmed_edge.hpp's fields joined by (sum w_i^-m)^(-1/m), with the sign by contains().
 /// Zero on the edges only. m >= 1; even m are smooth away from corners, except across the medial axis of a spline edge and
-/// where the closest point of a spline becomes one of its ends (the gradient is continuous there, the Hessian jumps).
-/// Cost of a point: O(edges), and a search for the closest point on each spline.
+/// where the closest point of a spline becomes one of its ends (the gradient is continuous there, the Hessian jumps). Cost of a
+/// point: O(edges), and a search for the closest point on each spline.
 ImplicitField distance_field(const Part& part, int m);
 
-/// Field of some edges of a part (Dirichlet edges): zero on them, positive elsewhere, on both sides of the boundary; on the
+/// The field of some edges of a part (Dirichlet edges): zero on them, positive elsewhere, on both sides of the boundary; on the
 /// edges the derivatives are those of the material's side. Throws std::logic_error if `edges` is empty or names none.
 ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m);
 
-/// Zero in the given points, positive elsewhere: squared distances, conjoined [Grishin10, eqs 4.14-4.16]. In length^2, with a
-/// vanishing gradient in the points. The dissertation nests the conjunctions in another order for more than two points.
+/// A field that is zero in the given points, positive elsewhere: squared distances, conjoined [Grishin10, eqs 4.14-4.16]. In
+/// length^2, with a vanishing gradient in the points. The dissertation nests the conjunctions in another order for more than
+/// two points.
 ImplicitField point_field(const std::vector<Vec2>& points, double alpha = 0);
 
 /// Points closer to an edge than this fraction of the part's diagonal count as on it: their sign there is the edge's own,

@@ -9,7 +9,8 @@
 
 namespace abut::geometry {
 
-/// Where an operation has no derivative (sqrt, pow at 0) the derivatives are not finite; the value is always right.
+/// A number with its first and second derivatives. Where an operation has no derivative (sqrt, pow at 0) the derivatives are
+/// not finite; the value is always right.
 struct Jet {
     double v = 0;
     double x = 0, y = 0;            ///< gradient
@@ -52,13 +53,13 @@ inline Jet operator*(double s, const Jet& a) {
 inline Jet operator*(const Jet& a, double s) {
     return s * a;
 }
-/// Values are the same bit for bit as with doubles.
+/// The quotient by a plain number; its value is that of doubles bit for bit.
 inline Jet operator/(const Jet& a, double s) {
     Jet quotient = (1 / s) * a;
     quotient.v = a.v / s;
     return quotient;
 }
-/// From a = q b: the derivatives of the quotient without those of 1/b.
+/// The quotient q, from a = q b: its derivatives without those of 1/b.
 inline Jet operator/(const Jet& a, const Jet& b) {
     const double w = 1 / b.v, q = a.v * w;
     const double qx = (a.x - q * b.x) * w, qy = (a.y - q * b.y) * w;

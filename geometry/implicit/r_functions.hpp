@@ -47,7 +47,7 @@ T integer_power(const T& x, int m) {
     return power;
 }
 
-/// The one of smallest magnitude; the first of several.
+/// The index of the number of smallest magnitude; the first of several.
 template <class T>
 std::size_t nearest_to_zero(std::span<const T> x) {
     std::size_t best = 0;

@@ -37,15 +37,15 @@ TrimmedConic trimmed_conic(const Segment& segment);
 TrimmedConic trimmed_conic(const Arc& arc);
 TrimmedConic trimmed_conic(const EllipticArc& arc);
 
-/// f alone.
+/// The field f of the untrimmed curve.
 double whole_curve(const TrimmedConic& conic, const PointOf<double>& p);
 Jet whole_curve(const TrimmedConic& conic, const PointOf<Jet>& p);
 
-/// w.
+/// The trimmed field w.
 NearCurve<double> trimmed(const TrimmedConic& conic, const PointOf<double>& p);
 NearCurve<Jet> trimmed(const TrimmedConic& conic, const PointOf<Jet>& p);
 
-/// Any edge.
+/// What evaluation needs of any edge: a conic, or the curve of a spline.
 struct TrimmedEdge {
     bool is_conic = true;
     TrimmedConic conic;

@@ -32,7 +32,7 @@ void sort_out(std::vector<int>& cells) {
 }
 
 /// Keeps the pair of cells if its case is as good as those so far, and drops those if it is better.
-void take(char letter, int cell1, int cell2, MeetingCells& best) {
+void take(char letter, int cell1, int cell2, CaseCells& best) {
     if (letter == 'e' || letter > best.letter) return;
     if (letter < best.letter) best = {letter, {}};
     best.cells[0].push_back(cell1);
@@ -41,13 +41,13 @@ void take(char letter, int cell1, int cell2, MeetingCells& best) {
 
 }  // namespace
 
-MeetingCells meeting_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
+CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
     constexpr std::array<std::array<int, 2>, 5> beside{{{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     const CellRange &box1 = part1.box, &box2 = part2.box;
     const int first_column = std::max(box1.column, box2.column - 1), first_row = std::max(box1.row, box2.row - 1);
     const int end_column = std::min(box1.column + box1.columns, box2.column + box2.columns + 1);
     const int end_row = std::min(box1.row + box1.rows, box2.row + box2.rows + 1);
-    MeetingCells best;
+    CaseCells best;
     for (int row = first_row; row < end_row; ++row)
         for (int column = first_column; column < end_column; ++column) {
             const CellClass own = part1.at(column, row);
@@ -64,7 +64,7 @@ char cell_case(const Part& part1, const Part& part2, double cell_size) {
     const UniformGrid window = window_of(bounding_box(part1), bounding_box(part2), cell_size);
     if (window.columns == 0 || window.rows == 0) return 'e';
     const CellRange all{0, 0, window.columns, window.rows};
-    return meeting_cells(classify_cells(part1, window, all), classify_cells(part2, window, all), window.columns).letter;
+    return case_cells(classify_cells(part1, window, all), classify_cells(part2, window, all), window.columns).letter;
 }
 
 }  // namespace abut::geometry

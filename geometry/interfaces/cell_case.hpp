@@ -11,7 +11,7 @@ namespace abut::geometry {
 /// Cell size as a fraction of the smaller part's diagonal.
 inline constexpr double case_cell_fraction = 1.0 / 20;
 
-/// The first that applies of
+/// The case of two parts by their cells on one grid, the first that applies of
 ///   'a' the parts share boundary cells,
 ///   'b' a boundary cell of one shares a side with a boundary cell of the other,
 ///   'c' a boundary cell of one shares a side with, or is, an inner cell of the other,
@@ -23,12 +23,13 @@ inline constexpr double case_cell_fraction = 1.0 / 20;
 char cell_case(const Part& part1, const Part& part2, double cell_size);
 
 /// The cells that make the case: the pairs of the case's kind, and none of the later kinds.
-struct MeetingCells {
+struct CaseCells {
     char letter = 'e';
     std::array<std::vector<int>, 2> cells;  ///< of each part: cell numbers, ascending, each once; case 'a': the same twice
 };
 
-/// Of two parts on a grid with so many columns. Cost O(cells in the boxes of both, and one around).
-MeetingCells meeting_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns);
+/// The cells that make the case of two parts, on a grid with so many columns. Cost O(cells in the boxes of both, and one
+/// around).
+CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns);
 
 }  // namespace abut::geometry

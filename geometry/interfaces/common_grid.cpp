@@ -50,9 +50,9 @@ std::vector<ContactCells> contacts_of(const CommonGrid& common) {
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = i + 1; k < n; ++k) {
             if (!lie_together(common.parts[i].box, common.parts[k].box)) continue;
-            MeetingCells meeting = meeting_cells(common.parts[i], common.parts[k], common.grid.columns);
-            if (meeting.letter == 'e') continue;
-            contacts.push_back({{static_cast<int>(i), static_cast<int>(k)}, std::move(meeting)});
+            CaseCells its_case = case_cells(common.parts[i], common.parts[k], common.grid.columns);
+            if (its_case.letter == 'e') continue;
+            contacts.push_back({{static_cast<int>(i), static_cast<int>(k)}, std::move(its_case)});
         }
     return contacts;
 }
@@ -106,7 +106,7 @@ char case_of_parts(const CommonGrid& common, int part1, int part2) {
     const std::array<int, 2> wanted{std::min(part1, part2), std::max(part1, part2)};
     const auto found = std::lower_bound(common.contacts.begin(), common.contacts.end(), wanted,
                                         [](const ContactCells& c, const std::array<int, 2>& part) { return c.part < part; });
-    return found != common.contacts.end() && found->part == wanted ? found->meeting.letter : 'e';
+    return found != common.contacts.end() && found->part == wanted ? found->its_case.letter : 'e';
 }
 
 Grid split_grid(const CommonGrid& common, int part) {

@@ -15,9 +15,10 @@ namespace abut::geometry {
 /// Two parts that come together on the grid, and where.
 struct ContactCells {
     std::array<int, 2> part{0, 0};  ///< the first is the earlier one
-    MeetingCells meeting;           ///< case 'a' to 'd'; numbers of the common grid's cells
+    CaseCells its_case;             ///< case 'a' to 'd'; numbers of the common grid's cells
 };
 
+/// The common grid of parts: the outcome of the four steps.
 struct CommonGrid {
     UniformGrid grid;                    ///< step 1
     std::vector<CellClasses> parts;      ///< step 2, by part: the cells of the box around it
@@ -26,20 +27,20 @@ struct CommonGrid {
     std::string refusal;                 ///< why there is no grid, one sentence; empty where there is one
 };
 
-/// More cells are refused, in the grid or in the boxes around the parts together.
+/// The most cells that a common grid may have, in the grid or in the boxes around the parts together; more are refused.
 inline constexpr int most_common_cells = 4'000'000;
 
-/// Step 1 alone: the grid starts at the lower left corner of the box, and covers it but for what lies along a line
+/// Makes step 1 alone: the grid starts at the lower left corner of the box, and covers it but for what lies along a line
 /// (along_line_fraction). Its numbers are zero where it would have more than `most_common_cells` cells, where the box is empty
 /// or where the cell size is not positive.
 UniformGrid uniform_grid(const Box2& box, double cell_size);
 
-/// All four steps. Refused are sizes that are not positive, no parts, and more cells than `most_common_cells`. Of two parts the
-/// case is that of `cell_case` but for boundaries that rounding puts on either side of a line. Cost O(edges + cells of the
-/// boxes around the parts + n log n), n the cells that boundaries pass through, and O(parts^2) comparisons of boxes.
+/// Makes all four steps. Refused are sizes that are not positive, no parts, and more cells than `most_common_cells`. The case
+/// of two parts is that of `cell_case` but for boundaries that rounding puts on either side of a line. Cost O(edges + cells of
+/// the boxes around the parts + n log n), n the cells that boundaries pass through, and O(parts^2) comparisons of boxes.
 CommonGrid common_grid(const std::vector<const Part*>& parts, double cell_size);
 
-/// The letter of two parts, in either order.
+/// The letter of the case of two parts, in either order.
 char case_of_parts(const CommonGrid& common, int part1, int part2);
 
 /// One of the n grids of step 4, as `cut_cells` takes it. Empty (no lines) for a part without cells: thinner than

@@ -8,7 +8,7 @@
 
 namespace abut::geometry {
 
-/// The piece's ends on the first part; length 0 where a pair at an end is not found.
+/// A zone's piece as a stretch of two edges, its ends on the first part; length 0 where a pair at an end is not found.
 FacingEdges facing_edges(const Part& first, const Part& second, const FacingZone& zone, const ZonePiece& piece);
 
 /// Puts the stretches of the pair of edges that carries most to the front, the longest of them first.

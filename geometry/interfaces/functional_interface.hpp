@@ -20,6 +20,7 @@ struct FacingEdges {
     double gap;  ///< the smallest
 };
 
+/// What a contact is to an engineer: its kind, its measures, what it transmits and what it leaves free.
 struct FunctionalInterface {
     std::string kind;                               ///< of the stretch that carries most: "pin-in-hole", "flat-on-flat", ...
     std::array<std::optional<double>, 2> diameter;  ///< of its edges, where they are circles
@@ -31,9 +32,10 @@ struct FunctionalInterface {
     std::vector<Screw> twists;                      ///< (vx, vy of the point at the origin, w) that the first keeps
 };
 
-/// Of all stretches together (their wrenches add up, eq 2.7), the carrying one first; at least one. `scale`: of the two parts.
-/// A pin, and a round part in a groove of its own radius, is held across all directions at its centre, a face on a face at both
-/// ends of the stretch, everything else in one point. Of teeth, only those that come closest.
+/// The functional interface that all stretches of a contact make together (their wrenches add up, eq 2.7), the carrying one
+/// first; at least one. `scale`: of the two parts. A pin, and a round part in a groove of its own radius, is held across all
+/// directions at its centre, a face on a face at both ends of the stretch, everything else in one point. Of teeth, only those
+/// that come closest.
 FunctionalInterface functional_interface(const Part& first, const Part& second, const std::string& kind,
                                          const std::vector<FacingEdges>& stretches, const ScrewScale& scale);
 

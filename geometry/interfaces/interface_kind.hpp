@@ -7,17 +7,18 @@
 
 namespace abut::geometry {
 
-/// From the edges that carry the contact, the first part's named first: "flat-on-flat", "flat-on-round", "round-on-flat",
-/// "round-on-round", "pin-in-hole" (a convex arc in a concave one of which more than half a turn exists), "round-in-groove"
-/// (less than that), "general" (a concave side with anything else). Of an ellipse or a spline the curvature where the edges
-/// come closest counts, and half a turn is counted along its chain; one that turns by less than chain_angle is flat.
+/// The kind of a contact from the edges that carry it, the first part's named first: "flat-on-flat", "flat-on-round",
+/// "round-on-flat", "round-on-round", "pin-in-hole" (a convex arc in a concave one of which more than half a turn exists),
+/// "round-in-groove" (less than that), "general" (a concave side with anything else). Of an ellipse or a spline the curvature
+/// where the edges come closest counts, and half a turn is counted along its chain; one that turns by less than chain_angle is
+/// flat.
 std::string interface_kind(const Part& part1, int edge1, const Part& part2, int edge2);
 
 /// Is the point at parameter t of an edge a convex corner of the part (a turn above chain_angle)?
 bool is_convex_corner(const Part& part, int edge, double t);
 
-/// The same for closest points of which at least one is a corner: "edge-on-flat" for a corner on a straight edge, else
-/// "general".
+/// The kind of a contact at closest points of which at least one is a corner: "edge-on-flat" for a corner on a straight edge,
+/// else "general".
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2);
 
 }  // namespace abut::geometry

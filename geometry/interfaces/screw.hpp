@@ -38,7 +38,7 @@ std::vector<Screw> wrench_space(const std::vector<Screw>& wrenches, const ScrewS
 /// the origin to its pole, two translations, or all three.
 std::vector<Screw> twist_space(const std::vector<Screw>& wrenches, const ScrewScale& scale);
 
-/// The same space of motions, given by any twists that span it, in the readable form.
+/// The space of motions that some twists span, in the readable form of twist_space.
 std::vector<Screw> span_of_twists(const std::vector<Screw>& twists, const ScrewScale& scale);
 
 /// A wrench on one body, and its opposite on another or on the ground (other = -1).
@@ -47,6 +47,7 @@ struct Connection {
     Screw wrench{0, 0, 0};
 };
 
+/// What connections leave bodies to do.
 struct Mobility {
     int degrees_of_freedom = 0;  ///< 3 bodies - rank of the connections
     int gruebler = 0;            ///< 3 bodies - connections: the count on one's fingers, negative where over-constrained
@@ -54,7 +55,7 @@ struct Mobility {
     std::vector<std::vector<Screw>> free;  ///< by body: the twists it has in all motions that the connections leave
 };
 
-/// Connections count as two-sided. Cost: of order (3 bodies)^3.
+/// The motions that bodies have under their connections, which count as two-sided. Cost: of order (3 bodies)^3.
 Mobility mobility(int n_bodies, const std::vector<Connection>& connections, const ScrewScale& scale);
 
 }  // namespace abut::geometry

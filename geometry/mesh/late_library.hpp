@@ -6,12 +6,14 @@
 
 namespace abut::geometry {
 
+/// A shared library, loaded when this is made.
 class LateLibrary {
 public:
     /// Loads it, for good: by its name ("libassimp.so.5"), or from where it was when the program was built.
     LateLibrary(const std::string& name, const std::string& path);
 
-    /// Of C linkage. Throws InputError (file: what is to be read) where there is no such library or function.
+    /// The library's function of this name, of C linkage. Throws InputError (file: what is to be read) where there is no such
+    /// library or function.
     template <class Function>
     Function* function(const char* function_name, const std::string& file) const {
         return reinterpret_cast<Function*>(symbol(function_name, file));

@@ -19,11 +19,11 @@ public:
     /// `file.file` names the file in messages.
     explicit MeshBodies(MeshFile file) : file_(std::move(file)) {}
 
-    /// One object (or instance), as the file states it, in the file's coordinates; an empty name: it has none. Joined, mended
-    /// and split into bodies (mesh_weld.hpp, mesh_shells.hpp). Throws InputError for coordinates that are no numbers or beyond
-    /// largest_mesh_coordinate, indices of vertices that are not there, and where a limit is passed.
+    /// Adds one object (or instance), as the file states it, in the file's coordinates; an empty name: it has none. Joined,
+    /// mended and split into bodies (mesh_weld.hpp, mesh_shells.hpp). Throws InputError for coordinates that are no numbers or
+    /// beyond largest_mesh_coordinate, indices of vertices that are not there, and where a limit is passed.
     void add(Mesh object);
-    /// Something of the file that is no part of a body.
+    /// Notes something of the file that is no part of a body.
     void ignore(const std::string& what, int count, const std::string& why);
     void set_unit(const std::string& unit) { file_.unit = unit; }
     /// The file with its bodies. Throws InputError if there are none.

@@ -5,18 +5,20 @@
 
 namespace abut::geometry {
 
+/// A triangle at an edge.
 struct EdgeSide {
     int triangle;
     int apex;         ///< its third vertex
     bool is_forward;  ///< does the triangle run along the edge in its direction?
 };
 
+/// An edge of a mesh with all triangles at it.
 struct MeshEdge {
     int from, to;  ///< vertices, from < to
     std::vector<EdgeSide> sides;
 };
 
-/// Ordered by vertices, the sides of each by triangle. Cost O(n log n).
+/// All edges of a mesh, ordered by vertices, the sides of each by triangle. Cost O(n log n).
 std::vector<MeshEdge> edges_of(const Mesh& mesh);
 
 }  // namespace abut::geometry

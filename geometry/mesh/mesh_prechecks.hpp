@@ -6,12 +6,12 @@
 
 namespace abut::geometry {
 
-/// No mesh within most_triangles needs more.
+/// The largest size of a mesh file, bytes: no mesh within most_triangles needs more.
 inline constexpr std::uintmax_t most_mesh_bytes = 512u << 20;
 
-/// `format` as in MeshFile. Throws InputError where the file is missing, unreadable, empty or too large; a binary STL that is
-/// shorter than it states; PLY and COLLADA that are damaged (mesh_ply.hpp, mesh_collada.hpp); glTF that does not begin as such.
-/// Cost: a pass over the bytes of PLY and COLLADA files, else constant.
+/// Checks a mesh file for damage; `format` as in MeshFile. Throws InputError where the file is missing, unreadable, empty or
+/// too large; a binary STL that is shorter than it states; PLY and COLLADA that are damaged (mesh_ply.hpp, mesh_collada.hpp);
+/// glTF that does not begin as such. Cost: a pass over the bytes of PLY and COLLADA files, else constant.
 void check_mesh_file(const std::string& path, const std::string& format);
 
 }  // namespace abut::geometry

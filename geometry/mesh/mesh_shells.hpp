@@ -8,12 +8,14 @@ namespace abut::geometry {
 /// Half-planes about an edge closer than this angle, radians, are one: the common face of two bodies.
 inline constexpr double coincident_angle = 1e-3;
 
+/// How many edges of a shell are wrong in one way, and where the first is.
 struct EdgeFault {
     int n = 0;  ///< edges
     Vec3 at{0, 0, 0};
     double length = 0;  ///< longest
 };
 
+/// A connected surface of a mesh, and what keeps it from closing.
 struct Shell {
     Mesh mesh;  ///< unnamed
     bool is_closed = true;
@@ -21,6 +23,7 @@ struct Shell {
     EdgeFault branching;  ///< edges where bodies meet that cannot be told apart, or faces whose sides contradict each other
 };
 
+/// The shells of a mesh, and what was turned or told apart to find them.
 struct Shells {
     std::vector<Shell> shells;  ///< in order of their first triangle; whatever does not close is one shell, the last
     int n_turned = 0;           ///< triangles turned to agree with their neighbours
@@ -29,6 +32,7 @@ struct Shells {
     Vec3 turned_at{0, 0, 0}, inverted_at{0, 0, 0}, told_apart_at{0, 0, 0};
 };
 
+/// Splits a mesh into closed shells:
 /// 1. Triangles are turned to agree across edges that two of them share; of each connected patch the minority is turned.
 /// 2. If the whole then holds a negative volume, all is turned.
 /// 3. At edges with more triangles these bound wedges of material, one after the other about the edge: the two sides of one

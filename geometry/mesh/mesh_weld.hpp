@@ -11,9 +11,10 @@ inline constexpr double weld_fraction = 1e-6;
 /// Relative rounding of coordinates in single precision, which far from the origin is more than weld_fraction.
 inline constexpr double single_rounding = 1.2e-7;
 
-/// Distance below which two vertices of the object are one.
+/// The distance below which two vertices of the object are one.
 double weld_length(const std::vector<Vec3>& vertices);
 
+/// What joining vertices did to a mesh, with the place of the first of each kind.
 struct Weld {
     int n_joined = 0;  ///< vertices that moved by more than rounding
     int n_degenerate = 0, n_doubled = 0;
@@ -21,10 +22,10 @@ struct Weld {
     Vec3 at{0, 0, 0}, degenerate_at{0, 0, 0}, doubled_at{0, 0, 0};
 };
 
-/// Each vertex joins the first within weld_length(). Removed: triangles of which two corners are one then, and triangles with
-/// the same corners in the same sense as another. A triangle without area but with three corners stays: taking it out would
-/// tear the shell. So do two triangles back to back: they are the common face of two bodies. Unused vertices go.
-/// All indices must be valid. Cost O(n log n).
+/// Joins each vertex to the first within weld_length(). Removed: triangles of which two corners are one then, and triangles
+/// with the same corners in the same sense as another. A triangle without area but with three corners stays: taking it out
+/// would tear the shell. So do two triangles back to back: they are the common face of two bodies. Unused vertices go. All
+/// indices must be valid. Cost O(n log n).
 Weld weld(Mesh& mesh);
 
 }  // namespace abut::geometry

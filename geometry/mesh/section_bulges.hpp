@@ -14,6 +14,7 @@ struct BodyOutlines {
     double tolerance = 0;  ///< of its arcs
 };
 
+/// A recovered piece of an outline that another boundary rules out.
 struct BulgeConflict {
     int body = 0, outline = 0, piece = 0;  ///< whose curve is none
     int other = 0;                         ///< the body whose boundary is in the way
@@ -21,9 +22,9 @@ struct BulgeConflict {
     double depth = 0;  ///< how far that reaches in: more than the tolerance
 };
 
-/// Recovered pieces between whose curves and facets a boundary runs, of the same body or (where the curve lies outside of its
-/// facets, so that bodies overlap) of another. Not where the facets themselves overlap, as those of a press fit, or of a pin in
-/// a hole of nearly its size: there the curves are nearer the truth. One conflict for each piece, in order.
+/// The recovered pieces between whose curves and facets a boundary runs, of the same body or (where the curve lies outside of
+/// its facets, so that bodies overlap) of another. Left out are pieces where the facets themselves overlap, as those of a press
+/// fit, or of a pin in a hole of nearly its size: there the curves are nearer the truth. One conflict for each piece, in order.
 /// Cost O(n log n + found), n: facets.
 std::vector<BulgeConflict> conflicts_of_bulges(const std::vector<BodyOutlines>& bodies);
 

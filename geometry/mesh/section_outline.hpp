@@ -7,11 +7,12 @@
 
 namespace abut::geometry {
 
+/// A line or a curve that an outline was recovered as, with the facets that it stands for.
 struct OutlinePiece {
     enum class Kind {
-        line,    ///< as the section is; through several points within the tolerance
+        line,    ///< a line as the section has it; through several points within the tolerance
         arc,     ///< vertices on one circle
-        circle,  ///< all of them
+        circle,  ///< all vertices on one circle
         curve    ///< arcs through the vertices of a curve
     };
     Kind kind = Kind::line;
@@ -21,12 +22,13 @@ struct OutlinePiece {
     double sagitta = 0;   ///< its largest distance from its facets; 0 of lines
 };
 
+/// A closed polyline and the pieces that it was recovered as.
 struct Outline {
     std::vector<Vec2> points;
     std::vector<OutlinePiece> pieces;  ///< in order along the points
 };
 
-/// `recognise_arcs` false: lines from point to point. Cost near linear.
+/// Recovers a closed polyline as lines and arcs; with `recognise_arcs` false as lines from point to point. Cost near linear.
 Outline outline_of(const std::vector<Vec2>& points, double tolerance, bool recognise_arcs);
 
 /// Point k of the outline, counted on around it.

@@ -64,7 +64,7 @@ FacingPair completed(const FacingZone& zone, double s1, double s2, const ChainPo
     pair.gap = (p2.x - p1.x).dot(pair.normal);
     const Condition F = condition(zone, p1, p2);
     pair.slope = -F.by_s1 / F.by_s2;
-    pair.stretch = std::abs(cross(pair.normal, 0.5 * (p1.tangent + pair.slope * p2.tangent)));
+    pair.length_rate = std::abs(cross(pair.normal, 0.5 * (p1.tangent + pair.slope * p2.tangent)));
     return pair;
 }
 

@@ -32,15 +32,18 @@ struct Chain {
 };
 inline constexpr double chain_angle = 1e-3;  ///< radians; a sharper turn is a corner
 
+/// The boundary of a part as chains; every edge is in one.
 std::vector<Chain> smooth_chains(const Part& part);
 
+/// A point of a chain with the boundary's frame and curvature there.
 struct ChainPoint {
     int edge = -1;
     double t = 0;                               ///< parameter of that edge's curve
     Vec2 x{0, 0}, tangent{0, 0}, normal{0, 0};  ///< unit; normal outward
     double curvature = 0;                       ///< signed, positive turning left
 };
-/// s is taken modulo the length on closed chains and clamped to the ends on open ones.
+/// The point of a chain at arc length s, which is taken modulo the length on closed chains and clamped to the ends on open
+/// ones.
 ChainPoint at(const Part& part, const Chain& chain, double s);
 
 /// A stretch of a chain of part 1 that faces a stretch of a chain of part 2, with one pair for every point.
@@ -59,13 +62,14 @@ struct FacingZone {
     std::array<bool, 2> at_corner{false, false};
 };
 
+/// A pair of facing points; arc lengths on the zone's chains.
 struct FacingPair {
     double s1 = 0, s2 = 0;
     ChainPoint on1, on2;
     Vec2 normal{0, 0};  ///< n above: from body 1 towards body 2
     double gap = 0;
-    double slope = 0;    ///< ds2/ds1, negative
-    double stretch = 0;  ///< d(middle curve's length)/ds1, measured across n
+    double slope = 0;        ///< ds2/ds1, negative
+    double length_rate = 0;  ///< d(middle curve's length)/ds1, measured across n
     bool found = false;
 };
 
@@ -82,9 +86,9 @@ inline constexpr double end_slack = 1e-9;
 /// 60 degrees; the nearest partner where there are several, nothing that material lies between. Ordered along part 1.
 std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance);
 
-/// The same zone with pairs along the lines that contact forces act on, its ends paired anew. Where its gap is least at a
-/// corner of one side the other side lends its normal to all of it: a corner's curvature has no bound. Where both sides are
-/// straight, the side that is nowhere curved in the zone does.
+/// The zone with pairs along the lines that contact forces act on, its ends paired anew. Where its gap is least at a corner of
+/// one side the other side lends its normal to all of it: a corner's curvature has no bound. Where both sides are straight, the
+/// side that is nowhere curved in the zone does.
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone);
 
 }  // namespace abut::geometry

@@ -19,6 +19,7 @@ struct CarriedZone {
     std::vector<ZoneGuess> breaks;
 };
 
+/// The lengths that zones are carried over by.
 struct CarryLimits {
     double distance;
     double error;  ///< of lengths along the arcs' boundary

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// The facing zones of parts with curves of any kind, in three steps:
 /// 1. Every chain is followed by arcs, within arc_spline_fraction of its own size.               (arc_spline)
 /// 2. Zones of the arcs, at a distance larger by their error.                                    (facing_search)
 /// 3. Each is carried over to the true chains: its breaks are paired again by pair_from_first; extrema of the gap are found

@@ -18,16 +18,18 @@ struct FoundZone {
     std::vector<Break> breaks;
 };
 
-/// See find_facing_zones. The chains are given: what counts as a corner was decided on the true curves, if these are their arc
-/// splines. Where edges of a chain join, the tangent may turn by up to `joint_angle`: partners may jump by that times the gap.
+/// The facing zones of parts of lines and circles, as find_facing_zones has them. The chains are given: what counts as a corner
+/// was decided on the true curves, if these are their arc splines. Where edges of a chain join, the tangent may turn by up to
+/// `joint_angle` (radians): partners may jump by that times the gap.
 std::vector<FoundZone> search_zones(const Part& part1, const std::vector<Chain>& chains1, const Part& part2,
                                     const std::vector<Chain>& chains2, double distance, double joint_angle);
 
-/// Joints of arc splines turn by far less than chain_angle, but where a side is concave and the gap nears its radius, partners
-/// jump by up to 1 / least_spread times as much. Zones closer than this times twice the gap are one.
+/// The joint_angle of arc splines (radians): their joints turn by far less than chain_angle, but where a side is concave and
+/// the gap nears its radius, partners jump by up to 1 / least_spread times as much. Zones closer than this times twice the gap
+/// are one.
 inline constexpr double arc_joint_angle = 10 * chain_angle;
 
-/// Shorter zones are rounding of drawn corners, as a fraction of both parts' size.
+/// Zones shorter than this fraction of both parts' size are rounding of drawn corners.
 inline constexpr double shortest_zone_fraction = 1e-7;
 
 }  // namespace abut::geometry

@@ -18,16 +18,16 @@ struct EdgePair {
     double opposition = 0;  ///< -n1.n2, 1 where the normals oppose each other exactly
 };
 
-/// Between begin and end every point of edge1 has its partner on edge2; the gap is monotone. begin.s1 < end.s1, begin.s2 >
-/// end.s2.
+/// A stretch of edge1 that faces edge2: between begin and end every point of edge1 has its partner on edge2; the gap is
+/// monotone. begin.s1 < end.s1, begin.s2 > end.s2.
 struct FacingStretch {
     int edge1 = -1, edge2 = -1;
     EdgePair begin, end;
 };
 
 inline constexpr double least_opposition = 0.5;  ///< normals oppose each other within 60 degrees
-/// At the centre of curvature of either side the pairing folds back. Neighbouring points may draw together to this fraction of
-/// their distance on the way to the middle curve; closer to the centre they have no partners.
+/// The fraction of their distance to which neighbouring points may draw together on the way to the middle curve: at the centre
+/// of curvature of either side the pairing folds back, and closer to it points have no partners.
 inline constexpr double least_spread = 0.05;
 
 /// Everything the search needs to know about the two parts, made once.

@@ -14,7 +14,8 @@ struct ZonePiece {
     double gap_min = 0, gap_max = 0;  ///< of a few pairs along it, ends included
 };
 
-/// In the order of the zone. Where a pair is not found (its partner lies beyond an end by rounding) the piece is left out.
+/// The pieces of a zone, in its order. Where a pair is not found (its partner lies beyond an end by rounding) the piece is left
+/// out.
 std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone);
 
 }  // namespace abut::geometry

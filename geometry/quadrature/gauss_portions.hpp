@@ -35,7 +35,8 @@ struct GaussPortion {
 void append_area_portions(std::vector<GaussPortion>& portions, const Curve& curve, double t0, double t1, int degree,
                           const Vec2& cell);
 
-/// For integrals of f(x, y) ds with f of total degree 2n - 1: n points on lines; errors in units of the portion's length.
+/// Appends portions that cover [t0, t1] for integrals of f(x, y) ds with f of total degree 2n - 1: n points on lines; errors in
+/// units of the portion's length.
 void append_length_portions(std::vector<GaussPortion>& portions, const Curve& curve, double t0, double t1, int n,
                             const Vec2& cell);
 

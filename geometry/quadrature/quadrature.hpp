@@ -19,9 +19,11 @@ struct CellRule {
 /// Exact but for rounding along segments, ellipses and splines, to 1e-9 along circular arcs (gauss_portions.hpp). Points may
 /// lie outside the part and weights may be negative.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree);
-/// One for every element of every boundary cell: by cell, then by element. Where no cell is split, the same bit for bit.
+/// Rules of all elements of all boundary cells: by cell, then by element. Where no cell is split, they are those by cells bit
+/// for bit.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, const Elements& elements, int degree);
 
+/// A quadrature point of the boundary.
 struct BoundaryPoint {
     int element;
     int edge;
@@ -33,7 +35,7 @@ struct BoundaryPoint {
 /// Gauss points of the portion [t0, t1] of an edge, cell by cell, for polynomials of total degree 2n - 1 times the arc length:
 /// n points a cell, more where the edge curves. As exact as cell_rules.
 std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, int edge, double t0, double t1, int n);
-/// The same points, with the elements in whose cells they are in place of the cells.
+/// Gauss points of a portion of an edge, with elements in place of the cells that they are in; otherwise as by cells.
 std::vector<BoundaryPoint> boundary_rule(const Part& part, const CutCells& cells, const Elements& elements, int edge, double t0,
                                          double t1, int n);
 

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// How well a part's quadrature knows the part.
 struct RuleCheck {
     double area = 0;        ///< error relative to the part's area
     double centroid = 0;    ///< distance from the part's centroid, in diagonals of the grid
@@ -16,7 +17,7 @@ struct RuleCheck {
     std::size_t outside_cell = 0;  ///< points outside their element's cell by more than the merge length
 };
 
-/// Of the rules of all boundary cells together with the inner cells, which count as exact. The fields F are products of
+/// Checks the rules of all boundary cells together with the inner cells, which count as exact. The fields F are products of
 /// Legendre polynomials over the grid's box, up to degree 2 `degree` in x, in y and in both; their flux is taken by
 /// boundary_rule. Errors of exact rules are a few hundred roundings of the grid's area over the part's: 1e-13 and less. A cell
 /// forgotten, a degree too low, or a grid that misses some of the part show. Cost: 15 ns a point, and boundary_rule along all

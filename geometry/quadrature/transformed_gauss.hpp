@@ -21,8 +21,8 @@
 
 namespace abut::geometry {
 
-/// All points are inside the element (on true curves, to rounding), all weights positive. One rule for every element of every
-/// boundary cell, as of cell_rules; of elements whose fraction is a rounding it may be empty.
+/// Rules of every element of every boundary cell, in the order of cell_rules, with all points inside the element (on true
+/// curves, to rounding) and all weights positive; the rule of an element whose fraction is a rounding may be empty.
 ///   - Straight pieces: exact for products of two tensor polynomials of the given degree.
 ///   - Curves: the number of points follows from degree and curve as for cell_rules; measured errors of such polynomials are
 ///     below 1e-10 of the cell's area, and between two steep curves close to each other (thin rings) below 1e-7.

@@ -22,8 +22,9 @@ inline constexpr int least_facets = 4;
 /// Radius of an arc in units of its chord: a flatter one is a line, and its angles carry the points no more.
 inline constexpr double flattest_radius = 1e5;
 
-/// Greedy longest runs whose vertices lie on one line or one circle within the tolerance. Corners (turns that fit no arc) are
-/// never rounded off. A closed polyline wholly on one circle is one full arc. Deterministic; cost near linear.
+/// Splits a polyline into lines and arcs: greedy longest runs whose vertices lie on one line or one circle within the
+/// tolerance. Corners (turns that fit no arc) are never rounded off. A closed polyline wholly on one circle is one full arc.
+/// Deterministic; cost near linear.
 std::vector<FittedPiece> fit_lines_and_arcs(const std::vector<Vec2>& points, bool closed, double tolerance);
 
 /// The line or circular arc that the curve (an ellipse or a spline) is within the tolerance; none if it is neither.

@@ -15,9 +15,10 @@
 
 namespace abut::geometry {
 
-/// Of neighbouring facets: exporters halve intervals where they need to.
+/// The largest ratio of the lengths of neighbouring facets of a curve: exporters halve intervals where they need to.
 inline constexpr double most_length_step = 3;
-/// Of neighbouring vertices. A line that meets a curve tangentially halves the curvature at their joint, or more.
+/// The largest ratio of the curvatures at neighbouring vertices. A line that meets a curve tangentially halves the curvature at
+/// their joint, or more.
 inline constexpr double most_curvature_step = 1.75;
 /// A run's outer facets, which have only one vertex within the run, turn by at most so many times what the others do, and
 /// stand off by at most so many times: exporters bound both. Others are lines beside a curve.

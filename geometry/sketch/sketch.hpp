@@ -10,6 +10,7 @@
 
 namespace abut::geometry {
 
+/// A curve of a drawing with what the file says of it.
 struct SketchEntity {
     Curve curve;
     std::string kind;  ///< "LINE", "ARC", "CIRCLE", "LWPOLYLINE"
@@ -21,6 +22,7 @@ struct SketchEntity {
     int color = 7;         ///< AutoCAD colour index, by layer or block where the entity says so
 };
 
+/// How many entities of a type were read, used and ignored.
 struct EntityCount {
     int read = 0, used = 0, ignored = 0;
 };
@@ -37,6 +39,7 @@ struct SketchProblem {
     std::string hint;
 };
 
+/// The entities of a file, unordered, with what could not be read.
 struct Drawing {
     std::string file, format;  ///< format: "DXF AC1014"
     std::string unit;          ///< "mm", "in", ...; empty when the file states none
@@ -56,6 +59,7 @@ struct Drawing {
 /// only cuts the parts of one layer by lines of another.
 enum class PartsBy { automatic, layer, block, loop, color };
 
+/// The choices of making parts from a drawing.
 struct SketchOptions {
     double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal or total length
     PartsBy parts_by = PartsBy::automatic;
@@ -65,6 +69,7 @@ struct SketchOptions {
 /// what is drawn where that is less (outlines far apart).
 inline constexpr double joining_fraction = 2e-5;
 
+/// The parts of a drawing, how they were told apart, and what was mended and wrong.
 struct SketchParts {
     std::vector<Part> parts;            ///< in order of first appearance in the file
     std::vector<std::string> layers;    ///< layer (block instance, colour) of each part
@@ -82,7 +87,7 @@ struct SketchParts {
 /// once, each area is a part (sketch_faces.hpp). Open chains, branchings and crossings are problems with place, gap size and
 /// file line; everything that was mended is a repair. The numbers of the results are in the file's coordinates.
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
-/// The same with parts_by layer.
+/// Makes parts by layer, whatever options.parts_by says.
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
 
 /// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.

@@ -11,7 +11,8 @@ namespace abut::geometry {
 /// points with about seven digits, and curves that are none are off by far more.
 inline constexpr double arc_likeness = 2e-6;
 
-/// Replaces such entities by the lines and arcs they stand for; each is a repair (size: arc_likeness of the entity at most).
+/// Replaces splines and ellipses by the lines and arcs that they stand for; each is a repair (size: arc_likeness of the entity
+/// at most).
 void recognise_curves(std::vector<SketchPiece>& entities, std::vector<Repair>& repairs);
 
 /// Replaces chains of segments by arcs where their joints lie on one within the tolerance (arc_fit.hpp). An arc stands where

@@ -7,11 +7,12 @@
 
 namespace abut::geometry {
 
+/// An entity as a chain runs through it.
 struct ChainLink {
     int entity;
     bool along;  ///< in the entity's own direction?
 };
-/// Entities head to tail around, begun with the first of them in the file.
+/// A closed chain of entities, head to tail, begun with the first of them in the file.
 using EntityChain = std::vector<ChainLink>;
 
 /// What the entities of a group are joined to.
@@ -23,10 +24,10 @@ struct EntityChains {
 };
 inline constexpr int max_open_ends = 20;  ///< problems listed per layer; a last one tells how many more there are
 
-/// Walks from joint to joint. What is connected falls apart at joints where outlines only touch (the graph's biconnected
-/// blocks); a block is a closed chain, or a divided outline. Of what is connected with an open end, or joined by an entity that
-/// bounds nothing, none is taken: problems name the entities, the place, the gap to the nearest other open end, and the file's
-/// line. Cost O(n).
+/// Chains the entities, from joint to joint. What is connected falls apart at joints where outlines only touch (the graph's
+/// biconnected blocks); a block is a closed chain, or a divided outline. Of what is connected with an open end, or joined by an
+/// entity that bounds nothing, none is taken: problems name the entities, the place, the gap to the nearest other open end, and
+/// the file's line. Cost O(n).
 EntityChains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints, double tolerance);
 
 }  // namespace abut::geometry

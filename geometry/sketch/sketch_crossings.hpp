@@ -7,13 +7,14 @@
 
 namespace abut::geometry {
 
+/// Two closed outlines that cross, by number, and what the user is told.
 struct Crossing {
     int chain, other;  ///< the earlier one first; the same where one crosses itself
     SketchProblem problem;
 };
 
-/// One for each pair of outlines that cross (or outline that crosses or touches itself), at one of their meetings: which side
-/// of them is material cannot be told. Two outlines may touch each other; none may touch itself.
+/// The outlines that cross: one entry for each pair (or outline that crosses or touches itself), at one of their meetings:
+/// which side of them is material cannot be told. Two outlines may touch each other; none may touch itself.
 std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance);
 

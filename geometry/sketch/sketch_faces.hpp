@@ -13,6 +13,7 @@ struct Face {
     bool is_filled = true;  ///< where nothing is around the divided outline; see walk_faces
 };
 
+/// An outline whose areas share edges.
 struct DividedOutline {
     EntityChain contour;  ///< around all of it, counter-clockwise
     std::vector<Face> faces;

@@ -8,13 +8,14 @@
 
 namespace abut::geometry {
 
+/// Entities that may belong to one part.
 struct EntityGroup {
     std::string name;  ///< the layer, block, instance, or colour ("color3"); empty of PartsBy::loop, where all is one group
     std::vector<SketchEntity> entities;
 };
 
-/// In order of first appearance. Blocks: the outermost ones that differ (of ASSY/PIN and ASSY/BASE these are PIN and BASE),
-/// each insertion by itself; what lies in no block is the group "". `parts_by` is not automatic.
+/// Sorts entities into groups, in order of first appearance. Blocks: the outermost ones that differ (of ASSY/PIN and ASSY/BASE
+/// these are PIN and BASE), each insertion by itself; what lies in no block is the group "". `parts_by` is not automatic.
 std::vector<EntityGroup> group_entities(const std::vector<SketchEntity>& entities, PartsBy parts_by);
 
 /// What stands in one insertion of a block that is inserted several times, by insertion; all the rest as the first group, which

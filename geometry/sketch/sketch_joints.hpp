@@ -13,23 +13,25 @@ struct EntityEnd {
     bool is_begin;
 };
 
-/// Ends that lie together.
+/// A joint: ends of entities that lie together.
 struct Joint {
     std::vector<EntityEnd> ends;  ///< in the entities' order
     Vec2 at{0, 0};                ///< where they are to meet
     double gap = 0;               ///< how far apart they are drawn
 };
 
+/// All joints of a drawing, and which of them each entity ends at.
 struct Joints {
     std::vector<Joint> joints;
     std::vector<int> at_begin, at_end;  ///< joint by entity; -1 for full circles and ellipses, which have no ends
 };
 
-/// A circle or an ellipse all around.
+/// Is the curve a circle or an ellipse all around?
 bool is_full_turn(const Curve& curve);
+/// The point that an entity's end is drawn at.
 Vec2 position(const std::vector<SketchPiece>& entities, const EntityEnd& end);
 
-/// Leaving direction of an entity's end, away from it into the entity; unit length.
+/// The unit vector along which an entity leaves its end, away from it into the entity.
 Vec2 leaving_direction(const SketchPiece& entity, bool is_begin);
 /// Ends that leave in the same direction but for the angle of this cosine lie side by side, on both sides of a clearance.
 inline constexpr double side_by_side_cosine = 0.99;

@@ -14,6 +14,7 @@ struct Outlines {
     std::vector<DividedOutline> divided;
 };
 
+/// The parts that outlines bound, with the entities of their edges.
 struct NestedParts {
     std::vector<Part> parts;               ///< unnamed, in order of their first entities
     std::vector<int> first_entity;         ///< of each part

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// The outlines that entities close to, after mending.
 struct ClosedOutlines {
     Outlines outlines;
     std::vector<Repair> repairs;
@@ -15,8 +16,8 @@ struct ClosedOutlines {
     double coincidence = 0;               ///< curves within this count as one
 };
 
-/// For entities that may belong together; ends of others are none of their business. The tolerance asked for (or
-/// joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
+/// Closes the outlines of entities that may belong together; ends of others are none of their business. The tolerance asked for
+/// (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
 /// `rounding`: what the coordinates' own rounding amounts to in the file.
 ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding);
 

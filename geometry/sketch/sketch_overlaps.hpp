@@ -13,7 +13,8 @@ namespace abut::geometry {
 /// entity, size its length). Cost O(n log n) for drawings whose entities are spread out.
 bool remove_duplicates(std::vector<SketchPiece>& entities, double tolerance, std::vector<Repair>& repairs);
 
-/// The same where two entities run between the same joints, within the (wider) tolerance of these.
+/// Removes one of two entities that run between the same joints, within the (wider) tolerance of these; otherwise as
+/// remove_duplicates.
 bool remove_twins(std::vector<SketchPiece>& entities, const Joints& joints, double tolerance, std::vector<Repair>& repairs);
 
 /// Removes the loose entities with an end of no use (where nothing continues it, or where two others meet already) that lie on

@@ -7,6 +7,7 @@
 
 namespace abut::geometry {
 
+/// An entity, or a piece of one that was cut.
 struct SketchPiece : SketchEntity {
     std::string source;       ///< the entity's name; `name` is "h2F#1" where it was cut
     double source_begin = 0;  ///< arc length on the entity where the piece begins

@@ -13,7 +13,7 @@
 
 namespace abut::solver {
 
-/// Quadrature of one cut cell.
+/// The quadrature of one element of a cut cell: points (n) and weights (n).
 struct CellRule {
     int element;
     std::vector<Vec2> points;
@@ -30,26 +30,27 @@ struct PartInput {
     LineRule line_rule;
     Elasticity elasticity;
     double thickness = 1;
-    /// Supports by weight functions (solution_structure.hpp); none: the functions as they are.
+    /// The weight functions of supports (solution_structure.hpp); none: the functions as they are.
     std::shared_ptr<const SolutionStructure> structure{};
-    /// Whether the volume strain is projected, against locking (dilatation.hpp); not with a structure.
+    /// Is the volume strain projected, against locking (dilatation.hpp)? Not with a structure.
     bool is_projected = false;
     std::shared_ptr<const Dilatation> dilatation{};  ///< filled in by make_part_system
-    /// Where interfaces have points, if that is known beforehand: the factor is made for their rows. Speed only.
+    /// The elements where interfaces have points, if that is known beforehand: the factor is made for their rows. Speed only.
     std::vector<int> contact_elements{};
     /// Factorised by CHOLMOD, as a second opinion on the factor that the part would have. Not where the volume strain is
     /// projected: CHOLMOD has no supernodal factor with signs.
     bool by_cholmod = false;
-    /// Threads that its stiffness, its factor and its stresses are made on, at most; they are the same for any number.
+    /// The most threads that the part's stiffness, factor and stresses are made on; the numbers are the same for any.
     int threads = 1;
-    /// Free strain (thermal expansion times temperature rise) at a point; empty: none, and nothing is computed of it.
+    /// The free strain (thermal expansion times temperature rise) at a point; empty: none, and nothing is computed of it.
     std::function<double(const Vec2&)> free_strain{};
-    /// Place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2 pi.
+    /// The place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2
+    /// pi.
     std::optional<double> axis{};
     bool touches_axis = false;  ///< an edge of the part lies on the axis, which is the first grid line
 };
 
-/// What the stresses of a displacement's own gradient follow from; with a projection all but lambda's.
+/// The elasticity that gives stresses from a displacement's own gradient; with a projection without lambda's share.
 inline Elasticity local_elasticity(const PartInput& input) {
     return input.is_projected ? without_volume(input.elasticity) : input.elasticity;
 }
@@ -57,26 +58,27 @@ inline Elasticity local_elasticity(const PartInput& input) {
 /// Calls f(rule) for the quadrature of every element that holds material, of full cells too.
 void for_all_cells(const PartInput& input, const std::function<void(const CellRule&)>& f);
 
-/// Stiffness of the local elasticity over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells by
-/// products of 1D matrices, once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
+/// The stiffness of the local elasticity over the whole space, supports not yet applied. [Grishin10, eq 2.20 ff.]; full cells
+/// by products of 1D matrices, once for each run of equal cells. Cost: of order (cells + points of cut cells) times (p + 1)^4.
 BlockMatrix assemble_stiffness(const PartInput& input);
 
-/// Integrals of every function and of its derivatives over the part (not times the thickness).
+/// The integrals of every function and of its derivatives over the part (not times the thickness), (n) each.
 struct FunctionIntegrals {
     Eigen::VectorXd value, dx, dy;
 };
 FunctionIntegrals integrate_functions(const PartInput& input);
 
-/// Load vector (2n) of a force per volume given as a field.
+/// The load vector (2n) of a force per volume given as a field.
 Eigen::VectorXd body_load(const PartInput& input, const std::function<Vec2(const Vec2&)>& force);
 
-/// A traction at a boundary point; weight: arc length.
+/// A traction (force per area) at a boundary point; weight: arc length.
 struct TractionPoint {
     int element;
     Vec2 x;
     double weight;
     Vec2 traction;
 };
+/// The load vector (2n) of tractions at boundary points.
 Eigen::VectorXd boundary_load(const PartInput& input, const std::vector<TractionPoint>& points);
 
 }  // namespace abut::solver

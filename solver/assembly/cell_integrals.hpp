@@ -9,31 +9,31 @@
 
 namespace abut::solver {
 
-/// Rule on [0, 1] for cells that are wholly inside; exact to degree 2p.
+/// A rule on [0, 1] for cells that are wholly inside; exact to degree 2p.
 struct LineRule {
     std::vector<double> points, weights;
 };
 
-/// Values and derivatives of an element's local B-splines at points: (points x n_local).
+/// The values and derivatives of an element's local B-splines at points: (points x n_local).
 struct Sampled {
     Eigen::MatrixXd value, dx, dy;
 };
 void sample(const SplineSpace& space, int element, const std::vector<Vec2>& points, Sampled& out);
 
-/// Integrals of N N', N_x N_x' and N_x N' of the univariate functions of one interval.
+/// The integrals of N N', N_x N_x' and N_x N' of the univariate functions of one interval.
 struct LineIntegrals {
     Eigen::MatrixXd mass, stiffness, mixed;
 };
 
-/// For every interval of a knot vector; intervals whose integrals are those of the one before but for the rounding of the grid
-/// lines share them, so that whole rows of equal cells are integrated once.
+/// The line integrals of every interval of a knot vector; intervals whose integrals are those of the one before but for the
+/// rounding of the grid lines share them, so that whole rows of equal cells are integrated once.
 struct IntervalIntegrals {
     std::vector<LineIntegrals> integrals;
     std::vector<int> of_interval;
 };
 IntervalIntegrals interval_integrals(const KnotVector& knots, const LineRule& rule);
 
-/// Integrals of gx gx', gy gy' and gx gy' over one element, gx and gy the derivatives of its functions.
+/// The integrals of gx gx', gy gy' and gx gy' over one element, gx and gy the derivatives of its functions.
 struct CellIntegrals {
     Eigen::MatrixXd axx, ayy, axy;
 };
@@ -42,10 +42,11 @@ void integrate_full_cell(const LineIntegrals& x, const LineIntegrals& y, CellInt
 void integrate_cut_cell(const SplineSpace& space, int element, const std::vector<Vec2>& points,
                         const std::vector<double>& weights, CellIntegrals& out);
 
-/// The same integrals of the functions that the extraction makes of the B-splines: E' A E, by E's non-zero entries.
+/// Turns the integrals of the B-splines into those of the functions that the extraction makes of them: E' A E, by E's non-zero
+/// entries.
 void extract(const Extraction& e, CellIntegrals& integrals);
 
-/// Stiffness of an isotropic material, [Grishin10, eq 2.20 ff.]: block (i, j) at j * n + i.
+/// The stiffness of an isotropic material, [Grishin10, eq 2.20 ff.]: block (i, j) at j * n + i.
 void stiffness_blocks(const CellIntegrals& c, const Elasticity& d, double thickness, std::vector<Eigen::Matrix2d>& blocks);
 
 }  // namespace abut::solver

@@ -15,6 +15,8 @@ struct Elasticity {
     double expansion = 0, expansion_zz = 0;
 };
 
+/// The elasticity of a modulus E (force per area) and a Poisson's ratio, without stress out of the plane (nu < 1) or without
+/// strain out of it (nu < 1/2).
 inline Elasticity plane_stress(double E, double nu) {
     return {E / (1 - nu * nu), nu * E / (1 - nu * nu), E / (2 * (1 + nu)), 0, E / (1 - nu), 0};
 }
@@ -24,12 +26,12 @@ inline Elasticity plane_strain(double E, double nu) {
     return {c * (1 - nu), c * nu, E / (2 * (1 + nu)), nu, E / (1 - 2 * nu), E};
 }
 
-/// What lambda leaves: 2 mu epsilon.
+/// The elasticity without lambda: stress 2 mu epsilon.
 inline Elasticity without_volume(const Elasticity& d) {
     return {2 * d.d33, 0, d.d33, d.out_of_plane, 2 * d.d33, d.expansion_zz};
 }
 
-/// Stress (xx, yy, xy) of a displacement gradient (rows: u_x, u_y; columns: d/dx, d/dy).
+/// The stress (xx, yy, xy) of a displacement gradient (rows: u_x, u_y; columns: d/dx, d/dy).
 inline Eigen::Vector3d stress_of(const Elasticity& d, const Eigen::Matrix2d& gradient) {
     const double exx = gradient(0, 0), eyy = gradient(1, 1), gxy = gradient(0, 1) + gradient(1, 0);
     return {d.d11 * exx + d.d12 * eyy, d.d12 * exx + d.d11 * eyy, d.d33 * gxy};

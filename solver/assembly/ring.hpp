@@ -19,19 +19,21 @@ namespace abut::solver {
 /// loses the digits that r has lost to rounding, 1e-16 over this.
 inline constexpr double on_axis_fraction = 1e-8;
 
+/// The distance of a point from the axis that the part has.
 inline double radius(const PartInput& input, const Vec2& x) {
     return x.x() - *input.axis;
 }
 
+/// Is a point as good as on the axis?
 inline bool is_on_axis(const PartInput& input, const Vec2& x) {
     const std::vector<double>& lines = input.space.x.breakpoints;
     return radius(input, x) <= on_axis_fraction * (lines[1] - lines[0]);
 }
 
-/// Integral of the weights: the section's area, around an axis the volume over 2 pi.
+/// The integral of the weights: the section's area, around an axis the volume over 2 pi.
 double measure(const PartInput& input);
 
-/// Of a part with an axis.
+/// The hoop strain u_x / r at a point of a part with an axis.
 inline double hoop_strain(const PartInput& input, const Vec2& x, const DisplacementAt& u) {
     return is_on_axis(input, x) ? u.gradient(0, 0) : u.value.x() / radius(input, x);
 }

@@ -13,13 +13,14 @@
 
 namespace abut::solver {
 
-/// Translates of one B-spline [Grishin10, eq A.3] on the cells [k h, (k + 1) h], k = first_cell and on: the knots go on beyond
-/// both ends of the grid. Function i lives on [j, j + degree + 1] h, j = first_cell - degree + i.
+/// Knots of the translates of one B-spline [Grishin10, eq A.3] on the cells [k h, (k + 1) h], k = first_cell and on: they go on
+/// beyond both ends of the grid. Function i lives on [j, j + degree + 1] h, j = first_cell - degree + i.
 KnotVector uniform_knots(double cell_size, int first_cell, int n_cells, int degree);
 
 /// pinned: the deflection is prescribed; clamped: the slope, too.
 enum class BeamEnd { free, pinned, clamped };
 
+/// How an end of the beam is held.
 struct BeamHold {
     BeamEnd end = BeamEnd::free;
     double deflection = 0, slope = 0;  ///< prescribed; read where the end holds them
@@ -32,7 +33,7 @@ inline constexpr double grid_line_units = 16;
 /// How far a rule may be off 1 / (d + 1), the integral of the highest power t^d that it has to integrate.
 inline constexpr double rule_rounding = 1e-12;
 
-/// Units are the caller's, consistent. Deflections, forces and p point the same way.
+/// A beam; units are the caller's, consistent. Deflections, forces and p point the same way.
 struct Beam {
     KnotVector
         knots;  ///< degree 2 to 6, inner knots of multiplicity p - 1 at most (slopes are continuous), over the whole beam
@@ -42,7 +43,7 @@ struct Beam {
     LineRule rule;                    ///< for the piece of each interval inside the beam; exact to 2 (p + values held - 2)
 };
 
-/// moment: works on the slope.
+/// A force at a point of the beam, and a moment, which works on the slope.
 struct BeamPointLoad {
     double x, force = 0, moment = 0;
 };
@@ -51,8 +52,8 @@ struct BeamLoad {
     std::vector<BeamPointLoad> points{};
 };
 
-/// What the functions are multiplied with. none: 1. corner: those that meet the beam in one cell only, which it does not fill,
-/// are divided by their largest value there [Grishin10, eq B.1]. jacobi: the stiffness has a unit diagonal.
+/// The factors that the functions are multiplied with. none: 1. corner: those that meet the beam in one cell only, which it
+/// does not fill, are divided by their largest value there [Grishin10, eq B.1]. jacobi: the stiffness has a unit diagonal.
 /// Measured, 2-norm condition numbers over shifts of 1e-1 to 1e-8 cells, degrees 3 to 5: jacobi within a factor of 2 of the
 /// grid that fits; none up to 1e96, corner up to 1e31 (a function's largest value says little of its bending energy). The
 /// solution is the same to 1e-12 with all three, since Cholesky's method does not feel the scaling. What no scaling mends is a
@@ -69,19 +70,21 @@ struct BeamSystem {
     std::string failure;        ///< not empty: why there is no such system; nothing else is filled in
 };
 
-/// w = (s^a / a!) (t^b / b!), s and t the distances from the beam's ends over its length, a and b the values they hold
-/// [Grishin10, eq A.7]; phi the lowest polynomial with the prescribed values. Cost: points of the rule x intervals x (p + 1)^2.
+/// Makes the beam's system with w = (s^a / a!) (t^b / b!), s and t the distances from the beam's ends over its length, a and b
+/// the values they hold [Grishin10, eq A.7]; phi the lowest polynomial with the prescribed values. What cannot be made is told
+/// in `failure`. Cost: points of the rule x intervals x (p + 1)^2.
 BeamSystem assemble_beam(const Beam& beam, const BeamLoad& load, BeamScaling scaling = BeamScaling::jacobi);
 
+/// The deflection as a spline, or why there is none.
 struct BeamSolution {
     Eigen::VectorXd coefficient;  ///< of every function of the knots, not scaled; 0: it is not on the beam
     std::string failure;          ///< not empty: the system's, or what its factorisation found
 };
 
-/// By Cholesky's method, n^3 / 6.
+/// Solves the beam's system by Cholesky's method, n^3 / 6; a matrix that is not positive definite is told in `failure`.
 BeamSolution solve_beam(const Beam& beam, const BeamSystem& system);
 
-/// The bending moment is the rigidity times the curvature v''.
+/// The deflection, slope and curvature v'' at a point; the bending moment is the rigidity times the curvature.
 struct BeamState {
     double deflection, slope, curvature;
 };
@@ -93,8 +96,8 @@ struct ConditionNumbers {
     double one, two, frobenius;
 };
 
-/// Of a dense symmetric positive definite matrix, from its inverse: right to a few digits also where the condition number is
-/// far beyond 1e16, if that is due to the scaling of its rows and columns. Cost of order n^3.
+/// The condition numbers of a dense symmetric positive definite matrix, from its inverse: right to a few digits also where they
+/// are far beyond 1e16, if that is due to the scaling of rows and columns. Cost of order n^3.
 ConditionNumbers condition_numbers(const Eigen::MatrixXd& matrix);
 
 }  // namespace abut::solver

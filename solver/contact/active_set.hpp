@@ -19,42 +19,46 @@ struct ShiftedQp {
     Eigen::VectorXd gap;  ///< under the amplitudes that these are measured from (m)
 };
 
+/// The proximal term 1/2 (a - anchor)'E (a - anchor) on the amplitudes.
 struct Proximal {
     Eigen::MatrixXd stiffness;  ///< E (n x n)
     Eigen::VectorXd anchor;     ///< (n)
 };
 
+/// The unknowns of the contact problem at one point of a search.
 struct ContactState {
     Eigen::VectorXd multipliers, amplitudes;
     Eigen::VectorXd closing;  ///< C l
 };
 
-/// The rows that are always closed.
+/// The set of the rows that are always closed.
 ActiveSet bilateral_rows(const ContactQp& qp);
 
-/// C l.
+/// What multipliers close of the gaps: C l (m).
 Eigen::VectorXd closing_of(const ContactQp& qp, const Eigen::VectorXd& multipliers);
 
-/// Stationary point with the gaps of `active` closed and all other multipliers zero, those of redundant rows too; false where C
-/// is indefinite on the set, redundant rows ask for other gaps than the rest, or the amplitudes' Schur complement is singular.
-/// factor: of the problem's compliance, on any set before; so for all that follows.
+/// Finds the stationary point with the gaps of `active` closed and all other multipliers zero, those of redundant rows too;
+/// false where C is indefinite on the set, redundant rows ask for other gaps than the rest, or the amplitudes' Schur complement
+/// is singular. factor: of the problem's compliance, on any set before; so for all that follows.
 bool solve_on(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
               ContactState& state);
 
-/// The same of the problem itself, where the set leaves a motion free: that motion stays at the anchor, its balance as it is.
-/// False for the same reasons of C and its redundant rows, or where no closed row resists any motion.
+/// Finds the point of the problem itself, without a proximal term, where the set leaves a motion free: that motion stays at the
+/// anchor, its balance as it is. False where C is indefinite on the set, redundant rows ask for other gaps than the rest, or no
+/// closed row resists any motion.
 bool solve_least_motion(const ShiftedQp& shifted, const Eigen::VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
                         ContactState& state);
 
+/// The gaps of all rows (m) in a state.
 Eigen::VectorXd gap_of(const ShiftedQp& shifted, const ContactState& state);
 
-/// By row: below this a gap is closed, rounding of the terms that it is the sum of.
+/// The rounding of each row's gap (m), that of the terms that it is the sum of: a gap below it is closed.
 Eigen::VectorXd gap_rounding(const ShiftedQp& shifted, const ContactState& state);
 
-/// The primal-dual step: closed where pressed, closing where penetrated.
+/// The set after a primal-dual step: closed where pressed, closing where penetrated.
 ActiveSet next_set(const ShiftedQp& shifted, const ActiveSet& active, const ContactState& state);
 
-/// repeated: a set came back, or none was final after 24 steps; singular: a set left a motion free.
+/// How a search ended. repeated: a set came back, or none was final after 24 steps; singular: a set left a motion free.
 enum class SetSearch { found, repeated, singular };
 
 /// Primal-dual active set [Hueber05] from `active`; usually 2 to 6 steps.

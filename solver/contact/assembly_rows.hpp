@@ -7,6 +7,7 @@
 
 namespace abut::solver {
 
+/// The rows of an assembly, in order, with what the start of the search needs.
 struct AssemblyRows {
     Rows rows;                   ///< of the interfaces, then one for each constraint
     std::vector<int> first_row;  ///< by interface
@@ -15,19 +16,20 @@ struct AssemblyRows {
 };
 AssemblyRows assembly_rows(const AssemblyProblem& problem);
 
-/// Pressures and constraint forces are not filled in: multipliers has them, by row; empty with a mechanism.
+/// A solution in which pressures and constraint forces are not filled in: multipliers has them, by row; empty with a mechanism.
 struct RowsSolution {
     AssemblySolution solution;
     Eigen::VectorXd multipliers{};
 };
-/// resistance: candidate_resistance of the problem's motions. Its interfaces are not read.
+/// Solves an assembly under its rows. resistance: candidate_resistance of the problem's motions. The problem's interfaces are
+/// not read.
 RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads);
 
 /// Fills in the loads of one part, those of contact alone and all.
 void set_loads(const AssemblyProblem& problem, const Rows& rows, const Eigen::VectorXd& multipliers, std::size_t part,
                AssemblySolution& solution);
 
-/// The multipliers as pressures of the interfaces and forces of the constraints.
+/// Writes the multipliers into the solution, as pressures of the interfaces and forces of the constraints.
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::VectorXd& multipliers,
                        AssemblySolution& solution);
 

@@ -9,7 +9,8 @@
 
 namespace abut::solver {
 
-/// coefficient . (mean u_x, mean u_y, mean rotation * size) = value, on one part, in its own frame.
+/// A bilateral condition on the means over one part, in its own frame: coefficient . (mean u_x, mean u_y, mean rotation * size)
+/// = value.
 struct MeanConstraint {
     int tag = 0;
     int part = 0;
@@ -19,6 +20,7 @@ struct MeanConstraint {
     FunctionIntegrals integrals;
 };
 
+/// A rigid motion of one part, by its number.
 struct PartMotion {
     int part;
     RigidMotion motion;
@@ -31,19 +33,20 @@ inline constexpr double neutral_motion_fraction = 1e-3;
 /// that a load straight against a face is inclined to it by so much.
 inline constexpr double neutral_work_fraction = 1e-6;
 
+/// Parts, what couples them, and the scales that rounding is measured by.
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
     std::vector<Interface> interfaces;
     std::vector<MeanConstraint> constraints;
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
-    std::vector<double> part_load;   ///< the same by part; empty: not known
-    /// Own outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
+    std::vector<double> part_load;   ///< largest load on each part; empty: not known
+    /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
     /// them slides the body in its own outline.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
 };
 
-/// Wall time of the steps.
+/// The wall time of the steps, seconds.
 struct SolveSeconds {
     double rows = 0;           ///< of interfaces and constraints
     double condensation = 0;   ///< to the multipliers
@@ -51,6 +54,7 @@ struct SolveSeconds {
     double displacements = 0;  ///< with the refinement
 };
 
+/// The displacements and forces of an assembly, or the motions that it cannot resist.
 struct AssemblySolution {
     std::vector<Eigen::VectorXd> displacement;  ///< (2n) by part
     std::vector<Eigen::VectorXd> load;          ///< (2n) by part, contact and constraints included
@@ -62,12 +66,12 @@ struct AssemblySolution {
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;
-    double residual = 0;  ///< of the contact conditions by these displacements and pressures: contact_residual's
+    double residual = 0;  ///< violation of the contact conditions by these displacements and pressures (contact_residual)
     SolveSeconds seconds;
 };
 
-/// Parts are condensed and solved side by side on `threads` threads (see usable_threads); the solution is the same for any
-/// number.
+/// Solves an assembly; mechanisms and failed convergence are told in the solution. Parts are condensed and solved side by side
+/// on `threads` threads (see usable_threads); the solution is the same for any number.
 AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads = 1);
 
 }  // namespace abut::solver

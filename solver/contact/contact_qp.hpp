@@ -11,6 +11,7 @@
 
 namespace abut::solver {
 
+/// The problem in m multipliers and n amplitudes.
 struct ContactQp {
     Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
     Eigen::VectorXd gap;           ///< g (m)
@@ -18,13 +19,14 @@ struct ContactQp {
     Eigen::VectorXd mode_load;     ///< h (n)
     std::vector<char> unilateral;  ///< (m)
     Eigen::VectorXd foundation;    ///< stiffness of a Winkler foundation for every row, for the starting guess (m)
-    Eigen::VectorXd drawn_gap;     ///< gap of the undeformed bodies, for the same (m)
+    Eigen::VectorXd drawn_gap;     ///< gap of the undeformed bodies, for the starting guess (m)
     double load_scale = 0;         ///< the largest load on any body: what equilibrium is measured against
-    /// Multipliers of a problem much like this one, whose active set the search begins with; empty: that of the settle. Speed
-    /// only.
+    /// The multipliers of a problem much like this one, whose active set the search begins with; empty: that of the settle.
+    /// Speed only.
     Eigen::VectorXd expected{};
 };
 
+/// The solution of the contact problem, or why there is none.
 struct ContactQpResult {
     Eigen::VectorXd multipliers, gap;
     Eigen::VectorXd settled, motion;  ///< amplitudes of the rigid settle, and from there to the answer
@@ -38,6 +40,7 @@ struct ContactQpResult {
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
 };
 
+/// Solves the contact problem, in these steps:
 /// 0. Where a set is expected, step 2 from it, the amplitudes measured from where the bodies would settle on it. Usually
 ///    the end, after one step.
 /// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
@@ -55,15 +58,15 @@ ContactQpResult solve_contact_qp(const ContactQp& qp);
 struct ContactConditions {
     Eigen::VectorXd multipliers, gap, imbalance;
 };
-/// The largest violation of the conditions: imbalance relative to the loads (a press fit: to the contact forces), negative
-/// multipliers relative to the largest, penetration and gaps of bilateral rows relative to the largest elastic closing max(C
-/// l), which clearances and rigid motions do not enlarge, and min(l, gap) in the same units. Without any multiplier gaps are
-/// relative to the largest of them.
+/// The largest violation of the conditions, scaled: imbalance relative to the loads (a press fit: to the contact forces),
+/// negative multipliers relative to the largest, penetration and gaps of bilateral rows relative to the largest elastic closing
+/// max(C l), which clearances and rigid motions do not enlarge, and min(l, gap) in the same units. Without any multiplier gaps
+/// are relative to the largest of them.
 double contact_residual(const ContactQp& qp, const ContactConditions& conditions);
 
-/// Multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set leaves
-/// free stays at zero. False where C is singular on the set or no row of it resists any motion. With residuals in place of gap
-/// and mode_load: the correction of a step of iterative refinement.
+/// Finds multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set
+/// leaves free stays at zero. False where C is singular on the set or no row of it resists any motion. With residuals in place
+/// of gap and mode_load: the correction of a step of iterative refinement.
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers,
                   Eigen::VectorXd& amplitudes);
 

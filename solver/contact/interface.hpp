@@ -26,10 +26,11 @@ struct InterfacePoint {
     std::array<Vec2, 2> normal;  ///< the direction from body 0 towards body 1, in each body's frame
 };
 
-/// The contact pressure along one interface is a B-spline in s with coefficients >= 0: degree 2 as in DESIGN 5, and no integral
-/// is split at the unknown end of contact.
+/// The degree of the pressure spline in the arc length s. Its coefficients are >= 0, hence the pressure; no integral is split
+/// at the unknown end of contact.
 inline constexpr int multiplier_degree = 2;
 
+/// A stretch along which two parts are coupled: its points and its unknowns.
 struct Interface {
     std::array<int, 2> part;
     double thickness = 1;
@@ -38,14 +39,15 @@ struct Interface {
     bool periodic = false;   ///< all the way round: mortar's pressure has periodic knots
     std::vector<InterfacePoint> points{};
     std::vector<double> penalty{};  ///< by point: pressure per penetration (beta of eq 4.23); empty: mortar
-    /// Its unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
+    /// The interface's unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
     std::vector<double> expected{};
 };
 
-/// Knots of the polyline through the pressures at a penalty interface's points: its places are begin, the points in order, end.
+/// The knots of the polyline through the pressures at a penalty interface's points: its places are begin, the points in order,
+/// end.
 KnotVector polyline_knots(const std::vector<InterfacePoint>& points, double begin, double end);
 
-/// Unknown coefficients of an interface's pressure.
+/// The number of unknown coefficients of an interface's pressure.
 inline int n_rows(const Interface& face) {
     if (!face.penalty.empty()) return static_cast<int>(face.penalty.size());
     return face.pressure.n_functions() - (face.periodic ? face.pressure.degree : 0);
@@ -54,12 +56,13 @@ inline int n_rows(const Interface& face) {
 /// continued to its ends, or closed around.
 Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown);
 
-/// Entry of D: of one row, at one coefficient (2f + component) of a part.
+/// An entry of D: of one row, at one coefficient (2f + component) of a part.
 struct RowEntry {
     int row, coefficient;
     double value;
 };
 
+/// Rows of the system over all parts: matrices D by part, gaps of the undeformed bodies, and what kind each row is.
 struct Rows {
     int n = 0;
     std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once
@@ -69,20 +72,21 @@ struct Rows {
     std::vector<char> unilateral;
 };
 
-/// One row for every pressure function (penalty: point) of every interface, in order; row offsets by interface in first_row.
+/// Makes one row for every pressure function (penalty: point) of every interface, in order; row offsets by interface in
+/// first_row.
 Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
                     std::vector<int>& first_row);
 
-/// Mean displacement and mean rotation (half the mean curl) of a part, in its own frame: rows that hold
-/// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Appended to rows; returns the row.
+/// Appends the row that holds a part's mean displacement and mean rotation (half the mean curl), in its own frame, at
+/// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Returns the row's number.
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,
                            const Eigen::Vector3d& coefficient, double size, double value);
 
-/// D u of one part's entries (n_rows), and D'l (n_coefficients).
+/// The products of one part's entries: D u (n_rows), and D'l (n_coefficients).
 Eigen::VectorXd rows_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& u, int n_rows);
 Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& multipliers, int n_coefficients);
 
-/// Value of a pressure spline with the given coefficients.
+/// The value of a pressure spline with the given coefficients at s.
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s);
 
 }  // namespace abut::solver

@@ -7,6 +7,7 @@
 
 namespace abut::solver {
 
+/// The outcome of the interior point method.
 struct InteriorPoint {
     ActiveSet active;    ///< closed at the end: pressed more than open, each in its own unit
     ContactState state;  ///< to `complementarity` of the largest force times length
@@ -14,11 +15,13 @@ struct InteriorPoint {
     int iterations = 0;
 };
 
-/// Nearness of the end: sum of l gap over the forces' work at the start's scale, and violations over their scales.
+/// How near the iteration comes to the end: sum of l gap over the forces' work at the start's scale, and violations over their
+/// scales.
 inline constexpr double complementarity = 1e-11;
 
-/// C must be positive definite but for redundant rows, and some multipliers >= 0 have to balance the loads. start: of the
-/// multipliers, their order of magnitude. Cost: a factor of C and of G'C^-1 G each step; at most 100 steps.
+/// Solves the contact problem. C must be positive definite but for redundant rows, and some multipliers >= 0 have to balance
+/// the loads. start: of the multipliers, their order of magnitude. Cost: a factor of C and of G'C^-1 G each step; at most 100
+/// steps.
 InteriorPoint interior_point(const ShiftedQp& shifted, const Eigen::VectorXd& start);
 
 }  // namespace abut::solver

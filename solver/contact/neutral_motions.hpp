@@ -21,10 +21,10 @@ struct Resistance {
     Eigen::MatrixXd contact, acting;
 };
 Resistance candidate_resistance(const AssemblyProblem& problem);
-/// modes: G of the rows, of which the constraints' resist as they are.
+/// Splits the free motions by what resists them. modes: G of the rows, of which the constraints' resist as they are.
 MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& modes);
 
-/// Motion of every part that takes a notable share in a combination of the free motions.
+/// The motion of every part that takes a notable share in a combination of the free motions.
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const Eigen::VectorXd& amplitudes);
 
 /// Names the neutral motions in the solution: as its mechanism, where the loads work in them. load_scale: the largest load on
@@ -33,7 +33,7 @@ std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const
 void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& neutral,
                                 const Eigen::VectorXd& mode_load, double load_scale, AssemblySolution& solution);
 
-/// The neutral motions' amplitudes that make the displacement least, in the mean square over the parts.
+/// Takes the neutral motions' amplitudes that make the displacement least, in the mean square over the parts.
 void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, AssemblySolution& solution);
 
 }  // namespace abut::solver

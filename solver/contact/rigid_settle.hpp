@@ -7,24 +7,25 @@
 
 namespace abut::solver {
 
+/// The bodies at rest on the foundation.
 struct Settled {
     Eigen::VectorXd amplitudes, multipliers;
     Eigen::MatrixXd stiffness;  ///< of the whole foundation
     bool balanced = false;      ///< the multipliers balance the loads to rounding: no mechanism. False: not known
 };
 
-/// Reads gaps from drawn_gap. Damped Newton steps on the energy of the foundation, which is convex and once differentiable.
-/// Cost: O(m n^2) a step, a few to some tens of steps.
+/// Finds where the bodies come to rest, by the gaps in drawn_gap. Damped Newton steps on the energy of the foundation, which is
+/// convex and once differentiable. Cost: O(m n^2) a step, a few to some tens of steps.
 Settled settle_rigidly(const ContactQp& qp);
 
-/// G'KG of the whole foundation, as if every row were closed (n x n).
+/// The stiffness G'KG of the whole foundation against the rigid motions, as if every row were closed (n x n).
 Eigen::MatrixXd foundation_stiffness(const ContactQp& qp);
 
-/// Amplitudes at which the foundation of these rows alone, pressed or pulled, balances the loads: where the bodies would settle
-/// if these were the rows under pressure. Nothing where they leave a motion (nearly) free. Cost: one step.
+/// The amplitudes at which the foundation of these rows alone, pressed or pulled, balances the loads: where the bodies would
+/// settle if these were the rows under pressure. Nothing where they leave a motion (nearly) free. Cost: one step.
 std::optional<Eigen::VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& closed);
 
-/// Forces that equilibrium is measured against: the loads, or the contact forces where there are none (a press fit).
+/// The force that equilibrium is measured against: the loads, or the contact forces where there are none (a press fit).
 double force_scale(const ContactQp& qp, const Eigen::VectorXd& multipliers);
 
 }  // namespace abut::solver

@@ -38,13 +38,13 @@ BlockMatrix make_block_matrix(int n, const FunctionSets& coupled);
 class BlockScatter {
 public:
     explicit BlockScatter(BlockMatrix& matrix) : BlockScatter(matrix, 0, matrix.n) {}
-    /// To the rows of functions begin to end only: several, of rows that do not meet, may add at the same time.
+    /// A scatter to the rows of functions begin to end only: several, of rows that do not meet, may add at the same time.
     BlockScatter(BlockMatrix& matrix, int begin, int end);
 
     bool reaches(std::span<const int> functions) const;  ///< has any of them a row here?
 
-    /// blocks: by columns, block (i, j) of functions[i] and functions[j] at j * size + i; those of the upper triangle are not
-    /// read. Functions in any order, each once.
+    /// Adds blocks, by columns: block (i, j) of functions[i] and functions[j] at j * size + i; those of the upper triangle are
+    /// not read. Functions in any order, each once.
     void add(std::span<const int> functions, const std::vector<Eigen::Matrix2d>& blocks);
 
 private:
@@ -55,7 +55,7 @@ private:
     std::vector<int> place_;  ///< of a function in the set at hand; -1: not in it
 };
 
-/// A x, x of size 2n.
+/// The product A x (2n), x of size 2n.
 Eigen::VectorXd multiply(const BlockMatrix& a, const Eigen::VectorXd& x);
 
 /// Symmetric sparse matrix, lower triangle by columns, rows ascending.
@@ -65,7 +65,7 @@ struct SparseSymmetric {
     std::vector<double> value;
 };
 
-/// The rows and columns whose number[] is not negative, renumbered by it (monotone).
+/// The rows and columns of A whose number[] is not negative, renumbered by it (monotone).
 SparseSymmetric restricted(const BlockMatrix& a, const std::vector<int>& number, int n_kept);
 
 }  // namespace abut::solver

@@ -13,9 +13,9 @@ struct GiveBack {
 };
 using Numbers = std::unique_ptr<double[], GiveBack>;
 
-/// All zero.
+/// Room for n numbers, all zero.
 Numbers zeros(std::size_t n);
-/// To be written before they are read.
+/// Room for n numbers that have to be written before they are read.
 Numbers unset(std::size_t n);
 
 }  // namespace abut::solver

@@ -5,7 +5,8 @@
 
 namespace abut::solver {
 
-/// min |A x - b| with x_k >= 0 where bounded[k] (Lawson and Hanson 1974, with free unknowns always in the passive set).
+/// The solution of min |A x - b| with x_k >= 0 where bounded[k] (Lawson and Hanson 1974, with free unknowns always in the
+/// passive set).
 struct NonnegativeResult {
     Eigen::VectorXd x;
     Eigen::VectorXd residual;  ///< b - A x

@@ -17,27 +17,27 @@ struct MergedPattern {
 };
 MergedPattern merged_pattern(const SparseSymmetric& matrix);
 
-/// Rows of the matrix in the order of their nodes.
+/// The rows of the matrix in the order of their nodes.
 std::vector<int> expanded(const MergedPattern& pattern, const std::vector<int>& node_order);
 
-/// Where each row stands in an order.
+/// The place of each row in an order.
 std::vector<int> inverse_order(const std::vector<int>& order);
 
-/// All neighbours of every node, without itself.
+/// The neighbours of every node, without itself.
 struct Neighbours {
     std::vector<int> first, node;
 };
 Neighbours neighbours(const MergedPattern& pattern);
 
-/// Reverse Cuthill-McKee from a pseudo-peripheral node of each component [George81]: small bandwidth for long and bent parts.
-/// Squares are better left in the order of their tensor functions. Cost: a few passes over the pattern.
+/// The order by reverse Cuthill-McKee from a pseudo-peripheral node of each component [George81]: small bandwidth for long and
+/// bent parts. Squares are better left in the order of their tensor functions. Cost: a few passes over the pattern.
 std::vector<int> reverse_cuthill_mckee(const Neighbours& graph);
 
-/// No order has a smaller bandwidth of the nodes: the largest component has no more than twice as many steps from end to end as
-/// there are from one of its nodes to the farthest. Cost: one pass.
+/// A bound that no order's bandwidth of the nodes is below: the largest component has no more than twice as many steps from end
+/// to end as there are from one of its nodes to the farthest. Cost: one pass.
 int least_bandwidth(const Neighbours& graph);
 
-/// Largest distance from the diagonal of an entry of the reordered matrix.
+/// The largest distance from the diagonal of an entry of the reordered matrix.
 int bandwidth(const SparseSymmetric& matrix, const std::vector<int>& position);
 
 }  // namespace abut::solver

@@ -8,16 +8,17 @@
 
 namespace abut::solver {
 
+/// The matrix K, which is never made: products with it, and its scale. The last `n_eliminated` rows are those of M.
 class SchurComplement {
 public:
     SchurComplement(SparseSymmetric matrix, int n_eliminated);
 
     int n() const { return matrix_.n - n_eliminated_; }
     SparseSymmetric eliminated() const;  ///< M
-    /// K x; solve: with M.
+    /// The product K x; solve(b) gives M^-1 b.
     Eigen::VectorXd product(const Eigen::VectorXd& x,
                             const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& solve) const;
-    /// Inverse root of K's diagonal, M taken for its diagonal in it: off by about the same factor everywhere.
+    /// The inverse root of K's diagonal, M taken for its diagonal in it: off by about the same factor everywhere.
     const Eigen::VectorXd& scale() const { return scale_; }
 
 private:

@@ -5,8 +5,8 @@
 
 namespace abut::solver {
 
-/// Of a part whose supports and springs are known; center, size: as in make_part_system. Around an axis the only rigid motion
-/// is the one along it: all others stretch the hoops.
+/// The rigid motions that nothing holds of a part whose supports and springs are known; center, size: as in make_part_system.
+/// Around an axis the only rigid motion is the one along it: all others stretch the hoops.
 std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& center, double size);
 
 }  // namespace abut::solver

@@ -20,9 +20,10 @@ struct RigidMotion {
     Vec2 at(const Vec2& x) const { return translation + rotation * Vec2(-(x.y() - center.y()), x.x() - center.x()); }
 };
 
-/// How a support set was imposed.
+/// The way in which a support set was imposed.
 enum class SupportMethod { aligned, nitsche, structure };
 
+/// A support of the part, and how it is imposed.
 struct SupportRecord {
     SupportSet set;
     SupportMethod method;
@@ -30,8 +31,8 @@ struct SupportRecord {
     std::string why;           ///< the method, in words
 };
 
-/// Whether two rigid motions of a part count as held or free: the smallest eigenvalue of the supports' Gram matrix, with
-/// rotations measured at the part's size, below this fraction of the largest is free.
+/// The fraction of the largest eigenvalue of the supports' Gram matrix, with rotations measured at the part's size, up to which
+/// a motion counts as free.
 inline constexpr double rigid_mode_fraction = 1e-10;
 
 /// The unknown at which a factorisation ended.
@@ -40,16 +41,19 @@ struct FailedPivot {
     int component;
 };
 
-/// Springs as soft as this against a part's material leave less than four digits of its answer: not solved. (Of the matrix
-/// scaled to a unit diagonal; measured: the balance of forces is off by 1e-16 to 1e-18 times the condition number.)
+/// The condition number up to which springs are solved with: softer ones against a part's material leave less than four digits
+/// of its answer. (Of the matrix scaled to a unit diagonal; measured: the balance of forces is off by 1e-16 to 1e-18 times the
+/// condition number.)
 inline constexpr double largest_spring_condition = 1e12;
 
 struct RigidBody;
 
+/// A part ready to be solved. Sizes: n functions, vectors (2n) ordered (function, component).
 struct PartSystem {
     PartInput input;
     std::shared_ptr<const RigidBody> body{};  ///< of a rigid part (rigid_body.hpp): no stiffness, no factor, no unknowns
-    /// With Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has that, too.
+    /// The stiffness with Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has
+    /// that, too.
     BlockMatrix stiffness;
     Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
     Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
@@ -72,51 +76,53 @@ struct PartSystem {
     int n() const { return input.space.n_functions; }
 };
 
-/// size: the length at which rotations are measured (the part's diagonal); center: about which they turn.
-/// The free motions are held by pinning as many coefficients: exact as long as the loads on the part balance, which the
-/// equilibrium rows of the contact problem see to. Springs hold a motion that they resist, however soft they are.
-/// applied: on the plain functions; weighted: the same loads on the weighted ones, with a structure only.
+/// Makes a part ready to be solved; what makes it unsolvable is told in `failure`. size: the length at which rotations are
+/// measured (the part's diagonal); center: about which they turn. The free motions are held by pinning as many coefficients:
+/// exact as long as the loads on the part balance, which the equilibrium rows of the contact problem see to. Springs hold a
+/// motion that they resist, however soft they are. applied: (2n) on the plain functions; weighted: the same loads on the
+/// weighted ones, with a structure only.
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
 
-/// Coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
+/// The coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);
 
-/// The same of several motions, by column.
+/// The coefficients of several rigid motions, by column (2n x motions).
 Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<RigidMotion>& motions);
 
-/// K u of the whole space (2n), nothing dropped.
+/// The product K u of the whole space (2n), nothing dropped.
 Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd& displacement);
 
-/// Right-hand side of the factorised matrix (n_kept) for a total load vector (2n): what prescribed coefficients take of it.
+/// The right-hand side of the factorised matrix (n_kept) for a total load vector (2n), less what prescribed coefficients take
+/// of it.
 Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load);
 
-/// Displacement under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped ones
-/// prescribed.
+/// The displacement (2n) under the given total load vector (2n, in place of system.load), pinned coefficients zero, dropped
+/// ones prescribed.
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
-/// Condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost: 10
-/// solutions, and as many products with the stiffness.
+/// The condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost:
+/// 10 solutions, and as many products with the stiffness.
 double condition_estimate(const PartSystem& system);
 
-/// Forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by support.
-/// Those of structures follow from equilibrium: the residual of the plain functions, each function's to the support nearest to
-/// it; plain: loads (2n) besides `applied` (contact, constraints) on the plain functions, read for these only.
+/// The forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by
+/// support. Those of structures follow from equilibrium: the residual of the plain functions, each function's to the support
+/// nearest to it; plain: loads (2n) besides `applied` (contact, constraints) on the plain functions, read for these only.
 std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
                                          const Eigen::VectorXd& load, const Eigen::VectorXd& plain = {});
 
-/// Resultant of the stresses of a displacement along a support's points, in the held direction: a second opinion on the
+/// The resultant of the stresses of a displacement along a support's points, in the held direction: a second opinion on the
 /// reaction of a structure, which converges more slowly.
 Resultant traction_resultant(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
-/// Resultant of a load vector (2n) on the plain functions.
+/// The resultant of a load vector (2n) on the plain functions.
 Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load);
 
-/// Of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
+/// The strain energy of the part alone, without its springs; with a free strain that of the elastic strains (elastic_energy).
 double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement);
 
-/// No displacement of the part is larger but for the overshoot of sampling: the largest coefficient, or with a structure the
-/// largest value at its points.
+/// A length that no displacement of the part exceeds but by the overshoot of sampling: the largest coefficient, or with a
+/// structure the largest value at its points.
 double largest_displacement(const PartInput& input, const Eigen::VectorXd& displacement);
 
 }  // namespace abut::solver

@@ -6,7 +6,7 @@
 
 namespace abut::solver {
 
-/// As many coefficients as a part has free motions, chosen so that holding them holds the motions: pivoted elimination on the
+/// Chooses as many coefficients as a part has free motions so that holding them holds the motions: pivoted elimination on the
 /// modes' rows. Reads stiffness, modes and dropped.
 std::vector<Eigen::Index> pins(const PartSystem& system);
 

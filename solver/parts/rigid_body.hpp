@@ -10,7 +10,8 @@
 
 namespace abut::solver {
 
-/// row . (u_x, u_y, rotation) = value, of the motion about the body's centre; weight: that of the place among the supports.
+/// A condition on the motion about the body's centre: row . (u_x, u_y, rotation) = value; weight: that of the place among the
+/// supports.
 struct MotionCondition {
     int tag = 0;
     Eigen::Vector3d row{0, 0, 0};
@@ -20,6 +21,7 @@ struct MotionCondition {
 /// The condition direction . u(x) = value.
 MotionCondition held_point(int tag, const Vec2& x, const Vec2& center, const Vec2& direction, double value, double weight);
 
+/// A rigid part's motion as far as supports prescribe it.
 struct RigidBody {
     Vec2 center{0, 0};
     double size = 1;  ///< the length at which rotations are measured
@@ -29,20 +31,21 @@ struct RigidBody {
     double largest_value = 0;  ///< of the conditions' values
 };
 
-/// Whether the conditions can all be met by one motion, but for rounding.
+/// Can one motion meet all conditions, but for rounding?
 bool is_consistent(const RigidBody& body);
 
-/// input: a space that holds linear functions; of the rest its axis alone is read: a body around one moves along y only.
-/// applied: loads (2n). failure stays empty.
+/// Makes a rigid part's system. input: a space that holds linear functions; of the rest its axis alone is read: a body around
+/// one moves along y only. applied: loads (2n). failure stays empty.
 PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> conditions, Eigen::VectorXd applied,
                              const Vec2& center, double size);
 
-/// What each condition's support exerts, by tag, for the total load (2n, contact included). More conditions than motions share
-/// as equally stiff points would: rigid bodies leave that open.
+/// The force and moment under a support's tag.
 struct TaggedResultant {
     int tag;
     Resultant force;
 };
+/// What each condition's support exerts, by tag, for the total load (2n, contact included). More conditions than motions share
+/// as equally stiff points would: rigid bodies leave that open.
 std::vector<TaggedResultant> rigid_reactions(const PartSystem& system, const Eigen::VectorXd& load);
 
 }  // namespace abut::solver

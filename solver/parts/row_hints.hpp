@@ -7,11 +7,11 @@
 
 namespace abut::solver {
 
-/// Places of the rows on the part's grid, and the rows of its contact elements. number: (2n) row of every coefficient,
+/// The places of the rows on the part's grid, and the rows of its contact elements. number: (2n) row of every coefficient,
 /// negative: none.
 RowHints row_hints(const PartInput& input, const std::vector<int>& number);
 
-/// Places of a space's functions, one row each.
+/// The places of a space's functions, one row each.
 RowHints row_hints(const SplineSpace& space);
 
 }  // namespace abut::solver

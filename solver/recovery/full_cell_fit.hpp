@@ -15,18 +15,19 @@ struct FullCellRule {
     double between_weight = 1;
 };
 
-/// B'WB and B'W s of the fit's functions B on one cell: B-splines in the order of `local_functions`.
+/// The normal equations B'WB and B'W s of the fit's functions B on one cell: B-splines in the order of `local_functions`.
 struct FullCellEquations {
     Eigen::MatrixXd matrix;
     Eigen::MatrixX3d rhs;
 };
 
+/// The equations of full cells: what depends on a column or row alone is done once.
 class FullCellFit {
 public:
     /// displacement, fit: spaces on the same grid. Cost: O(columns + rows).
     FullCellFit(const SplineSpace& displacement, const SplineSpace& fit, const FullCellRule& rule);
 
-    /// stress: on that element. Of parts without a structure.
+    /// The equations of one full element; stress: on that element, of a part without a structure.
     void equations(const StressOf::OnElement& stress, int element, FullCellEquations& result) const;
 
 private:

@@ -10,11 +10,13 @@
 
 namespace abut::solver {
 
+/// A place where stresses are sampled.
 struct SamplePoint {
     int element;
     Vec2 x;
 };
 
+/// A smoothed stress field: a spline for each component.
 struct StressField {
     SplineSpace space;
     Eigen::MatrixX3d coefficients;  ///< (n_functions x (xx, yy, xy))
@@ -23,20 +25,21 @@ struct StressField {
     std::string failure;
 };
 
-/// inside: lines of the sample points of a full cell on [0, 1] (Gauss points of order p - 1; the corners are added here);
-/// cut: sample points of the cut cells, inside the part or on its boundary. Where they leave a function open (parts of few
-/// cells, all cut), the quadrature points of the cut cells are sampled, too.
+/// Fits a spline to the stresses of a displacement; a fit that fails says so in `failure`. inside: lines of the sample points
+/// of a full cell on [0, 1] (Gauss points of order p - 1; the corners are added here); cut: sample points of the cut cells,
+/// inside the part or on its boundary. Where they leave a function open (parts of few cells, all cut), the quadrature points of
+/// the cut cells are sampled, too.
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
                        const std::vector<SamplePoint>& cut);
 
-/// (xx, yy, xy) on one element of a field whose fit has not failed.
+/// The stress (xx, yy, xy) on one element of a field whose fit has not failed.
 inline LocalSpline<3> local_stress(const StressField& field, int element) {
     return {field.space, element, [&](int function) { return field.coefficients.row(function).transpose(); }};
 }
 
-/// (xx, yy, xy, zz) at a point of an element; not numbers where the fit has failed.
+/// The stress (xx, yy, xy, zz) at a point of an element; not numbers where the fit has failed.
 Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x);
-/// The same where local_stress(field, element) is at hand; of fields without a failure.
+/// The stress (xx, yy, xy, zz) where local_stress(field, element) is at hand; of fields without a failure.
 Eigen::Vector4d stress_at(const StressField& field, const LocalSpline<3>& in_plane, int element, const Vec2& x);
 
 }  // namespace abut::solver

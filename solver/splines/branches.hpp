@@ -14,10 +14,10 @@ struct Branches {
     std::map<int, std::vector<int>> of_element;  ///< of elements that have other than first branches: all, x fastest
 };
 
-/// Elements of a branch's support that hold material, ascending by cell.
+/// The elements of a branch's support that hold material, ascending by cell.
 std::vector<int> support_elements(const SplineSpace& space, const ElementGraph& graph, int branch);
 
-/// Cost O(tensor functions x cells of a support).
+/// Takes the tensor functions apart into branches. Cost O(tensor functions x cells of a support).
 Branches find_branches(const KnotVector& x, const KnotVector& y, const ElementGraph& graph);
 
 }  // namespace abut::solver

@@ -10,7 +10,7 @@ inline constexpr int max_degree = 6;
 /// Values of the at most max_degree + 1 functions that live on one interval.
 using LocalValues = std::array<double, max_degree + 1>;
 
-/// Knot vector of degree p over breakpoints x_0 < ... < x_n, inner knots of multiplicity m: C^(p-m) there. On the interval
+/// A knot vector of degree p over breakpoints x_0 < ... < x_n, inner knots of multiplicity m: C^(p-m) there. On the interval
 /// [x_i, x_i+1] live the functions first[i] to first[i] + p. Clamped: the ends are repeated p + 1 times, and only function 0
 /// (the last) is not zero at x_0 (x_n).
 struct KnotVector {
@@ -23,34 +23,36 @@ struct KnotVector {
     int n_functions() const { return static_cast<int>(knots.size()) - degree - 1; }
 };
 
-/// Simple inner knots.
+/// Clamped knots, the inner ones simple.
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree);
-/// multiplicity: of every breakpoint, 1 to p for the inner ones; those of the ends are not read.
+/// Clamped knots of given multiplicity of every breakpoint, 1 to p for the inner ones; those of the ends are not read.
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity);
 
-/// The same breakpoints over one period: beyond its ends the knots go on as they begin and end. Functions i and i + n are then
-/// one periodic function; nothing is special about the seam.
+/// Knots over breakpoints that span one period: beyond its ends they go on as they begin and end. Functions i and i + n are
+/// then one periodic function; nothing is special about the seam.
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree);
-/// multiplicity: of every breakpoint but the last, which is the first one again; 1 to p.
+/// Periodic knots of given multiplicity, 1 to p, of every breakpoint but the last, which is the first one again.
 KnotVector periodic_knots(std::vector<double> breakpoints, int degree, const std::vector<int>& multiplicity);
 
-/// Intervals [begin, end) on which function i lives.
+/// The intervals [begin, end) on which a function lives.
 struct IntervalRange {
     int begin, end;
 };
 IntervalRange support(const KnotVector& knots, int i);
 
-/// Interval that holds x; the last for the right end, the nearest for points outside.
+/// The interval that holds x; the last for the right end, the nearest for points outside.
 int interval_of(const KnotVector& knots, double x);
 
-/// Values (and first derivatives) at x of the functions of an interval; x may lie outside of it: the polynomials are continued.
+/// The values (and first derivatives) at x of the functions of an interval; x may lie outside of it: the polynomials are
+/// continued.
 void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values);
 void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives);
 
-/// Abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville). Degree 0: the middle.
+/// The abscissa of function i: the mean of its inner knots; the coefficients of the function x (Greville). Degree 0: the
+/// middle.
 double greville(const KnotVector& knots, int i);
 
-/// Knots of the derivatives: one degree less, smooth across a knot to one order less.
+/// The knots of the derivatives: one degree less, smooth across a knot to one order less.
 KnotVector derivative_knots(const KnotVector& knots);
 
 /// The polynomial pieces of an interval's functions, continued over the whole line, have B-spline coefficients everywhere:

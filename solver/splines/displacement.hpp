@@ -16,6 +16,7 @@ inline LocalSpline<2> local_displacement(const SplineSpace& space, const Eigen::
     return {space, element, [&](int function) { return displacement.segment<2>(2 * Eigen::Index{function}); }};
 }
 
+/// The displacement and its gradient at a point of an element, without a structure.
 DisplacementAt displacement_at(const SplineSpace& space, const Eigen::VectorXd& displacement, int element, const Vec2& x);
 
 }  // namespace abut::solver

@@ -20,7 +20,7 @@ ElementGraph::ElementGraph(int columns, int rows, const std::vector<double>& fra
             n_cells + static_cast<int>(k);
 }
 
-int count_pieces(const ElementGraph& graph) {
+int count_connected(const ElementGraph& graph) {
     std::vector<char> seen(static_cast<std::size_t>(graph.n_elements()), 0);
     std::vector<int> front;
     int pieces = 0;

@@ -16,7 +16,7 @@ public:
         return element < n_cells ? element : splits_.cell_of_extra[static_cast<std::size_t>(element - n_cells)];
     }
     bool has_material(int element) const { return fraction_[static_cast<std::size_t>(element)] > 0; }
-    /// Whether a cell holds material in one piece that hangs together with all cells around it that do, too.
+    /// Does a cell hold material in one piece that hangs together with all cells around it that do, too?
     bool is_plain(int cell) const {
         return has_material(cell) && (special_.empty() || !special_[static_cast<std::size_t>(cell)]);
     }
@@ -51,7 +51,7 @@ private:
     std::vector<char> special_;             // by cell: split, or with neighbours of its own; empty without any
 };
 
-/// Pieces of the part as the grid sees them: 1 for a part that hangs together.
-int count_pieces(const ElementGraph& graph);
+/// The number of connected regions of the part as the grid sees them: 1 for a part that hangs together.
+int count_connected(const ElementGraph& graph);
 
 }  // namespace abut::solver

@@ -21,6 +21,7 @@ struct LineValues {
 };
 
 template <int N>
+/// N fields of a space on one element; the space must outlive it.
 class LocalSpline {
 public:
     using Values = Eigen::Matrix<double, N, 1>;
@@ -47,7 +48,7 @@ public:
         return value(vx, vy);
     }
 
-    /// The same where the B-splines of the element's column and row are at hand.
+    /// The value where the B-splines of the element's column and row are at hand.
     Values value(const LocalValues& along_x, const LocalValues& along_y) const {
         Values sum = Values::Zero();
         const Factor* factor = factor_.data();
@@ -62,7 +63,7 @@ public:
         return at(along_x, along_y);
     }
 
-    /// The same where the B-splines of the element's column and row are at hand.
+    /// The value and gradient where the B-splines of the element's column and row are at hand.
     SplineAt<N> at(const LineValues& along_x, const LineValues& along_y) const {
         const auto& [vx, gx] = along_x;
         const auto& [vy, gy] = along_y;
@@ -82,7 +83,7 @@ private:
     using Factor = Values;
 
     static std::size_t degree(const KnotVector& knots) { return static_cast<std::size_t>(knots.degree); }
-    /// Over one row of B-splines; factor goes on to the next.
+    /// The sum over one row of B-splines; factor goes on to the next.
     Values combined(const LocalValues& values, const Factor*& factor) const {
         Values sum = Values::Zero();
         for (std::size_t a = 0; a <= degree(space_.x); ++a) sum += values[a] * *factor++;

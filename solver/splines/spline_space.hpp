@@ -3,7 +3,7 @@
 //
 // Elements are the connected components of (cell and part): 0 to n_cells - 1 the cells themselves, or the first component of
 // cells in several pieces, whose other components follow. A tensor B-spline whose support inside the part falls into several
-// connected pieces, the arms beside a slot, is as many functions, its branches (DESIGN 3, "arms apart"): each lives on one of
+// connected pieces, the arms beside a slot, is as many functions, its branches: each lives on one of
 // them, and nothing ties the arms together.
 #pragma once
 #include <Eigen/Core>
@@ -19,14 +19,15 @@ namespace abut::solver {
 
 using Vec2 = Eigen::Vector2d;
 
-/// plain: the B-splines whose support meets the part. normalized: the same, those that meet it in one cut cell only divided by
-/// their largest value there [Grishin10, eqs 4.1 and B.1]. web: extended (weighted extended B-splines without the weight).
+/// The functions of a space. plain: the B-splines whose support meets the part. normalized: these, but divided by their largest
+/// value in the part where they meet it in one cut cell only [Grishin10, eqs 4.1 and B.1]. web: extended (weighted extended
+/// B-splines without the weight).
 enum class Basis { plain, normalized, web };
 
 /// A cell counts as inner for the extension from this filled fraction on (measured: condition numbers stay at 1e3 for any cut).
 inline constexpr double inner_cell_fraction = 0.25;
 
-/// Where cells are in several pieces, or neighbours share no material. Empty for a part without slots.
+/// The cells that are in several pieces, and neighbours that share no material. Empty for a part without slots.
 struct Splits {
     std::vector<int> cell_of_extra;  ///< of elements n_cells, n_cells + 1, ...
     /// Elements across the four sides through material, ascending; of those elements for which these are not simply the cells
@@ -62,7 +63,8 @@ struct SplineSpace {
     }
     int column_of(int element) const { return cell_of(element) % columns(); }
     int row_of(int element) const { return cell_of(element) / columns(); }
-    /// For parts without slots; elsewhere whoever knows the part's shape has to tell the element.
+    /// The cell that holds a point: in parts without slots its element, too; elsewhere whoever knows the part's shape has to
+    /// tell the element.
     int cell_at(const Vec2& p) const { return interval_of(y, p.y()) * columns() + interval_of(x, p.x()); }
     bool has_row(int branch) const {
         return first[static_cast<std::size_t>(branch)] < first[static_cast<std::size_t>(branch) + 1];
@@ -83,19 +85,20 @@ struct SpaceInput {
     /// Points of the boundary of (element and part), asked for only by the normalized basis: of cut elements.
     std::function<std::vector<Vec2>(int element)> outline;
 };
+/// Makes a space; what cannot be made is told in `failure`.
 SplineSpace make_space(SpaceInput input);
 
-/// Simple knots, no slots.
+/// Makes a space with simple knots on a part without slots.
 SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines, int degree_x, int degree_y,
                        std::vector<double> fraction, Basis basis);
 
-/// Branches of the tensor functions of an element, (q+1)(p+1), x fastest.
+/// The branches of the tensor functions of an element, (q+1)(p+1), x fastest.
 std::vector<int> tensor_functions(const SplineSpace& space, int element);
-/// The same without memory of their own: how many.
+/// Writes the branches of an element's tensor functions into `result`, without memory of its own, and gives their number.
 using LocalFunctions = std::array<int, (max_degree + 1) * (max_degree + 1)>;
 std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result);
 
-/// Functions of the space that are not zero on an element, and how its B-splines combine them: n_local x n_functions.
+/// The functions of the space that are not zero on an element, and how its B-splines combine them: n_local x n_functions.
 struct Extraction {
     std::vector<int> functions;
     Eigen::MatrixXd matrix;
@@ -103,14 +106,15 @@ struct Extraction {
 };
 Extraction extraction(const SplineSpace& space, int element);
 
-/// Values and gradients of the space's functions at a point.
+/// The values and gradients of the space's functions at a point.
 struct PointBasis {
     std::vector<int> functions;
     Eigen::VectorXd value, dx, dy;
 };
 PointBasis evaluate(const SplineSpace& space, int element, const Vec2& p);
 
-/// Coefficients of a linear function of position f: f(greville_point) times the coefficient of the function 1.
+/// The point at which a linear function f of position has its coefficient: f(greville_point) times the coefficient of the
+/// function 1.
 Vec2 greville_point(const SplineSpace& space, int function);
 inline double coefficient_of_one(const SplineSpace& space, int function) {
     return space.coefficient_of_one.empty() ? 1 : space.coefficient_of_one[static_cast<std::size_t>(function)];

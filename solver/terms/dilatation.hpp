@@ -39,7 +39,8 @@
 
 namespace abut::solver {
 
-/// Of one part with its supports. The pressure p = modulus M^-1 (B u - g) belongs to a displacement u: a spline of `space`.
+/// The projection of one part with its supports. The pressure p = modulus M^-1 (B u - g) belongs to a displacement u: a spline
+/// of `space`.
 struct Dilatation {
     SplineSpace space;                       ///< of degree one less in both directions, on the same elements
     double modulus = 0;                      ///< lambda
@@ -50,20 +51,20 @@ struct Dilatation {
     std::string failure;  ///< not empty: no such space, and why
 };
 
-/// B, M and g of the supports that Nitsche's method imposes.
+/// Makes B, M and g of a part and the supports that Nitsche's method imposes.
 std::shared_ptr<const Dilatation> make_dilatation(const PartInput& input, const std::vector<const SupportSet*>& by_nitsche);
 
-/// Of a part whose system has been made (std::logic_error: a bug of the caller).
+/// The projection that a part's system was made with; std::logic_error before that (a bug of the caller).
 const Dilatation& dilatation_of(const PartInput& input);
 
-/// Coefficients of p.
+/// The coefficients of the pressure p that belongs to a displacement (2n).
 Eigen::VectorXd pressure(const Dilatation& d, const Eigen::VectorXd& displacement);
 
-/// What the projection adds to K u: modulus B' M^-1 B u.
+/// What the projection adds to the product K u: modulus B' M^-1 B u (2n).
 Eigen::VectorXd volume_forces(const Dilatation& d, const Eigen::VectorXd& displacement);
-/// What it adds to the load: modulus B' M^-1 g.
+/// What the projection adds to the load: modulus B' M^-1 g (2n).
 Eigen::VectorXd volume_load(const Dilatation& d);
-/// What it adds to the strain energy: p'M p / (2 modulus).
+/// What the projection adds to the strain energy: p'M p / (2 modulus).
 double volume_energy(const Dilatation& d, const Eigen::VectorXd& displacement);
 
 /// The factorised matrix [A B'; B -M / modulus], with A and number as restricted() has them.

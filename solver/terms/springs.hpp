@@ -8,27 +8,27 @@
 
 namespace abut::solver {
 
-/// normal: unit, outward; weight: arc length.
+/// A point of a foundation. normal: unit, outward; weight: arc length.
 struct SpringPoint {
     int element;
     Vec2 x, normal;
     double weight;
 };
 
-/// Stiffness: traction per displacement (force per length^3), not negative.
+/// A foundation along a boundary. Stiffness: traction per displacement (force per length^3), not negative.
 struct SpringSet {
     int tag = 0;
     std::vector<SpringPoint> points;
     double normal = 0, tangential = 0;
 };
 
-/// Force of the foundation on the part, per area, for a displacement.
+/// The force of the foundation on the part, per area, for a displacement.
 Vec2 spring_traction(const SpringSet& set, const SpringPoint& p, const Vec2& displacement);
 
-/// Adds a foundation to stiffness and load (that of what a structure prescribes).
+/// Adds a foundation to the stiffness, and to the load what it does with the displacement that a structure prescribes.
 void add_springs(const PartInput& input, const SpringSet& set, BlockMatrix& stiffness, Eigen::VectorXd& load);
 
-/// Resultant of the foundation on the part, and the energy that it stores.
+/// The resultant of the foundation on the part, and the energy that it stores.
 struct SpringAnswer {
     Resultant force;
     double energy = 0;

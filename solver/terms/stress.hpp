@@ -8,16 +8,17 @@
 
 namespace abut::solver {
 
-/// Of one part and displacement, both of which it refers to. Cost of making it: with a projected dilatation one solution with
-/// the mass matrix, else nothing.
+/// The stresses of one part and displacement, both of which it refers to. Cost of making it: with a projected dilatation one
+/// solution with the mass matrix, else nothing.
 class StressOf {
 public:
-    /// On one element: what its points share is done once.
+    /// The stresses on one element: what its points share is done once.
     class OnElement {
     public:
         OnElement(const StressOf& stress, int element);
         Eigen::Vector3d operator()(const Vec2& x) const;
-        /// The same where the B-splines of the element's column and row there are at hand. Without a structure only.
+        /// The stress (xx, yy, xy) at x where the B-splines of the element's column and row there are at hand. Without a
+        /// structure only.
         Eigen::Vector3d operator()(const Vec2& x, const LineValues& along_x, const LineValues& along_y) const;
 
     private:
@@ -28,15 +29,16 @@ public:
 
     StressOf(const PartInput& input, const Eigen::VectorXd& displacement);
 
-    /// (xx, yy, xy) at a point of an element.
+    /// The stress (xx, yy, xy) at a point of an element.
     Eigen::Vector3d operator()(int element, const Vec2& x) const;
-    /// The same where the displacement there is at hand.
+    /// The stress (xx, yy, xy) at a point where the displacement is at hand.
     Eigen::Vector3d operator()(int element, const Vec2& x, const DisplacementAt& u) const;
-    /// What does not follow from these by out_of_plane alone: zz of a part with an axis, or with a free strain.
+    /// The stress zz of a part with an axis, or with a free strain, which does not follow from the others by out_of_plane
+    /// alone.
     double zz(int element, const Vec2& x) const;
 
 private:
-    /// Of the projected volume strain.
+    /// The pressure of the projected volume strain.
     double volume_pressure(int element, const Vec2& x) const;
 
     const PartInput& input_;

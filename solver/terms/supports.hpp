@@ -9,7 +9,7 @@
 
 namespace abut::solver {
 
-/// direction . u = value at a boundary point. direction and normal: unit; weight: arc length.
+/// A held point of the boundary: direction . u = value. direction and normal: unit; weight: arc length.
 struct SupportPoint {
     int element;
     Vec2 x, normal, direction;
@@ -19,7 +19,7 @@ struct SupportPoint {
 /// The outermost grid lines, on which only one row of B-splines is not zero.
 enum class GridSide { left, right, bottom, top };
 
-/// Interval along a grid side.
+/// An interval along a grid side.
 struct Stretch {
     double from, to;
 };
@@ -55,11 +55,12 @@ struct Resultant {
         moment += at.x() * f.y() - at.y() * f.x();
     }
 };
-/// What a Nitsche support exerts on the part; at its points, per area.
+/// The tractions (force per area) of a Nitsche support on the part, at its points.
 std::vector<Vec2> nitsche_tractions(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
+/// The resultant of a Nitsche support's tractions on the part.
 Resultant nitsche_reaction(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
-/// Without a structure: the set's share in u'Au that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2; A all but
-/// what a projection adds.
+/// The set's share in u'Au that is not strain energy: -2 int (d.t)(d.u) + int gamma (d.u)^2; A all but what a projection adds.
+/// For parts without a structure.
 double nitsche_energy(const PartInput& input, const SupportSet& set, const Eigen::VectorXd& displacement);
 
 /// The functions to drop so that a component vanishes on stretches of a grid side: those of the outermost row that live there.

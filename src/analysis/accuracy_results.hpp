@@ -6,25 +6,25 @@
 
 namespace abut {
 
-/// Estimated errors of the contacts (parallel to the candidates) and of the whole, passes, and warnings where the target was
-/// missed or a pressure may have no limit.
+/// Fills in the estimated errors of the contacts (parallel to the candidates) and of the whole, and the passes; warns where the
+/// target was missed or a pressure may have no limit.
 void fill_errors(const Outcome& out, Result& result);
 
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
 void fill_missed(const Scene& scene, const Outcome& out, Result& result);
 
-/// Estimated errors of the largest displacements. Forces given, the energy is half of what they work, and displacements err
-/// like it: those of parts with supports of their own like the part's energy, or the forces on it; of others by as much in
-/// absolute terms as the largest of all. Warns where contact pressures reached a target that the energy did not. Call with the
-/// parts filled in.
+/// Fills in the estimated errors of the largest displacements. Forces given, the energy is half of what they work, and
+/// displacements err like it: those of parts with supports of their own like the part's energy, or the forces on it; of others
+/// by as much in absolute terms as the largest of all. Warns where contact pressures reached a target that the energy did not.
+/// Call with the parts filled in.
 void fill_displacement_errors(const Outcome& out, Result& result);
 
 /// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
 void warn_of_largest_stress(Result& result);
 
-/// The next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over the
-/// passes and from the seconds they took; nothing where there is no estimate to go by, or where this level
-/// was missed. Call with the timing filled in, and again when more of the total is known.
+/// Fills in the next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over
+/// the passes and from the seconds they took; nothing where there is no estimate to go by, or where this level was missed. Call
+/// with the timing filled in, and again when more of the total is known.
 void predict_next_level(Result& result);
 
 }  // namespace abut

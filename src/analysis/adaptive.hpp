@@ -7,9 +7,9 @@
 
 namespace abut {
 
-/// Grids, solution, new grids from the contacts found, finer towards their ends, until the estimated error is below the
-/// accuracy's target; the search for candidates widens where contact reaches its end, or where the displacements could close
-/// more.
+/// Solves on one grid after the other, each made from the contacts that the last one found and finer towards their ends, until
+/// the estimated error is below the accuracy's target. The search for candidates widens where contact reaches its end, or where
+/// the displacements could close more.
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds);
 

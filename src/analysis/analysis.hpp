@@ -6,7 +6,7 @@
 
 namespace abut {
 
-/// Scene to answer. Throws InputError for what only shows here (a selection that matches nothing, drawn overlaps, a grid that
+/// Analyses a scene. Throws InputError for what only shows here (a selection that matches nothing, drawn overlaps, a grid that
 /// misses its part); a numerical outcome (mechanism, no convergence) is a Result with status "failed".
 Result analyze(const Scene& scene, const AnalyzeOptions& options);
 

@@ -7,7 +7,7 @@ namespace abut {
 
 struct AnalyzeOptions {
     std::function<void(const std::string&)> progress{};  ///< told what is being done; may be empty
-    /// At most so many; 0: one for each processor. The answer is the same for any number.
+    /// The most threads; 0: one for each processor. The answer is the same for any number.
     int threads = 0;
 };
 

@@ -6,7 +6,8 @@
 
 namespace abut {
 
-/// Small displacements and strains, rules that were of use, grids as fine as wanted.
+/// Warns where the answer does not bear out small displacements and strains, elasticity, bonds, rules that were to be of use,
+/// grids as fine as wanted, the balance of forces, or the theory of nearly incompressible and of rigid parts.
 void check_assumptions(const Scene& scene, const Outcome& out, Result& result);
 
 }  // namespace abut

@@ -6,7 +6,7 @@
 
 namespace abut {
 
-/// Reads result.contacts and result.parts; seconds: of the whole run.
+/// Fills in what each effect took and what it was about. Reads result.contacts and result.parts; seconds: of the whole run.
 void fill_effects(const Outcome& out, double seconds, Result& result);
 
 }  // namespace abut

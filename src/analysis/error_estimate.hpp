@@ -15,7 +15,7 @@
 
 namespace abut {
 
-/// Of one contact, relative to its own values.
+/// The estimated errors of one contact, relative to its own values.
 struct ContactError {
     double pressure = 0;          ///< L2 over the contact:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
@@ -26,11 +26,11 @@ struct ContactError {
     bool at_corner = false;    ///< the largest pressure stands at a corner, where it may have no limit
 };
 
-/// Unset: nothing to compare with.
+/// The estimated errors of a solution; unset: nothing to compare with.
 struct ErrorEstimate {
     std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
     std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
-    std::optional<double> peak;                         ///< the same of largest pressures, but for those at corners
+    std::optional<double> peak;                         ///< largest error of the largest pressures, but for those at corners
     std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
@@ -38,17 +38,18 @@ struct ErrorEstimate {
     std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
 };
 
-/// Of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but one, which stands
-/// where a contact's cells stayed as they were; theory: by candidate, or empty. It knows nothing of the grids: a solution that
-/// is nearer to it than the change says is that near to the truth, but for what both are off by in the same direction.
+/// Estimates the errors of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but
+/// one, which stands where a contact's cells stayed as they were; theory: by candidate, or empty. It knows nothing of the
+/// grids: a solution that is nearer to it than the change says is that near to the truth, but for what both are off by in the
+/// same direction.
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& before,
                               std::span<const std::optional<PlanePressure>> theory = {});
 
-/// A solution's strain energy, and the energy of what its smoothed stresses differ by, relative to it.
+/// The strain energy of a solution, and the energy of what its smoothed stresses differ by, relative to it.
 struct EnergyOnGrid {
     double energy, smoothing;
 };
-/// Relative error of the energy on the later of two grids. The differences of smoothed stresses tell how the errors of both
+/// The relative error of the energy on the later of two grids. The differences of smoothed stresses tell how the errors of both
 /// compare; the change of the energy is the difference of those errors, which gives their size: at corners without a limit of
 /// the stress the smoothed ones see a quarter of the error (error of stress: half), and miss the same fraction on both grids.
 double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);

@@ -8,18 +8,18 @@
 
 namespace abut {
 
-/// Sizes wanted before anything is known: cells along the closest portions of the candidates.
+/// The sizes wanted before anything is known: cells along the closest portions of the candidates.
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness);
 
 /// How finely the next grids resolve a contact.
 struct ContactResolution {
     double cells;            ///< along each stretch of contact, at least
     double end_fraction;     ///< cells at its free ends, of its length
-    double corner_fraction;  ///< the same at corners, and where a straight edge meets an arc
+    double corner_fraction;  ///< cells at corners, and where a straight edge meets an arc, of its length
 };
 
-/// Sizes wanted from a solution: cells within every contact, finer towards its ends. runs: as they were found, or where they
-/// are expected; resolution: by contact.
+/// The sizes wanted from a solution: cells within every contact, finer towards its ends. runs: as they were found, or where
+/// they are expected; resolution: by contact.
 WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
                        const std::vector<ContactResolution>& resolution);
 

@@ -16,6 +16,7 @@
 
 namespace abut {
 
+/// The largest stress of one part, and its largest displacement.
 struct LargestStress {
     ValueAt displacement;         ///< the largest, too: both are found in one go
     ValueAt von_mises;            ///< assembly coordinates
@@ -25,12 +26,13 @@ struct LargestStress {
     std::optional<double> error;  ///< of the stress, relative; unset at corners, and where nothing is strained
 };
 
-/// Of each of solved.grids. stress: of fits that have not failed; before: the same of the grids before, or empty.
+/// The largest stress of each part of solved.grids. stress: of fits that have not failed; before: the largest stresses on the
+/// grids before, or empty.
 std::vector<LargestStress> largest_stresses(const Scene& scene, const ResolvedConditions& conditions,
                                             const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                                             const std::vector<LargestStress>& before, int threads);
 
-/// The one among them whose stress is largest; nullptr where there is none.
+/// The largest stress of all; nullptr where there is none.
 const LargestStress* strongest(const std::vector<LargestStress>& all);
 
 }  // namespace abut

@@ -17,13 +17,15 @@ struct MissedContact {
     double share = 0;
 };
 
-/// By contact, ascending along its zone; stretches that may carry more than `least_share` of that force.
+/// The missed stretches by contact, ascending along its zone; those that may carry more than `least_share` of the largest force
+/// on the part that has less.
 using MissedContacts = std::vector<std::vector<MissedContact>>;
 MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share);
 
+/// Is there a missed stretch in any contact?
 bool any_missed(const MissedContacts& missed);
 
-/// Both, ascending.
+/// The runs of each contact with its missed stretches among them, ascending.
 ContactRuns with_missed(ContactRuns runs, const MissedContacts& missed);
 
 }  // namespace abut

@@ -8,17 +8,18 @@ namespace abut {
 /// Has contact reached an end of a candidate zone that could be longer?
 bool zone_too_short(const SolvedAssembly& solved);
 
-/// How far the search must reach, as a factor on the first search distance, for every pair that the displacements could close.
+/// The factor on the first search distance with which every pair is found that the displacements could close.
 double needed_search_factor(const Scene& scene, const SolvedAssembly& solved);
 
-/// A zone all the way round starts where the gap is largest; where contact reaches that seam all the same (a pin drawn in the
-/// middle of its hole), the seam moves to the middle of the longest open stretch.
+/// Moves the seams of closed zones: they start where the gap is largest; where contact reaches that seam all the same (a pin
+/// drawn in the middle of its hole), the seam moves to the middle of the longest open stretch.
 void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
-/// The free ends of all runs, as the next pressure splines expect them; runs: as they were found, or where they are expected.
+/// Gives the candidates the free ends of all runs, as the next pressure splines expect them; runs: as they were found, or where
+/// they are expected.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs, std::vector<Candidate>& candidates);
 
-/// The pressures of all contacts: where the next search for the active set begins.
+/// Gives the candidates the pressures of all contacts: where the next search for the active set begins.
 void expect_pressures(const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
 /// Do the free ends lie elsewhere than the candidates expected, by so much that other knots would tell more?

@@ -9,9 +9,11 @@
 
 namespace abut {
 
-/// Of the sizes that the shape asks for: first and second grids only locate the contacts, and show what the shape's cells do.
+/// Factors on the cells that the shape asks for: on the first grids, and from one to the next. First and second grids only
+/// locate the contacts, and show what the shape's cells do.
 inline constexpr double first_coarsening = 2, coarsening_step = 1.4;
 
+/// What the next grids are to have; kept and changed from pass to pass.
 struct NextGrids {
     double target;                                ///< estimated relative error aimed at
     double coarseness;                            ///< of the shape's cells, at the target
@@ -23,17 +25,17 @@ struct NextGrids {
     bool on_final_cells() const { return coarsening <= coarseness; }
 };
 
-/// Towards the final cells of the shape by one step; the last step is no smaller than the others, or there would be nothing to
-/// see in it.
+/// Takes the shape's cells towards the final ones by one step; the last step is no smaller than the others, or there would be
+/// nothing to see in it.
 void coarsen_less(NextGrids& next);
 
-/// Contacts that were just found; runs: as they were, or where they are expected.
+/// Sets what the contacts that were just found aim at; runs: as they were found, or where they are expected.
 void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, NextGrids& next);
 
-/// The next grids are the last ones, if all goes well.
+/// Sets the next grids to the goals: they are the last ones, if all goes well.
 void aim_at_goals(NextGrids& next);
 
-/// Contacts whose error still counts get finer cells; where they had what they aimed at, they aim at less.
+/// Gives contacts whose error still counts finer cells; where they had what they aimed at, they aim at less.
 void refine(const ErrorEstimate& error, NextGrids& next);
 
 }  // namespace abut

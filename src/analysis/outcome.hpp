@@ -11,7 +11,7 @@
 
 namespace abut {
 
-/// Why there are no finer grids.
+/// Why the walk over grids ended.
 enum class PathEnd {
     no_need,        ///< grids are given and no target, or there is no error to bring down: one solution
     fixed_grids,    ///< grids are given, and a target with them
@@ -21,6 +21,7 @@ enum class PathEnd {
     out_of_digits   ///< rounding hides what finer grids would change
 };
 
+/// The last solution with its stresses and errors, and the way there.
 struct Outcome {
     std::vector<Candidate> candidates;
     SolvedAssembly solved;                    ///< on the last grids

@@ -8,6 +8,7 @@
 
 namespace abut {
 
+/// A contact's pressure in one pass.
 struct ContactRecord {
     std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
     solver::KnotVector pressure;  ///< over s; no intervals: no interface
@@ -17,6 +18,7 @@ struct ContactRecord {
     std::optional<Vec2> resultant{};  ///< force on the first part
 };
 
+/// What is kept of one pass.
 struct PassRecord {
     std::vector<ContactRecord> contacts;  ///< by candidate
     double energy = 0;
@@ -24,12 +26,13 @@ struct PassRecord {
     double seconds = 0;  ///< since the first grid was begun
 };
 
+/// Records a solution; seconds: since the first grid was begun.
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
-/// Of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
+/// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
 struct PressureChange {
     double difference = 0;  ///< L2, like the norm without the neighbourhoods of corners
-    double inside = 0;      ///< the same without those of free ends
+    double inside = 0;      ///< L2, without the neighbourhoods of corners and of free ends
     double refinement = 1;  ///< of the knots there: their spacing over that before, geometric mean
     double norm = 0;        ///< L2 of the pressure
     double peak = 0, peak_before = 0;
@@ -39,7 +42,7 @@ struct PressureChange {
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
 /// Do both tables begin and end at the same places? Those of a closed zone may have moved.
 bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory);
-/// The same from what theory has, which is no force and no knots: refinement 1.
+/// The change of a contact's pressure from the theory's, which has no force and no knots: refinement 1.
 PressureChange change_from(const ContactRecord& now, const PlanePressure& theory);
 
 }  // namespace abut

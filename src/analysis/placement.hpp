@@ -19,12 +19,13 @@ struct PlacedScene {
     std::vector<std::string> moved;  ///< "pin by (0, -4)", "lever by (0.1, -2) and 3.5 degrees"
 };
 
-/// Nothing where no part moves by more than `placed_fraction` of its own size, or a load or support is given by expressions of
-/// the place. Edges keep their numbers and parameters, so that conditions resolved before hold. Parts may overlap a little:
-/// contact presses them apart.
+/// The scene with its parts where they came to rest. Nothing where no part moves by more than `placed_fraction` of its own
+/// size, or a load is given by expressions of the place or a support prescribes a motion. Edges keep their numbers and
+/// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
 std::optional<PlacedScene> placed_at_rest(const Scene& scene, const SolvedAssembly& solved);
 
-/// Pairs of curved faces that were found where a part was drawn err by about the square of its motion over its size.
+/// The motion of a part, over its size, from which on it is placed: pairs of curved faces that were found where a part was
+/// drawn err by about the square of that.
 inline constexpr double placed_fraction = 0.05;
 
 }  // namespace abut

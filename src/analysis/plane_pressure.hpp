@@ -7,7 +7,7 @@
 
 namespace abut {
 
-/// One contact of a symmetric profile: with s = middle + half_width cos t,
+/// The pressure of one contact of a symmetric profile: with s = middle + half_width cos t,
 ///   p(s) = sum of sine[k] sin((2 k + 1) t),
 /// the sum that the gap's derivative has in cosines of t, times E* / 2.
 struct PlaneRun {
@@ -17,16 +17,16 @@ struct PlaneRun {
 
 double pressure_at(const PlaneRun& run, double s);  ///< 0 outside
 
-/// slope(x): derivative of the gap at a distance x from the middle; force: per thickness, both halves. Nothing where the slope
-/// is unknown, or so rough that its sum does not settle: a wedge, an edge's joint within.
+/// Makes the run of one contact. slope(x): derivative of the gap at a distance x from the middle; force: per thickness, both
+/// halves. Nothing where the slope is unknown, or so rough that its sum does not settle: a wedge, an edge's joint within.
 std::optional<PlaneRun> plane_run(const std::function<std::optional<double>(double)>& slope, double middle, double half_width,
                                   double force);
 
-/// Pressure of all runs of a contact, along the middle curve s; s1: the same places on the zone's first chain.
+/// The pressure of all runs of a contact, along the middle curve s; s1: the same places on the zone's first chain.
 struct PlanePressure {
     std::vector<double> s1, s;
     std::vector<PlaneRun> runs;
-    /// About the relative error of the theory itself: the square of half width over hydraulic diameter.
+    /// The relative error of the theory itself, about: the square of half width over hydraulic diameter.
     double doubt = 0;
 };
 

@@ -12,7 +12,7 @@ namespace abut {
 /// all in one place.
 std::optional<Vec2> self_overlap(const PartField& field);
 
-/// A warning for every part that overlaps itself.
+/// Adds a warning for every part that overlaps itself.
 void warn_of_self_contact(Result& result);
 
 }  // namespace abut

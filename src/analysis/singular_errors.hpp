@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// The energy that a grid misses at one place.
 struct SingularError {
     std::size_t grid;  ///< index into SolvedAssembly::grids
     Vec2 at;           ///< assembly coordinates
@@ -17,12 +18,12 @@ struct SingularError {
     double energy;  ///< strain energy that is missed
 };
 
-/// Of all parts that are not rigid. Cost: the stress at the quadrature points of some ten cells a place.
+/// The errors at all places of parts that are not rigid. Cost: the stress at the quadrature points of some ten cells a place.
 std::vector<SingularError> singular_errors(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved);
 
-/// Cells at these places that miss no more than the fraction `target` of the strain energy, of all of them together; added
-/// where the present ones miss more, but for ends of contact, whose cells follow the pressure.
+/// Adds cells at these places that miss no more than the fraction `target` of the strain energy, of all of them together; where
+/// the present ones miss more, but for ends of contact, whose cells follow the pressure.
 void add_singular_cells(const SolvedAssembly& solved, const std::vector<SingularError>& errors, double target,
                         WantedSizes& wanted);
 

@@ -7,13 +7,14 @@
 
 namespace abut {
 
+/// A place without a limit of the stress.
 struct SingularPlace {
     Vec2 at;              ///< assembly coordinates
     double missed_share;  ///< what splines miss of the strain energy in the cells within a cell's size; 0 where not known
     bool is_of_contact = false;
 };
 
-/// Of one part of the scene.
+/// The places of one part of the scene.
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved, int part);
 

@@ -7,8 +7,8 @@
 
 namespace abut {
 
-/// By contact: do its magnitude and those of all others on the same free parts follow from statics, with the lines of action as
-/// they were found? False where there is no force.
+/// Does a contact's force (by contact), and that of all others on the same free parts, follow from statics, with the lines of
+/// action as they were found? False where there is no force.
 std::vector<char> given_by_statics(const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -2,7 +2,8 @@
 // Error of the stresses in the energy norm, from one solution alone: the smoothed stresses are the more accurate ones, and what
 // they differ by is the error of the others (Zienkiewicz and Zhu, Int. J. Numer. Meth. Engng. 24, 1987). Estimate over true
 // error, measured by tests/verification/estimate_test.cpp: 0.5 to 1.6 where the stress is smooth, down to 0.31 with
-// contact on draft's grids. Where the stress has no limit it sees 0.07 to 0.3: singular_errors says what is missed there.
+// contact on draft's grids. Where the stress has no limit it sees 0.07 to 0.3 of the energy's error: singular_errors says what
+// is missed there.
 #pragma once
 #include <optional>
 #include <vector>
@@ -13,20 +14,20 @@
 
 namespace abut {
 
-/// Smoothed stresses of every solved part, side by side on `threads` threads.
+/// The smoothed stresses of every solved part, side by side on `threads` threads.
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads = 1);
 
-/// Strain energy of the stresses of a displacement in one cell of a part's space.
+/// The strain energy of the stresses of a displacement in one cell of a part's space.
 double strain_energy(const solver::PartInput& input, const solver::StressOf& stress, const solver::CellRule& cell);
 
-/// Strain energy of the difference between a part's smoothed stresses and those of its displacement, by element of its space.
-/// smoothed: of a fit that has not failed.
+/// The strain energy of the difference between a part's smoothed stresses and those of its displacement, by element of its
+/// space. smoothed: of a fit that has not failed.
 std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
                                    const solver::StressField& smoothed);
 
-/// Estimated error of the strain energy of each of solved.grids; the root of its share of the energy is that of the stresses in
-/// the energy norm. None where a smoothing failed, or where nothing is strained. Cost: an evaluation of both stresses at every
-/// quadrature point.
+/// The estimated error of the strain energy of each of solved.grids; the root of its share of the energy is that of the
+/// stresses in the energy norm. None where a smoothing failed, or where nothing is strained. Cost: an evaluation of both
+/// stresses at every quadrature point.
 std::optional<std::vector<double>> energy_errors(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                                                  int threads = 1);
 

@@ -10,11 +10,11 @@
 
 namespace abut {
 
-/// Where few cells hold half of the squared error of the stresses (smoothed against those of the displacement): adds smaller
-/// cells there. False: the error lies everywhere, and nothing is added. stress: by part of solved.grids.
+/// Adds smaller cells where few cells hold half of the squared error of the stresses (smoothed against those of the
+/// displacement). False: the error lies everywhere, and nothing is added. stress: by part of solved.grids.
 bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, WantedSizes& wanted);
 
-/// Smaller cells where the largest stress stands.
+/// Adds smaller cells where the largest stress of all parts stands.
 void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted);
 
 }  // namespace abut

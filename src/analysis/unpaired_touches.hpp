@@ -6,7 +6,7 @@
 
 namespace abut {
 
-/// One warning with all places. Corners that meet corners are left out: nothing is pressed there.
+/// Adds one warning with all such places. Corners that meet corners are left out: nothing is pressed there.
 void warn_of_unpaired_touches(const Scene& scene, Result& result);
 
 }  // namespace abut

@@ -6,15 +6,15 @@
 
 namespace abut {
 
-/// Smoothed stresses of one solved part.
+/// The smoothed stresses of one solved part.
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement);
 
-/// Displacement (assembly frame) and stress (assembly axes) at a point of a cell, given in the local frame.
+/// The displacement (assembly frame) and stress (assembly axes) at a point of a cell, given in the local frame.
 FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                          int element, const Vec2& local);
 
-/// Where displacement and von Mises stress of a part are largest, and the element and local point of that stress (element -1:
-/// there is none).
+/// The largest displacement and von Mises stress of a part, with their places, and the element and local point of that stress
+/// (element -1: there is none).
 struct LargestOfPart {
     ValueAt displacement, von_mises;
     int element = -1;
@@ -22,9 +22,9 @@ struct LargestOfPart {
 };
 LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress);
 
-/// What is drawn of a part. patch: sides of patches are no longer than this, but for those of few cells, which are divided into
-/// more. Fields are taken inside the part only: corners of patches beyond the boundary have what is extrapolated from the
-/// nearest point of it in their cell, linearly; patches without any of the part are left out.
+/// The fields that are drawn of a part. patch: sides of patches are no longer than this, but for those of few cells, which are
+/// divided into more. Fields are taken inside the part only: corners of patches beyond the boundary have what is extrapolated
+/// from the nearest point of it in their cell, linearly; patches without any of the part are left out.
 PartField part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                      double patch);
 

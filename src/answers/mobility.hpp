@@ -9,11 +9,12 @@
 
 namespace abut {
 
-/// As drawn: every support, and every contact that is closer than a detected pair may be, as two-sided.
+/// The mobility of the parts as drawn: every support counts, and every contact that is closer than a detected pair may be, as
+/// two-sided.
 MobilityResult mobility_as_drawn(const Scene& scene, const ResolvedConditions& conditions,
                                  const std::vector<Candidate>& candidates);
 
-/// Under the loads: the supports, and the contacts that carry force.
+/// The mobility of the parts under the loads: supports count, and the contacts that carry force.
 MobilityResult mobility_under_load(const Scene& scene, const ResolvedConditions& conditions,
                                    const std::vector<ContactResult>& contacts);
 

@@ -7,13 +7,13 @@
 
 namespace abut {
 
-/// "slides along (1, 0)" or "rotates about (3, 4)", for a twist (vx, vy of the point at the origin, w).
+/// A twist (vx, vy of the point at the origin, w) in words: "slides along (1, 0)" or "rotates about (3, 4)".
 std::string motion_words(const geometry::Screw& twist, const geometry::ScrewScale& scale);
 
-/// "pin slides along (1, 0)" or "pin rotates about (3, 4)", in assembly coordinates.
+/// A part's motion in words: "pin slides along (1, 0)" or "pin rotates about (3, 4)", in assembly coordinates.
 std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion);
 
-/// The first few of them, and how many more there are.
+/// The first few motions in words, and how many more there are.
 std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions);
 
 }  // namespace abut

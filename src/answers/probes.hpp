@@ -8,10 +8,10 @@
 
 namespace abut {
 
-/// Throws InputError for probes that lie outside their part.
+/// Throws InputError with all probes that lie outside their part.
 void check_probes(const Scene& scene);
 
-/// stress: by solver part.
+/// Fills in displacement and stress at the probes; stress: smoothed, by solver part.
 void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                  Result& result);
 

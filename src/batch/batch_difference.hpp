@@ -13,9 +13,9 @@ struct FolderBatch {
     BatchFile batch;
 };
 
-/// The first of: version, options, template, number and names of the jobs, their files and parameters, what is expected of them
-/// ("--accuracy is not given in out1 and fine in out2"). Empty: both are shards of one batch. Files may lie in different
-/// folders: their own names count.
+/// The first thing in which two batches differ, of: version, options, template, number and names of the jobs, their files and
+/// parameters, what is expected of them ("--accuracy is not given in out1 and fine in out2"). Empty: both are shards of one
+/// batch. Files may lie in different folders: their own names count.
 std::string difference(const FolderBatch& a, const FolderBatch& b);
 
 }  // namespace abut

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// A batch: its settings, and its jobs with what each was asked.
 struct BatchFile {
     std::string source;                           ///< as it was given; for titles
     std::map<std::string, std::string> settings;  ///< options that change answers, and the program's version
@@ -26,8 +27,8 @@ struct BatchFile {
 BatchFile batch_file(const std::string& source, const BatchRequest& request, const std::vector<BatchJob>& jobs);
 
 std::string batch_json(const BatchFile& batch);
-/// That of an output folder. Throws InputError where there is none, where it is wrong, or where it is of an older version that
-/// did not say what was asked of the jobs.
+/// Reads the batch.json of an output folder. Throws InputError where there is none, where it is wrong, or where it is of an
+/// older version that did not say what was asked of the jobs.
 BatchFile read_batch_file(const std::string& out);
 
 /// Was the record made by this batch: with its settings, template and parameters?

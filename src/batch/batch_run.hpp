@@ -14,12 +14,14 @@
 
 namespace abut {
 
+/// How far a batch is, as it is told after every job.
 struct BatchProgress {
     std::size_t total = 0, done = 0, kept = 0, not_ok = 0;  ///< done: with those kept from an earlier run
     const JobRecord* last = nullptr;                        ///< the job that is done now; null: nothing but time has passed
     bool last_kept = false;
 };
 
+/// How a batch is run: workers and limits, the shard, what is asked of a job, and who does it.
 struct BatchRun {
     std::size_t workers = 1;
     WorkerLimits limits{};
@@ -33,6 +35,7 @@ struct BatchRun {
     std::function<void(const BatchProgress&)> progress{};  ///< may be empty
 };
 
+/// How a batch ended.
 struct BatchEnd {
     BatchProgress progress;
     bool interrupted = false;
@@ -40,10 +43,10 @@ struct BatchEnd {
     std::string write_fault;  ///< why no more jobs were begun: nothing can be written; empty where it did not come to that
 };
 
-/// Jobs begin in their order, several at once; answers do not depend on how many. Interrupted, workers are ended and what they
-/// had begun is removed. A job one of whose files is written while it runs is done again; its key is that of what it read. A
-/// job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError where not even the first
-/// folder can be made.
+/// Does the jobs of a batch, in their order, several at once; answers do not depend on how many. Interrupted, workers are ended
+/// and what they had begun is removed. A job one of whose files is written while it runs is done again; its key is that of what
+/// it read. A job that dies (memory, time, a fault of the program) gets a record that says so. Throws StoreError where not even
+/// the first folder can be made.
 BatchEnd run_batch(const std::vector<BatchJob>& jobs, const std::string& out, const BatchRun& run);
 
 }  // namespace abut

@@ -7,6 +7,7 @@
 
 namespace abut {
 
+/// One job: a name, a file and values of parameters.
 struct BatchJob {
     std::string name;  ///< of its folder: unique in the batch, without '/', the same on every machine and for every shard
     std::string file;  ///< scene, drawing or mesh; empty: the template alone
@@ -14,6 +15,7 @@ struct BatchJob {
     std::string where;                         ///< "table.csv:12", for messages; empty: a file of a folder
 };
 
+/// The jobs of a batch, and what was left out.
 struct BatchSource {
     std::vector<BatchJob> jobs;                     ///< in the order of the table or list, else by name
     std::map<std::string, std::string> parameters;  ///< columns of the table that stand for parameters, and where they stand
@@ -27,12 +29,12 @@ struct SourceOptions {
     bool only_drawings = false;  ///< a folder's scenes are left out: there is a template
 };
 
-/// SOURCE of `abut batch`: a folder with all its folders (scenes, drawings, meshes, and other CAD files, which end as errors;
-/// not what begins with a dot; links are followed, src/io/folder_walk.hpp), a table (.csv, .jsonl) with the columns "file",
-/// "name" and parameters, a list (.txt: a file a line, # begins a comment), or a single scene, drawing or mesh. Files are
-/// relative to the folder of the list or table. A job has the name of its file with "/" as "-", one of a table its row's number
-/// before it unless the table names it. Whether a listed file exists only shows in its job. Throws InputError where there is no
-/// source, or it is wrong or empty. Cost: one look at each file's name.
+/// Reads the SOURCE of `abut batch`: a folder with all its folders (scenes, drawings, meshes, and other CAD files, which end as
+/// errors; not what begins with a dot; links are followed, src/io/folder_walk.hpp), a table (.csv, .jsonl) with the columns
+/// "file", "name" and parameters, a list (.txt: a file a line, # begins a comment), or a single scene, drawing or mesh. Files
+/// are relative to the folder of the list or table. A job has the name of its file with "/" as "-", one of a table its row's
+/// number before it unless the table names it. A listed file that does not exist only shows in its job. Throws InputError where
+/// there is no source, or it is wrong or empty. Cost: one look at each file's name.
 BatchSource read_batch_source(const std::string& source, const SourceOptions& options);
 
 }  // namespace abut

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// The records of a batch and their counts.
 struct BatchSummary {
     std::vector<JobRecord> jobs;                  ///< those that OUT has, in the batch's order
     std::vector<std::string> missing;             ///< names of the others
@@ -20,23 +21,27 @@ struct BatchSummary {
     std::optional<ExpectationCount> expectation;  ///< over all jobs that had one; without its lines
 };
 
-/// Of what is in OUT/jobs now. Cost: one small file read for each job.
+/// Sums up what is in OUT/jobs now. Cost: one small file read for each job.
 BatchSummary summarize(const std::string& out, const BatchFile& batch);
 
 /// Did every job of these end well?
 bool all_well(const BatchSummary& summary);
-/// "precision 0.98 (49 of 50 detected pairs are expected), recall 1 (49 of 49 expected pairs are detected)"
+/// The counts in words: "precision 0.98 (49 of 50 detected pairs are expected), recall 1 (49 of 49 expected pairs are
+/// detected)".
 std::string expectation_text(const ExpectationCount& count);
-/// "996 ok, 3 refused, 1 failed"
+/// The statuses in words: "996 ok, 3 refused, 1 failed".
 std::string count_text(const BatchSummary& summary);
 
-/// One row a job. Parameters are the columns before the last, "seconds", which alone changes from run to run.
+/// The text of summary.csv: one row a job. Parameters are the columns before the last, "seconds", which alone changes from run
+/// to run.
 std::string summary_csv(const BatchSummary& summary);
 std::string summary_json(const BatchSummary& summary);
-/// One file that needs no network, with pictures out of the jobs' folders; sorted and filtered in the page, failures first.
+/// The text of index.html: one file that needs no network, with pictures out of the jobs' folders; sorted and filtered in the
+/// page, failures first.
 std::string index_html(const BatchSummary& summary, const std::string& title);
 
-/// All three into OUT, each by way of a temporary name. Throws InputError where they cannot be written.
+/// Writes summary.csv, summary.json and index.html into OUT, each by way of a temporary name. Throws InputError where they
+/// cannot be written.
 void write_summary(const std::string& out, const BatchFile& batch, const BatchSummary& summary);
 
 }  // namespace abut

@@ -15,10 +15,10 @@ struct BatchTemplate {
     std::vector<std::string> parameters;  ///< those that it has
 };
 
-/// Throws InputError where it cannot be read as JSON. The rest of it only shows with a drawing.
+/// Reads a template. Throws InputError where it cannot be read as JSON; the rest of it only shows with a drawing.
 BatchTemplate read_template(const std::string& file);
 
-/// Throws InputError where source and template do not go together, so that every job would fail for the same reason: a template
+/// Checks that source and template go together. Throws InputError where every job would fail for the same reason: a template
 /// without a place for the files, columns that are no parameters of it, jobs without a file or template. `batch_template` is
 /// null without one.
 void check_template(const BatchSource& source, const BatchTemplate* batch_template);

@@ -21,19 +21,20 @@ private:
     std::uint64_t state_ = 14695981039346656037ULL;
 };
 
-/// A file that is read, and the hash of what is in it; "missing" where it is not there.
+/// A file that is read, and the hash of its contents; "missing" where it is not there.
 struct InputFile {
     std::string path, hash;
     FileStamp stamp{};        ///< from before it was read
     bool was_recent = false;  ///< then
 };
 
-/// The file, and the files that it names if it is JSON (a scene's imports, the buffers of glTF), which are relative to it; the
-/// name `any_file` of templates left out. What cannot be parsed names nothing.
+/// The file and those that it names if it is JSON (a scene's imports, the buffers of glTF), which are relative to it; the name
+/// `any_file` of templates left out. What cannot be parsed names nothing.
 std::vector<InputFile> input_files(const std::string& file);
 
 /// Are they still what they were when `input_files` read them? Cost: a look-up each; those that had just been
-/// written then are read again.
+/// Are the files still what they were when `input_files` read them? Cost: a look-up each; those that had just been written then
+/// are read again.
 bool are_unchanged(const std::vector<InputFile>& inputs);
 
 /// The key of settings and of the contents (not the places) of files.

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// What one job was asked and what it came to.
 struct JobRecord {
     enum class Status {
         ok,
@@ -39,15 +40,15 @@ struct JobRecord {
     double seconds = 0;                 ///< wall time; with `sizes` the only thing in it that a repetition changes
 };
 
-/// "ok", "solved_but", "differs", "failed", "refused", "broken"
+/// The word of a status: "ok", "solved_but", "differs", "failed", "refused", "broken".
 std::string status_word(JobRecord::Status status);
-/// Has it what was asked for, be it with reservations?
+/// Has the job what was asked for, be it with reservations?
 bool ended_well(const JobRecord& record);
-/// Is there nothing left to do for it?
+/// Is there nothing left to do for the job?
 bool is_finished(const JobRecord& record);
 
 std::string job_json(const JobRecord& record);
-/// Nothing where the text is no job.json, as after a power failure.
+/// Reads a job.json; nothing where the text is none, as after a power failure.
 std::optional<JobRecord> parse_job_json(const std::string& text);
 
 }  // namespace abut

@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// What the answers of a batch's jobs depend on.
 struct BatchRequest {
     std::map<std::string, std::string> settings;  ///< options that change answers, and the program's version
     std::string template_file;                    ///< empty: none

@@ -32,7 +32,7 @@ public:
     /// An empty folder to write the job's files into.
     std::string begin(const std::string& name) const;
     std::string begun(const std::string& name) const;  ///< the same folder again
-    /// Brings it to its place, instead of an older one.
+    /// Brings the job's folder to its place, instead of an older one.
     void finish(const std::string& name) const;
     void drop(const std::string& name) const;
 
@@ -41,7 +41,7 @@ private:
     int lock_ = -1;
 };
 
-/// OUT/jobs/NAME
+/// The folder of a finished job: OUT/jobs/NAME.
 std::string job_folder(const std::string& out, const std::string& name);
 
 /// The record of a finished job; nothing where there is none, or where a file that it lists is missing or has another size.

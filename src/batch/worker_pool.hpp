@@ -11,11 +11,13 @@
 
 namespace abut {
 
+/// What a worker may take.
 struct WorkerLimits {
     double memory_bytes = 0;  ///< of data (heap, stacks, private maps: RLIMIT_DATA), beyond this allocations fail; 0: none
     unsigned seconds = 0;     ///< of wall time, then it is ended; 0: none
 };
 
+/// How a worker ended: with its text or with a reason.
 struct WorkerEnd {
     std::size_t job = 0;
     std::string text;   ///< what the work gave
@@ -32,10 +34,10 @@ public:
     WorkerPool& operator=(const WorkerPool&) = delete;
     ~WorkerPool();  ///< kill_all
 
-    /// Gives back why it could not be started; empty where it was. What the work throws is its death.
+    /// Starts a worker. Returns why it could not be started; empty where it was. What the work throws is its death.
     std::string start(std::size_t job, const std::function<std::string()>& work, const WorkerLimits& limits);
     std::size_t running() const { return workers_.size(); }
-    /// The next one that has ended; nothing where none has in so many milliseconds, or where a signal came.
+    /// The next worker that has ended; nothing where none has in so many milliseconds, or where a signal came.
     std::optional<WorkerEnd> wait(int milliseconds);
     void kill_all();
 

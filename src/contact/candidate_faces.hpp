@@ -13,6 +13,7 @@ namespace abut {
 
 using geometry::FunctionalInterface;
 
+/// The faces of a candidate, by pairs of edges, and what they make of it.
 struct CandidateFaces {
     std::map<std::array<int, 2>, double> lengths;  ///< on the first part, by pair of edges
     std::array<int, 2> carrying{0, 0};             ///< the pair that is longest
@@ -22,10 +23,11 @@ struct CandidateFaces {
 };
 CandidateFaces faces_of(const Scene& scene, const Candidate& candidate);
 
-/// Where a candidate's faces come closest at an end at which they are not parallel, a corner meets a face: the kind of that.
+/// The kind of contact at the corner that meets a face, where a candidate's faces come closest at an end at which they are not
+/// parallel; else nothing.
 std::optional<std::string> corner_kind(const Scene& scene, const Candidate& candidate);
 
-/// Of two boundary points, one at least a corner's, that are all there is of a contact.
+/// The functional interface of two boundary points, one at least a corner's, that are all there is of a contact.
 FunctionalInterface functional_at_corner(const Scene& scene, int first, int second, const geometry::ClosestPoints& at,
                                          const std::string& kind);
 

@@ -26,6 +26,7 @@ struct ExpectedPressure {
     std::vector<double> pressure;
 };
 
+/// A zone of two parts that may come into contact, with the scene's rule for it and what earlier grids know of it.
 struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second
     geometry::FacingZone zone;
@@ -39,11 +40,12 @@ struct Candidate {
 };
 
 using PartPairs = std::vector<std::pair<int, int>>;
-/// The parts of every candidate; those that an interference presses together, or with "press_fit" a drawn overlap.
+/// touching_pairs: the parts of every candidate. closing_pairs: those that an interference presses together, or, with
+/// "press_fit", that drawn overlaps may: all of them.
 PartPairs touching_pairs(const std::vector<Candidate>& candidates);
 PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates);
 
-/// A closed zone begins, and ends, at a pair.
+/// Makes a closed zone begin, and end, at a pair.
 void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone);
 
 /// What two parts have to do with each other as drawn.
@@ -61,7 +63,8 @@ struct MeetingDistances {
     double search, shown, closest;
 };
 
-/// Zones are cut where rules change; those left alone are not among the candidates.
+/// Finds what two parts have to do with each other. Zones are cut where rules change; those left alone are not among the
+/// candidates.
 Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
              const MeetingDistances& distances);
 
@@ -71,13 +74,13 @@ double drawn_gap(const Scene& scene, const Meeting& meeting, const Candidate& ca
 /// All meetings within the search distance that `factor` widens, by parts.
 std::vector<Meeting> find_meetings(const Scene& scene, double factor);
 
-/// What people call contacts 1, 2, ...: those shown come first, in the order of parts. Does `a` come before `b`?
+/// Does `a` come before `b` in the order of contacts 1, 2, ...? Those shown come first, in the order of parts.
 bool comes_before(const Candidate& a, const Candidate& b);
 
-/// Candidates of all meetings, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
+/// The candidates of all meetings, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
 /// naming edges and place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);
-/// The same whatever overlaps.
+/// The candidates of all meetings, in that order, whatever overlaps.
 std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor);
 
 }  // namespace abut

@@ -31,6 +31,7 @@ struct DetectedPair {
     std::vector<std::array<Vec2, 2>> marks;  ///< facing points, on the first and on the second part, for the picture
 };
 
+/// The table of `abut contacts`.
 struct Detection {
     std::vector<DetectedPair> pairs, near_misses;  ///< pairs in the order of the analysis, places without faces last
     double distance = 0;                           ///< the largest up to which pairs were listed

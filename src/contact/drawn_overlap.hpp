@@ -8,12 +8,12 @@
 
 namespace abut {
 
-/// "0.2 mm deep, area 0.16, at a/top and b/circle near (0, -0.2)".
+/// An overlap in words: "0.2 mm deep, area 0.16, at a/top and b/circle near (0, -0.2)".
 std::string overlap_text(const Scene& scene, const Meeting& meeting);
-/// What to do about it.
+/// What the user can do about an overlap.
 std::string overlap_hint(const Scene& scene, const Meeting& meeting);
 
-/// Appends the faults: any overlap, but what "press_fit" or "ignore" can make something of.
+/// Appends a fault for every overlap but those that "press_fit" or "ignore" can make something of.
 void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems);
 
 }  // namespace abut

@@ -15,7 +15,8 @@ class PairRules {
 public:
     explicit PairRules(const Scene& scene);
     bool none() const { return edges_.empty(); }
-    /// Index into ContactOptions::pairs of the last rule that speaks of a pair of edges, or -1: later rules are for exceptions.
+    /// The index into ContactOptions::pairs of the last rule that speaks of a pair of edges, or -1: later rules are for
+    /// exceptions.
     int of(int part1, int edge1, int part2, int edge2) const;
 
 private:
@@ -29,7 +30,7 @@ struct RuledZone {
     int rule;
 };
 
-/// A zone may run over several edges: it is cut where the rules for them change.
+/// Cuts a zone where the rules change for the edges that it runs over.
 std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules, int first, int second,
                                       const geometry::FacingZone& zone);
 

@@ -17,7 +17,7 @@ inline constexpr double shown_fraction = 0.02;
 /// written with, below the joining tolerance of imports and any clearance that means something.
 inline constexpr double touching_fraction = 1e-6;
 
-/// For two parts alone.
+/// The gap up to which two parts touch: touching_fraction of the smaller extent.
 double touching_length(const geometry::Part& first, const geometry::Part& second);
 
 /// Boxes and extents of all parts, once for all distances between them: lengths do not depend on how the assembly lies.
@@ -25,9 +25,9 @@ class PartReach {
 public:
     explicit PartReach(const Scene& scene);
 
-    /// Smaller extent of two parts (geometry::extent).
+    /// The smaller extent of two parts (geometry::extent).
     double size(int first, int second) const;
-    /// Distance up to which two parts are searched; factor: on the first search distance.
+    /// The distance up to which two parts are searched; factor: on the first search distance.
     double searched(int first, int second, double factor) const;
     double shown(int first, int second) const;
     double touching(int first, int second) const { return touching_fraction * size(first, second); }

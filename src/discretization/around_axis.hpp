@@ -4,8 +4,8 @@
 
 namespace abut {
 
-/// The part's axis, and the radius in the weights of its cut cells' rules. Throws InputError where the grid reaches over the
-/// axis, or is turned against it.
+/// Gives the part its axis, and the weights of its cut cells' rules the radius. Throws InputError where the grid reaches over
+/// the axis, or is turned against it.
 void put_around_axis(const Scene& scene, PartOnGrid& on_grid);
 
 }  // namespace abut

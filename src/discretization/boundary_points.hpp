@@ -12,7 +12,7 @@ namespace abut {
 /// The axis of the grid that a unit vector is parallel to, but for rounding.
 std::optional<int> grid_axis(const Vec2& local);
 
-/// Quadrature points of a portion of an edge, fit for loads and supports; around an axis weights carry the radius.
+/// The quadrature points of a portion of an edge, fit for loads and supports; around an axis weights carry the radius.
 std::vector<geometry::BoundaryPoint> boundary_points(const PartOnGrid& on_grid, const EdgePortion& portion);
 
 }  // namespace abut

@@ -5,7 +5,7 @@
 
 namespace abut {
 
-/// Cost: the boundary's quadrature points and 15 ns for each point of the cut cells.
+/// What the grid makes of a part. Cost: the boundary's quadrature points and 15 ns for each point of the cut cells.
 CutQuality cut_quality(const PartOnGrid& grid);
 
 }  // namespace abut

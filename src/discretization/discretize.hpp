@@ -11,6 +11,7 @@
 
 namespace abut {
 
+/// A part on its grid: frame, cells and elements, and the solver's input made of them.
 struct PartOnGrid {
     int part;               ///< index into Scene::parts
     bool is_rigid = false;  ///< one cell of bilinear functions, which hold its motions; no stiffness
@@ -24,16 +25,17 @@ struct PartOnGrid {
     solver::PartInput input;
 };
 
-/// angle: of the grid's frame, radians.
+/// The frame of a part's grid, turned by `angle` (radians), its origin in the middle of the part's box.
 Frame frame_for(const geometry::Part& part, double angle);
 
-/// Throws InputError where the grid misses a part of the part. A basis that cannot be made is left in input.space.failure.
+/// Puts a part on its grid. Throws InputError where the grid misses a part of the part. A basis that cannot be made is left in
+/// input.space.failure.
 PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const geometry::Grid& grid, std::array<int, 2> degree);
 
 /// The element of a cell that holds a point of it, or is nearest to it.
 int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local);
 
-/// Sample points for the stress fit in the cut cells, each with its element: inside the part, or on its boundary.
+/// The sample points for the stress fit in the cut cells, each with its element: inside the part, or on its boundary.
 std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid);
 
 }  // namespace abut

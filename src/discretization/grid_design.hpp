@@ -19,7 +19,7 @@ struct SizeFeature {
     double growth = size_growth;  ///< per distance
 };
 
-/// What is asked of the grids of a pass: features by scene part, in assembly coordinates.
+/// A size that is asked of the grids of a pass, in assembly coordinates.
 struct WantedSize {
     std::vector<Vec2> points;  ///< the cells around all of them
     double size;
@@ -38,7 +38,7 @@ std::vector<SizeFeature> shape_features(const geometry::Part& local, double coar
 /// Smallest radius of curvature of the re-entrant boundary that passes the box; infinite where none does.
 double reentrant_radius(const geometry::Part& local, const geometry::Box2& near);
 
-/// Largest cell of each direction: a fraction of the part's extent and of its diagonal.
+/// The largest cell of each direction: a fraction of the part's extent and of its diagonal.
 std::array<double, 2> largest_cells(const geometry::Part& local, double coarseness);
 
 }  // namespace abut

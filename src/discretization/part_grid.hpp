@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// The grid of a part, and the part in the grid's frame.
 struct PartGrid {
     Frame frame;
     geometry::Part local;  ///< the part in that frame
@@ -18,8 +19,8 @@ struct PartGrid {
     bool limited = false;  ///< coarser than wanted, to bound the number of cells
 };
 
-/// wanted: of this part. coarseness: of the accuracy level; refinement: a factor on all sizes, below 1 where a basis needs
-/// finer cells. Throws InputError where the scene asks for too many cells.
+/// Designs the grid of a part. wanted: of this part. coarseness: of the accuracy level; refinement: a factor on all sizes,
+/// below 1 where a basis needs finer cells. Throws InputError where the scene asks for too many cells.
 PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
                       double refinement);
 

@@ -24,15 +24,16 @@ struct HeldByWeight {
     std::vector<Vec2> points;  ///< local
 };
 
-/// With accuracy.dirichlet "solution_structure": whole edges that are fixed or displaced in both components or along the grid's
-/// axes, and straight edges of symmetry along these; points always. Not on parts with a rigid support, whose mean motion the
-/// weighted functions do not know.
+/// What a part's supports hold by weights. With accuracy.dirichlet "solution_structure": whole edges that are fixed or
+/// displaced in both components or along the grid's axes, and straight edges of symmetry along these; points always. Not on
+/// parts with a rigid support, whose mean motion the weighted functions do not know.
 std::vector<HeldByWeight> held_by_weight(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
 
 /// Why a support of edges that structures could hold is (in part) not held by one here.
 std::string why_not_by_weight(const Scene& scene, int support, const PartOnGrid& on_grid);
 
-/// Null where nothing is held by weights. Throws InputError where prescribed values are not finite on the part.
+/// Makes a part's solution structure; null where nothing is held by weights. Throws InputError where prescribed values are not
+/// finite on the part.
 std::shared_ptr<const solver::SolutionStructure> make_structure(const Scene& scene, const ResolvedConditions& conditions,
                                                                 const PartOnGrid& on_grid);
 

@@ -9,15 +9,15 @@
 
 namespace abut {
 
-/// Supports of one part along its boundary and in its points. SupportSet::tag is the index of the scene's support. What a
+/// The supports of one part along its boundary and in its points. SupportSet::tag is the index of the scene's support. What a
 /// part's structure holds (on_grid.input.structure, solution_structure.hpp) comes as sets that say so.
 std::vector<solver::SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions,
                                              const PartOnGrid& on_grid);
 
-/// Elastic foundations of one part; tags as above.
+/// The elastic foundations of one part. SpringSet::tag is the index of the scene's support.
 std::vector<solver::SpringSet> spring_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
 
-/// Mean constraints of one part ("rigid" supports); `part` is the index among the solver's parts.
+/// The mean constraints of one part ("rigid" supports); `part` is the index among the solver's parts.
 std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const PartOnGrid& on_grid, int part);
 
 }  // namespace abut

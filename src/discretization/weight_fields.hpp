@@ -19,12 +19,12 @@ struct WeightField {
     bool is_linear = false;
 };
 
-/// Of whole edges: all collinear ones whose line leaves the part on one side, and touches it nowhere else, as one linear field;
-/// each other one as geometry::edge_field. Cost of making it O(edges^2).
+/// The weights of whole edges: all collinear ones whose line leaves the part on one side, and touches it nowhere else, as one
+/// linear field; each other one as geometry::edge_field. Cost of making it O(edges^2).
 std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size);
 WeightField point_weight(const std::vector<geometry::Vec2>& points, double size);
 
-/// R-conjunction (alpha = 0), neighbours first; linear only if it is one field.
+/// The R-conjunction (alpha = 0) of fields, neighbours first; linear only if it is one field.
 WeightField conjoined(const std::vector<WeightField>& fields);
 
 /// What one support prescribes for a component, and the function that vanishes where it does.
@@ -32,11 +32,12 @@ struct PrescribedField {
     WeightField distance;
     JetField value;
 };
-/// Transfinite interpolation: sum of g_k / d_k^2 over sum of 1 / d_k^2 [Grishin10, eq 3.8; Rvachev et al. 2001].
+/// The transfinite interpolation of prescribed fields: sum of g_k / d_k^2 over sum of 1 / d_k^2 [Grishin10, eq 3.8; Rvachev et
+/// al. 2001].
 JetField blended(const std::vector<PrescribedField>& fields);
 
-/// As the solver takes it. Where the derivatives do not exist (corners) it takes those a little farther towards `inside`:
-/// inward_step of the way.
+/// A field as the solver takes it. Where the derivatives do not exist (corners) it takes those a little farther towards
+/// `inside`: inward_step of the way.
 solver::ScalarField scalar_field(const JetField& field, const geometry::Vec2& inside);
 inline constexpr double inward_step = 1e-7;
 

@@ -74,7 +74,7 @@ Sheet common_sheet(const CommonGrid& common) {
     Sheet sheet = empty_sheet({0, 0, common.grid.columns, common.grid.rows});
     for (const geometry::CellClasses& cells : common.parts) shade_classes(cells, sheet);
     for (const ContactCells& contact : common.contacts)
-        for (const std::vector<int>& cells : contact.meeting.cells) shade_contacts(cells, common.grid, sheet);
+        for (const std::vector<int>& cells : contact.its_case.cells) shade_contacts(cells, common.grid, sheet);
     return sheet;
 }
 
@@ -83,7 +83,7 @@ Sheet split_sheet(const CommonGrid& common, std::size_t part) {
     shade_classes(common.parts[part], sheet);
     for (const ContactCells& contact : common.contacts)
         for (const std::size_t side : {0, 1})
-            if (contact.part[side] == static_cast<int>(part)) shade_contacts(contact.meeting.cells[side], common.grid, sheet);
+            if (contact.part[side] == static_cast<int>(part)) shade_contacts(contact.its_case.cells[side], common.grid, sheet);
     return sheet;
 }
 

@@ -14,7 +14,7 @@ namespace abut {
 /// What a cell is drawn as; where parts share a cell, the last one of these.
 enum class Shade : std::uint8_t { outer, inner, boundary, contact };
 
-/// Light, middle and dark: apart in grey print too. The name is the element's class in the picture.
+/// The look of a shade; light, middle and dark are apart in grey print too. The name is the element's class in the picture.
 struct ShadeStyle {
     Shade shade;
     const char *name, *color;
@@ -30,12 +30,13 @@ struct Sheet {
     std::vector<Shade> shade;
 };
 
-/// Steps 1 to 3: the cells of all parts on the one grid.
+/// The sheet of steps 1 to 3: the cells of all parts on the one grid.
 Sheet common_sheet(const geometry::CommonGrid& common);
-/// Step 4: the cells of one part on its own grid.
+/// The sheet of step 4: the cells of one part on its own grid.
 Sheet split_sheet(const geometry::CommonGrid& common, std::size_t part);
 
-/// One path of cells for every class that occurs, those beside each other in a row as one rectangle; then the grid's lines.
+/// The cells as SVG: one path for every class that occurs, those beside each other in a row as one rectangle; then the grid's
+/// lines.
 std::string sheet_svg(const Sheet& sheet, const geometry::UniformGrid& grid, const View& view);
 
 }  // namespace abut

@@ -97,10 +97,10 @@ std::string placed_text(const std::vector<Vec2>& places, const std::string& text
 }
 
 /// Middles of the contact cells, the nearest to their mean first.
-std::vector<Vec2> number_places(const geometry::MeetingCells& meeting, const UniformGrid& grid, const View& view) {
+std::vector<Vec2> number_places(const geometry::CaseCells& its_case, const UniformGrid& grid, const View& view) {
     std::vector<Vec2> places;
     Vec2 mean(0, 0);
-    for (const std::vector<int>& cells : meeting.cells)
+    for (const std::vector<int>& cells : its_case.cells)
         for (const int cell : cells) {
             places.push_back(view(grid.point(cell % grid.columns + 0.5, cell / grid.columns + 0.5)));
             mean += places.back();
@@ -145,7 +145,7 @@ std::string numbers_svg(const CellsPicture& picture, const View& view, LabelPlac
     std::string svg;
     for (const auto& [pair, numbers] : numbered(picture.detection.pairs))
         if (const ContactCells* contact = contact_of(picture.common, pair->part))
-            svg += placed_text(number_places(contact->meeting, picture.common.grid, view), numbers, "number", labels);
+            svg += placed_text(number_places(contact->its_case, picture.common.grid, view), numbers, "number", labels);
     return svg;
 }
 
@@ -212,23 +212,23 @@ const char* words_for(char letter) {
     return letter == 'd' ? "inner cells side by side or in common" : "no cells come together";
 }
 
-std::string cells_text(const geometry::MeetingCells& meeting) {
-    if (meeting.letter == 'a') return counted(meeting.cells[0].size(), "contact cell");
-    return std::to_string(meeting.cells[0].size()) + " and " + counted(meeting.cells[1].size(), "contact cell");
+std::string cells_text(const geometry::CaseCells& its_case) {
+    if (its_case.letter == 'a') return counted(its_case.cells[0].size(), "contact cell");
+    return std::to_string(its_case.cells[0].size()) + " and " + counted(its_case.cells[1].size(), "contact cell");
 }
 
 std::string case_text(const CellsPicture& picture, const std::array<int, 2>& part) {
     const auto name = [&](int p) { return picture.scene.parts[static_cast<std::size_t>(p)].name; };
     const ContactCells* contact = contact_of(picture.common, part);
-    const char letter = contact ? contact->meeting.letter : 'e';
+    const char letter = contact ? contact->its_case.letter : 'e';
     return name(part[0]) + " - " + name(part[1]) + ": case " + letter + ", " + words_for(letter) +
-           (contact ? "; " + cells_text(contact->meeting) : "");
+           (contact ? "; " + cells_text(contact->its_case) : "");
 }
 
 /// The table's letter is found on a grid of the pair alone, with cells of its own size.
 std::string found_text(const CellsPicture& picture, const DetectedPair& pair) {
     const ContactCells* contact = contact_of(picture.common, pair.part);
-    const std::string letter(1, contact ? contact->meeting.letter : 'e');
+    const std::string letter(1, contact ? contact->its_case.letter : 'e');
     return case_text(picture, pair.part) +
            (letter == pair.cells_case ? "" : " (case " + pair.cells_case + " on the grid of this pair alone, as in the table)");
 }

@@ -10,6 +10,7 @@
 
 namespace abut {
 
+/// What `abut inspect` finds in a file.
 struct Inspection {
     std::string file, format, unit;
     Scene scene;                     ///< with the parts that could be read
@@ -19,24 +20,24 @@ struct Inspection {
     std::vector<geometry::Curve> loose;  ///< lines and arcs of a drawing that belong to no part, for the picture
 };
 
-/// Of a scene (.json), which states the options itself, or of anything that can be imported. What is wrong with single outlines
-/// of a drawing becomes `problems`; throws InputError where nothing can be read at all.
+/// Inspects a scene (.json), which states the options itself, or anything that can be imported. What is wrong with single
+/// outlines of a drawing becomes `problems`; throws InputError where nothing can be read at all.
 Inspection inspect_file(const std::string& path, const ImportOptions& options);
-/// Of the geometry of the scene's own parts; the texts begin with the part's name.
+/// The repairs of the geometry of the scene's own parts; their texts begin with the part's name.
 std::vector<geometry::Repair> geometry_repairs(const Scene& scene);
-/// Those of imports, then those of the scene's own parts.
+/// All repairs: those of imports, then those of the scene's own parts.
 std::vector<geometry::Repair> all_repairs(const Inspection& inspection);
-/// As SCENE.md states for `inspect --json`.
+/// The text that `inspect --json` prints.
 std::string inspection_json(const Inspection& inspection);
 std::string inspection_table(const Inspection& inspection);
-/// All parts with the names and directions of their edges, a scale, and numbered marks at repairs and problems.
+/// A picture of all parts with the names and directions of their edges, a scale, and numbered marks at repairs and problems.
 std::string inspection_svg(const Inspection& inspection);
 
 /// A picture and the name of its file.
 struct InspectionPicture {
     std::string file, svg;
 };
-/// What an analysis would begin with, where there are parts: inspect_cells.svg, cells of the first grids by class;
+/// Draws what an analysis would begin with, where there are parts: inspect_cells.svg, cells of the first grids by class;
 /// inspect_pieces.svg, the boundary clipped to them; and, of two parts or more, inspect_candidates.svg, where parts face each
 /// other within the first search distance. Drawn overlaps are no fault here. Throws InputError where the scene asks for an
 /// impossible grid.

@@ -24,7 +24,7 @@ std::string circle_element(const Vec2& center, double radius, const std::string&
 View page_view(Box2 box);
 /// Opens a page with its title; css: rules beside those of the elements above.
 std::string page_opening(double height, const std::string& title, const std::string& css);
-/// Both coordinate axes, left of the model and below it.
+/// The coordinate axes, left of the model and below it.
 std::string page_axes(const View& view, const std::string& unit);
 
 Box2 box_of_parts(const Scene& scene);
@@ -35,7 +35,7 @@ std::string ink_of(int part);
 struct LegendEntry {
     std::string color, text;
 };
-/// The page, whose elements are given, closed with its legend below the model.
+/// Closes a page, whose elements are given, with its legend below the model.
 std::string page_with_legend(const View& view, const std::string& title, const std::string& css, const std::string& elements,
                              const std::vector<LegendEntry>& legend);
 

@@ -12,28 +12,30 @@
 
 namespace abut::inspect {
 
+/// A part's first grid and its cells.
 struct PartCells {
     Frame frame;  ///< of the grid
     geometry::CutCells cells;
     bool is_limited = false;  ///< the grid is coarser than wanted, to bound the number of cells
 };
 
+/// The first stages of an analysis.
 struct Stages {
     std::vector<Candidate> candidates;
     std::vector<PartCells> parts;  ///< by scene part
 };
 
-/// Before a basis that cannot be made halves any cells. Drawn overlaps are no fault here.
-/// Throws InputError where the scene asks for an impossible grid.
+/// The candidates and grids of an analysis before a basis that cannot be made halves any cells. Drawn overlaps are no fault
+/// here. Throws InputError where the scene asks for an impossible grid.
 Stages first_stages(const Scene& scene);
 
 std::string cells_svg(const Inspection& inspection, const Stages& stages);
 std::string pieces_svg(const Inspection& inspection, const Stages& stages);
 std::string candidates_svg(const Inspection& inspection, const Stages& stages);
 
-/// The parts, pale.
+/// Paths of all parts, pale.
 std::string pale_parts(const Scene& scene, const View& view);
-/// A grid crossing in the picture.
+/// A crossing of a part's grid lines, in picture coordinates.
 Vec2 grid_point(const PartCells& part, std::size_t column, std::size_t row, const View& view);
 /// Path data of the lines of a part's grid: the sides of cells that hold material, or those of the others.
 std::string grid_line_data(const PartCells& part, bool with_material, const View& view);

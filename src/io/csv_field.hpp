@@ -5,10 +5,10 @@
 
 namespace abut {
 
-/// Shortest text that reads back as the same number; an unknown value is an empty field.
+/// The shortest text that reads back as the same number; an unknown value is an empty field.
 std::string csv_field(double value);
 
-/// In quotes where it holds a separator, quotes or a line break.
+/// A text as a field: in quotes where it holds a separator, quotes or a line break.
 std::string csv_field(const std::string& text);
 
 }  // namespace abut

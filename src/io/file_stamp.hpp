@@ -14,7 +14,7 @@ struct FileStamp {
     bool operator==(const FileStamp&) const = default;
 };
 
-/// Cost: one look-up, microseconds.
+/// The stamp of a file. Cost: one look-up, microseconds.
 FileStamp file_stamp(const std::string& path);
 
 /// Is the last change so short ago that another one may get the same time? Clocks of file systems go in steps.

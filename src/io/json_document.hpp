@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// A value of a JSON text, with its place.
 struct JsonValue {
     enum class Kind { null, boolean, number, string, array, object };
     Kind kind = Kind::null;
@@ -21,17 +22,19 @@ struct JsonValue {
     std::vector<JsonValue> items;  ///< of an array or an object, in file order
 };
 
+/// A JSON text as a tree.
 struct JsonDocument {
     std::string file;
     JsonValue root;
     std::vector<Problem> problems;  ///< duplicate keys (the first of them is in the tree)
 };
 
-/// Throws InputError ("file:line:column", what was expected and what was found) at the first fault of syntax. Numbers beyond
-/// the range of doubles and nesting deeper than 100 are such faults.
+/// Reads JSON from a text. Throws InputError ("file:line:column", what was expected and what was found) at the first fault of
+/// syntax. Numbers beyond the range of doubles and nesting deeper than 100 are such faults.
 JsonDocument parse_json(const std::string& text, const std::string& file);
 
-/// Throws InputError too where the file is missing, unreadable or a folder.
+/// Reads JSON from a file. Throws InputError at the first fault of syntax, and where the file is missing, unreadable or a
+/// folder.
 JsonDocument read_json(const std::string& path);
 
 /// The member with this key, or nullptr (also where the value is no object).
@@ -40,10 +43,10 @@ const JsonValue* find_member(const JsonValue& value, std::string_view key);
 /// The value that a JSON pointer stands for, or nullptr.
 const JsonValue* find_pointer(const JsonValue& root, const std::string& pointer);
 
-/// "a list", "a number", "the text 'abc'", ... for messages.
+/// A value in words for messages: "a list", "a number", "the text 'abc'", ...
 std::string described(const JsonValue& value);
 
-/// "file:line /pointer" of a value.
+/// The place of a value for messages: "file:line /pointer".
 std::string place_of(const std::string& file, const JsonValue& value);
 
 }  // namespace abut

@@ -5,7 +5,7 @@
 
 namespace abut {
 
-/// Shortest sensible decimal text with the given number of significant digits: "0.0115", "1.2e+05".
+/// The shortest sensible decimal text with the given number of significant digits: "0.0115", "1.2e+05".
 std::string number_text(double value, int digits);
 /// A share as per cent to two digits: "1.5 %".
 std::string percent_text(double fraction);

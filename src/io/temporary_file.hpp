@@ -7,7 +7,8 @@ namespace abut {
 
 std::string host_name();
 
-/// For a file of this name, in the same folder; hosts and processes that write there at the same time have names of their own.
+/// A name to write a file of this name under, in the same folder; hosts and processes that write there at the same time have
+/// names of their own.
 std::string temporary_name(const std::string& file);
 
 /// Removes the files of such names from a folder whose process ran on this host and is gone.

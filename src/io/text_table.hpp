@@ -8,7 +8,7 @@ namespace abut {
 
 using TextRow = std::vector<std::string>;
 
-/// Columns as wide as their widest entry, two blanks between them, no blanks at the ends of lines.
+/// A table as text: columns as wide as their widest entry, two blanks between them, no blanks at the ends of lines.
 std::string aligned(const std::vector<TextRow>& rows);
 
 }  // namespace abut

@@ -8,10 +8,10 @@ namespace abut {
 /// All bytes of a file; nothing where it is missing, a folder or unreadable.
 std::optional<std::string> whole_file(const std::string& path);
 
-/// The same; throws InputError where there is nothing.
+/// All bytes of a file; throws InputError where it is missing, a folder or unreadable.
 std::string read_whole_file(const std::string& path);
 
-/// ".dxf": the ending in small letters, empty where there is none.
+/// The ending of a path in small letters, ".dxf"; empty where there is none.
 std::string ending_of(const std::string& path);
 
 }  // namespace abut

@@ -9,11 +9,11 @@ namespace abut {
 
 /// Does an edge of the part lie on the axis?
 bool touches_axis(const geometry::Part& part);
-/// Does this portion of an edge?
+/// Does this portion of an edge lie on the axis?
 bool is_on_axis(const Scene& scene, const EdgePortion& portion);
 
-/// Every way in which an axisymmetric scene can be wrong that others cannot: parts across the axis, loads without a meaning or
-/// an area there, motions that hoops do not have.
+/// Appends every way in which an axisymmetric scene can be wrong that others cannot: parts across the axis, loads without a
+/// meaning or an area there, motions that hoops do not have.
 void append_axisymmetric_problems(const Scene& scene, const ResolvedConditions& conditions, std::vector<Problem>& problems);
 
 }  // namespace abut

@@ -19,10 +19,10 @@ ResolvedConditions resolve_conditions(const Scene& scene);
 /// Does anything act on the part: a load, a prescribed displacement that is not zero?
 bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int part);
 
-/// Label for tables: "fix x, y on base/hA16".
+/// The label of a support for tables: "fix x, y on base/hA16".
 std::string support_label(const Scene& scene, int support);
 
-/// For the pictures: points along the edges, directions (condition_marks.cpp).
+/// The marks of supports and loads for the pictures: points along the edges, directions (condition_marks.cpp).
 std::vector<SupportMark> support_marks(const Scene& scene, const ResolvedConditions& conditions);
 std::vector<LoadMark> load_marks(const Scene& scene, const ResolvedConditions& conditions);
 

@@ -7,13 +7,13 @@
 
 namespace abut {
 
-/// Where parts are made side by side their seconds add up.
+/// What an effect's code took. Where parts are made side by side their seconds add up.
 struct EffectUse {
     double seconds = 0;
     long items = 0;  ///< points, rows or unknowns that it worked on
 };
 
-/// An effect whose code was not entered has no entry.
+/// The uses of effects by name; an effect whose code was not entered has no entry.
 using EffectUses = std::map<std::string, EffectUse>;
 
 inline void add_uses(EffectUses& to, const EffectUses& from) {

@@ -9,15 +9,16 @@
 namespace abut {
 
 bool is_edge_load(const Load& load);
-/// Name in the plan of the effect that a load belongs to.
+/// The name in the plan of the effect that a load belongs to.
 std::string effect_of(const Load& load);
-/// Gravity, or a force, spin or temperature in this part or in all.
+/// Does the load act on the volume of the part: gravity, or a force, spin or temperature in this part or in all?
 bool acts_on_volume_of(const Scene& scene, const Load& load, int part);
-/// Force per volume of a volume load at a point of the part, in the assembly's frame; volume: of the part over its thickness.
+/// The force per volume of a volume load at a point of the part, in the assembly's frame; volume: of the part over its
+/// thickness.
 Vec2 volume_force(const Scene& scene, const Load& load, int part, double volume, const Vec2& x);
-/// Area of an edge load's portions, over which its force is spread.
+/// The area of an edge load's portions, over which its force is spread.
 double selected_area(const Scene& scene, const std::vector<EdgePortion>& portions);
-/// Traction of an edge load at a point, in the assembly's frame; total_area: over which a force is spread.
+/// The traction of an edge load at a point, in the assembly's frame; total_area: over which a force is spread.
 Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area);
 
 }  // namespace abut

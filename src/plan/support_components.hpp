@@ -14,7 +14,7 @@ struct HeldComponent {
     const Expression* value = nullptr;  ///< null: 0
 };
 
-/// None for rigid supports and springs.
+/// The components that a support of edges holds; none for rigid supports and springs.
 std::vector<HeldComponent> components_of(const Support& support);
 
 }  // namespace abut

@@ -9,12 +9,13 @@
 
 namespace abut {
 
+/// The free room of a picture.
 class LabelPlacement {
 public:
-    /// The picture's free area.
+    /// Labels are to stay inside this area.
     explicit LabelPlacement(const Box2& area);
 
-    /// Labels are not to cover this curve.
+    /// Marks a curve that labels are not to cover.
     void add_line(const geometry::Curve& curve, const View& view);
     /// Is the box inside the area and clear of labels? lines: and of lines?
     bool is_free(const Box2& box, bool lines) const;
@@ -31,7 +32,7 @@ private:
     std::vector<Box2> taken_;
 };
 
-/// Box of a text of one line that is centred on a point.
+/// The box of a text of one line that is centred on a point.
 Box2 text_box(const std::string& text, double font_size, const Vec2& middle);
 
 }  // namespace abut

@@ -9,9 +9,10 @@
 
 namespace abut::report {
 
-/// Value of a field at a sample.
+/// The value of a field at a sample.
 using FieldValue = std::function<double(const FieldSample&)>;
 
+/// How fields are drawn.
 struct LayerOptions {
     FieldValue value;
     double top = 1;           ///< the value at the end of the colour scale
@@ -20,10 +21,10 @@ struct LayerOptions {
     std::string id;           ///< prefix of the clip paths' ids, unique in the page
 };
 
-/// What pictures of stress show.
+/// The von Mises stress of a sample, which pictures of stress show.
 double von_mises_of(const FieldSample& sample);
 
-/// All parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
+/// The fields of all parts: patches clipped by the (displaced) outlines, grey where there is no field, and the outlines.
 std::string field_layer(const Result& result, const View& view, const LayerOptions& options);
 
 /// The largest value among the patches whose middle lies inside its part, and the value below which the fraction of their area

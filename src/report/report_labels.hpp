@@ -10,15 +10,16 @@ namespace abut::report {
 using geometry::Box2;
 using geometry::Vec2;
 
+/// The places of a picture that are taken.
 class LabelPlaces {
 public:
     /// frame: labels stay inside it (picture coordinates).
     explicit LabelPlaces(const Box2& frame) : frame_(frame) {}
-    /// No label may cover this.
+    /// Blocks a box, or the surroundings of a point, for labels.
     void block(const Box2& box) { taken_.push_back(box); }
     void block(const Vec2& point, double radius);
-    /// The middle of a free place of the given size near the anchor, on the preferred side where there is one; taken from then
-    /// on. Where nothing is free: the place with the least overlap.
+    /// Takes the middle of a free place of the given size near the anchor, on the preferred side where there is one. Where
+    /// nothing is free: the place with the least overlap.
     Vec2 place(const Vec2& anchor, const Vec2& size, const Vec2& preferred);
     /// Takes the place right at the anchor if it is free.
     bool take(const Vec2& middle, const Vec2& size);

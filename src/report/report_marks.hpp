@@ -20,19 +20,22 @@ struct ContactStretch {
     std::vector<Vec2> points;
     bool closed;
 };
-/// From the profile; without one, the whole edges by their names, closed unless the contact's status is open.
+/// The stretches of a contact by its profile; without one, the whole edges by their names, closed unless the contact's status
+/// is open.
 std::vector<ContactStretch> contact_stretches(const Result& result, const ContactResult& contact);
-/// Where its number is hung: where the pressure is largest, or the middle of the candidate.
+/// The point where a contact's number is hung: where the pressure is largest, or the middle of the candidate.
 Vec2 contact_anchor(const ContactResult& contact, const std::vector<ContactStretch>& stretches);
 
-/// Thick lines along the stretches.
+/// A contact's stretches as thick lines (SVG).
 std::string contact_lines(const std::vector<ContactStretch>& stretches, const View& view, double width);
-/// The number in a disc, with a leader to its contact.
+/// A contact's number in a disc, with a leader to the contact.
 std::string number_disc(const std::string& number, const Vec2& anchor, LabelPlaces& places);
 
-/// Ground hatching where both components are held, triangles on rollers where one is; thinned out. Blocks its places.
+/// The signs of supports: ground hatching where both components are held, triangles on rollers where one is; thinned out.
+/// Blocks its places.
 std::string support_signs(const std::vector<SupportMark>& marks, const View& view, LabelPlaces& places);
-/// Arrows that end on the part where they push and start there where they pull; thinned out. Blocks their places.
+/// The arrows of loads, which end on the part where they push and start there where they pull; thinned out. Blocks their
+/// places.
 std::string load_arrows(const Result& result, const View& view, LabelPlaces& places);
 
 }  // namespace abut::report

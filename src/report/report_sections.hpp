@@ -13,7 +13,7 @@ inline constexpr double half_width = 548;   ///< of pictures that stand side by 
 
 /// The parts' common box, undeformed.
 Box2 model_box(const Result& result);
-/// Pictures of the whole model: side by side where the model is not much wider than high.
+/// The size of pictures of the whole model: side by side where the model is not much wider than high.
 struct PictureSize {
     double width, max_height;
 };
@@ -25,17 +25,17 @@ std::string warnings_box(const Result& result);
 
 std::string assembly_section(const Result& result);
 std::string fields_section(const Result& result);
-/// Pressure curves and close-up of every contact.
+/// The pressure curves and close-up of every contact.
 std::string contacts_section(const Result& result);
 std::string tables_section(const Result& result);
-/// Errors aimed at and reached (report_accuracy.cpp); empty without an estimate.
+/// The errors aimed at and reached (report_accuracy.cpp); empty without an estimate.
 std::string accuracy_table(const Result& result);
 /// What supports and contacts leave the parts to do; empty before that is known.
 std::string mobility_table(const Result& result);
 
 std::string stress_figure(const Result& result, const PictureSize& size);
 std::string deformed_figure(const Result& result, const PictureSize& size);
-/// Pressure and gap against arc length (report_curves.cpp); empty without a profile.
+/// The pressure and gap of a contact against arc length (report_curves.cpp); empty without a profile.
 std::string contact_curves(const Result& result, std::size_t contact);
 /// The stress around the contact with the pressure drawn on its edge (report_closeup.cpp); empty without a profile.
 std::string contact_closeup(const Result& result, std::size_t contact);

@@ -12,13 +12,13 @@ namespace abut::report {
 /// Opens a picture that scales with the page; label is what a screen reader says.
 std::string open_svg(double width, double height, const std::string& label);
 
-/// Width of a text in pixels, estimated generously: there are no font metrics here.
+/// The width of a text in pixels, estimated generously: there are no font metrics here.
 double text_pixels(const std::string& words, double font_size);
 
 /// An arrow from tail to tip with a filled head.
 std::string arrow(const Vec2& tail, const Vec2& tip, const std::string& color);
 
-/// View of a model with room for the axes of model_axes, for tick labels, and for the marks around the model.
+/// The view of a model with room for the axes of model_axes, for tick labels, and for the marks around the model.
 View model_view(const Box2& box, double width, double max_height);
 /// The assembly's coordinate axes, below and left of the model.
 std::string model_axes(const View& view, const std::string& length_unit);

@@ -12,7 +12,7 @@ struct Column {
     bool number = false;
 };
 
-/// Entries are plain text and escaped here; a row may be shorter than the columns.
+/// An HTML table. Entries are plain text and escaped here; a row may be shorter than the columns.
 std::string html_table(const std::vector<Column>& columns, const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace abut::report

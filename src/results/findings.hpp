@@ -9,21 +9,22 @@
 
 namespace abut {
 
-/// The same found of one part or contact.
+/// Something found of one part or contact.
 struct Finding {
     double measure;        ///< how bad it is: the worst is told in full, the others by name
     std::string subject;   ///< its name: "strap", "contact 2"
     std::string warning;   ///< a whole sentence
-    std::string reason{};  ///< the same as a clause of the verdict; empty: it says nothing against the answer
+    std::string reason{};  ///< the warning as a clause of the verdict; empty: it says nothing against the answer
 };
 
-/// One warning and, where the worst has a reason, one reason of this kind, however many findings there are; nothing for none.
+/// Says findings of one kind: one warning and, where the worst has a reason, one reason, however many findings there are;
+/// nothing for none.
 void tell(std::vector<Finding> findings, const std::string& kind, Result& result);
 
-/// Those of a map that holds each subject once.
+/// The findings of a map that holds each subject once.
 std::vector<Finding> values_of(const std::map<std::string, Finding>& findings);
 
-/// "a, b, c, d and 7 more"
+/// The first few names: "a, b, c, d and 7 more".
 std::string first_few(const std::vector<std::string>& names);
 
 }  // namespace abut

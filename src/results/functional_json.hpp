@@ -7,11 +7,12 @@
 
 namespace abut {
 
-/// {"kind", "diameters", "clearance", "center" or "at" and "normal", "wrenches": [[fx, fy, m]], "twists": [[vx, vy, w]]};
-/// parameters that the kind does not have are left out.
+/// A functional interface as JSON: {"kind", "diameters", "clearance", "center" or "at" and "normal", "wrenches": [[fx, fy, m]],
+/// "twists": [[vx, vy, w]]}; parameters that the kind does not have are left out.
 std::string functional_json(const FunctionalInterface& interface);
 
-/// {"degrees_of_freedom", "gruebler", "redundant", "parts": [{"part", "wrenches", "twists", "free": [{"twist", "motion"}]}]}
+/// The mobility as JSON: {"degrees_of_freedom", "gruebler", "redundant", "parts": [{"part", "wrenches", "twists", "free":
+/// [{"twist", "motion"}]}]}
 std::string mobility_json(const MobilityResult& mobility);
 
 }  // namespace abut

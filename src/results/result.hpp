@@ -17,16 +17,19 @@ using geometry::FunctionalInterface;
 using geometry::Screw;
 using geometry::Vec2;
 
+/// A largest value and where it is.
 struct ValueAt {
     double value = 0;
     Vec2 at{0, 0};
 };
 
+/// The stress at a point; xy is the shear.
 struct Stress {
     double xx = 0, yy = 0, xy = 0, zz = 0;
 };
 double von_mises(const Stress& stress);
 
+/// An effect of the plan; after the run with what its code took.
 struct Effect {
     std::string name;
     bool on = false;
@@ -52,6 +55,7 @@ struct CutQuality {
     } self_check;
 };
 
+/// What is known of one part.
 struct PartResult {
     std::string name, material;
     double area = 0;
@@ -86,15 +90,17 @@ struct PartField {
     std::vector<std::vector<FieldSample>> boundary;
 };
 
+/// A contact's pressure and gap point by point along the first part's edges; lists are parallel. Arc lengths are on the model's
+/// edges, in their own direction.
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
     std::vector<double> shear;       ///< of bonded ones: tangential traction on the second part, along its normal turned left
-    std::vector<std::string> edge2;  ///< the same points on the second part
+    std::vector<std::string> edge2;  ///< "part/edge" of the facing points on the second part
     std::vector<double> s2, x2, y2;
 };
 
-/// Estimated, relative to the contact's own values (src/analysis/error_estimate.hpp).
+/// Estimated errors, relative to the contact's own values (src/analysis/error_estimate.hpp).
 struct ContactErrors {
     double pressure = 0;  ///< L2 over the contact
     double peak = 0, force = 0, length = 0;
@@ -107,6 +113,7 @@ struct NextLevel {
     double target = 0, seconds = 0;
 };
 
+/// What one contact does.
 struct ContactResult {
     std::array<int, 2> part{0, 0};  ///< indices into Result::parts
     std::array<std::string, 2> parts, between;
@@ -131,7 +138,7 @@ struct PartMobility {
     std::vector<Screw> wrenches, twists;  ///< of its supports alone: what they can exert, what they leave free
     std::vector<std::string> alone;       ///< the twists in words
     std::vector<Screw> free;              ///< with the contacts, in all motions of the assembly
-    std::vector<std::string> motions;     ///< the same in words
+    std::vector<std::string> motions;     ///< the free twists in words
 };
 struct MobilityResult {
     int degrees_of_freedom = 0, gruebler = 0;
@@ -139,6 +146,7 @@ struct MobilityResult {
     std::vector<PartMobility> parts;
 };
 
+/// The force of a support on the assembly, total over the thickness, and its moment about the origin.
 struct Reaction {
     int support = 0;     ///< index into Scene::supports
     std::string label;   ///< "fix x, y on base/bottom"
@@ -146,10 +154,11 @@ struct Reaction {
     Vec2 force{0, 0};
     double moment = 0;
     std::string why{};                        ///< the method, in words
-    std::optional<Vec2> force_from_stress{};  ///< "structure": the same from the stresses along the edges, a second opinion
+    std::optional<Vec2> force_from_stress{};  ///< "structure": the force from the stresses along the edges, a second opinion
     std::optional<double> energy{};           ///< "spring": stored in it
 };
 
+/// Displacement and stress at a point that the scene asks for.
 struct ProbeResult {
     std::string part;
     Vec2 at;
@@ -180,6 +189,7 @@ struct Reason {
     std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
 };
 
+/// The answer. With status "failed" it holds what is known, and `message` says why.
 struct Result {
     std::string title, status = "ok", message;  ///< status: ok, failed
     std::string length_unit, force_unit;
@@ -193,7 +203,7 @@ struct Result {
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)
-    /// The same split finer, without reading and writing: geometry, assembly, factorisation, contact, recovery (seconds).
+    /// The timing split finer, without reading and writing: geometry, assembly, factorisation, contact, recovery (seconds).
     std::vector<std::pair<std::string, double>> stages;
     std::vector<Effect> effects;
     double strain_energy = 0;
@@ -231,7 +241,7 @@ struct Result {
     std::vector<LoadMark> load_marks;
 };
 
-/// The text of result.json (SCENE.md); deterministic but for timing.
+/// The text of result.json; deterministic but for timing.
 std::string result_json(const Result& result);
 /// The text of contact_<k>.csv.
 std::string contact_csv(const ContactResult& contact);

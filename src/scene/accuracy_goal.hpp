@@ -6,18 +6,18 @@
 namespace abut {
 
 inline constexpr double draft_target = 0.05, standard_target = 0.01, fine_target = 0.002;
-/// What can be aimed at.
+/// The range of errors that can be aimed at.
 inline constexpr double least_target = 1e-5, most_target = 0.5;
 inline bool is_target(double error) {
     return error >= least_target && error <= most_target;
 }
 
-/// Estimated relative error to reach: of contact pressures (L2), or of stress (energy norm) where there is no contact. Levels:
-/// draft 5 %, standard 1 %, fine 0.2 %.
+/// The estimated relative error to reach: of contact pressures (L2), or of stress (energy norm) where there is no contact.
+/// Levels: draft 5 %, standard 1 %, fine 0.2 %.
 double target_of(const Accuracy& accuracy);
 
-/// Factor on the sizes that the shape of the parts asks for. 1 at standard; without contact 1.8 at draft, 0.55 at fine; with
-/// contact, whose grids are refined by what they show, 1.3 and 0.8 to begin with.
+/// The factor on the sizes that the shape of the parts asks for. 1 at standard; without contact 1.8 at draft, 0.55 at fine;
+/// with contact, whose grids are refined by what they show, 1.3 and 0.8 to begin with.
 double coarseness_of(const Accuracy& accuracy, bool has_contact);
 
 }  // namespace abut

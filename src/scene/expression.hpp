@@ -13,7 +13,7 @@ public:
     Expression() = default;  ///< the constant 0
     explicit Expression(double constant);
     double operator()(double x, double y) const;
-    /// Depends on neither x nor y?
+    /// Does the value depend on neither x nor y?
     bool is_constant() const;
     double constant() const;  ///< value at any point; only if is_constant()
 
@@ -25,8 +25,8 @@ private:
     double constant_ = 0;
 };
 
-/// Throws InputError (where left empty) naming the column and what was expected. `^` is right-associative and binds tighter
-/// than unary minus. field: x and y are allowed.
+/// Reads an expression. Throws InputError (where left empty) naming the column and what was expected. `^` is right-associative
+/// and binds tighter than unary minus. field: x and y are allowed.
 Expression parse_expression(const std::string& text, const std::map<std::string, double>& parameters, bool field);
 
 }  // namespace abut

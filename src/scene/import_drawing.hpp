@@ -32,7 +32,7 @@ struct Imports {
 const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
                                       const ImportOptions& options);
 
-/// The keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf` or `mesh` node, those that are there.
+/// Reads the keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf` or `mesh` node, those that are there.
 ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
 
 /// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.
@@ -40,14 +40,15 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
                                                   const JsonValue& at, const ImportOptions& options,
                                                   const std::function<bool(const geometry::SketchEntity&)>& wanted);
 
-/// The one part that a `dxf` node stands for; the same of a `mesh` node.
+/// The one part that a `dxf` node (import_part) or a `mesh` node (import_body) stands for; nothing where there is none
+/// (reported).
 std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
 std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node);
 
 /// The layers that have entities, in order of first appearance.
 std::vector<std::string> layers_of(const geometry::Drawing& drawing);
 
-/// What was read, repaired and left out.
+/// The record of what was read, repaired and left out.
 ImportRecord import_record(const geometry::Drawing& drawing, double factor, std::vector<geometry::Repair> repairs);
 
 }  // namespace abut

@@ -5,12 +5,13 @@
 
 namespace abut {
 
+/// Reads the value of "accuracy".
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy);
 
-/// The value of "grids": the spline grids of parts, by part.
+/// Reads the value of "grids": the spline grids of parts, by part.
 std::map<std::string, GridOptions> read_grids(SceneReading& reading, const JsonValue& grids);
 
-/// Spline degrees that are possible.
+/// The spline degrees that are possible.
 inline constexpr int least_degree = 1, most_degree = 6;
 
 }  // namespace abut

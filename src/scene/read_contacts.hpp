@@ -5,6 +5,7 @@
 
 namespace abut {
 
+/// Reads the value of "contacts".
 ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts);
 
 }  // namespace abut

@@ -22,15 +22,17 @@ struct ImportOptions {
 
 /// Is the file one that read_drawing takes, by its ending?
 bool is_importable(const std::string& path);
-/// "a drawing (.dxf) or a mesh (.stl, ...)", for messages.
+/// A text for messages: "a drawing (.dxf) or a mesh (.stl, ...)".
 std::string importable_kinds();
 
-/// Throws InputError where nothing can be read; problems of single entities or bodies are in the drawing.
+/// Reads a drawing, or a mesh as one. Throws InputError where nothing can be read; problems of single entities or bodies are in
+/// the drawing.
 geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options);
 
-/// "layer", "block", "loop", "color"; "auto" for automatic.
+/// The word of scenes for a way to tell parts apart: "layer", "block", "loop", "color"; "auto" for automatic.
 std::string parts_by_name(geometry::PartsBy parts_by);
-/// "node" stands for a mesh's bodies, which are its drawing's layers. Unset for other words.
+/// The way that a word of scenes means; "node" stands for a mesh's bodies, which are its drawing's layers. Unset for other
+/// words.
 std::optional<geometry::PartsBy> parts_by_of(const std::string& name);
 
 }  // namespace abut

@@ -9,12 +9,12 @@
 
 namespace abut {
 
-/// Edges in the file's own direction and order, named `e0`, `e1`, ... over all loops where they have no name of their own. A
-/// NURBS that falls into several smooth pieces becomes as many edges, `e3#0`, `e3#1`, ...
-/// Nothing where an edge is wrong (reported). Whether the edges meet is for geometry::evaluate to say.
+/// Reads edges in the file's own direction and order, named `e0`, `e1`, ... over all loops where they have no name of their
+/// own. A NURBS that falls into several smooth pieces becomes as many edges, `e3#0`, `e3#1`, ... Nothing where an edge is wrong
+/// (reported). It is for geometry::evaluate to say that edges do not meet.
 std::optional<geometry::Loops> read_loops(SceneReading& reading, const JsonValue& value);
 
-/// The optional "name" of a node or an edge; empty where it is absent or wrong (reported).
+/// Reads the optional "name" of a node or an edge; empty where it is absent or wrong (reported).
 std::string read_edge_prefix(SceneReading& reading, const JsonValue& object);
 
 }  // namespace abut

@@ -13,7 +13,7 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters);
 /// Reads "materials". Poisson's ratio 0.5 is possible in plane stress only.
 std::vector<Material> read_materials(SceneReading& reading, const JsonValue& materials, Analysis analysis);
 
-/// The material of rigid parts: of no weight.
+/// The material of rigid parts, which has no weight.
 Material built_in_rigid();
 
 /// Index of the material that a value names; nothing where there is none (reported).

@@ -5,6 +5,7 @@
 
 namespace abut {
 
+/// Reads the value of "output".
 Output read_output(SceneReading& reading, const JsonValue& output);
 
 }  // namespace abut

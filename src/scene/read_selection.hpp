@@ -8,10 +8,10 @@
 
 namespace abut {
 
-/// One text or one object.
+/// Reads one selector: one text or one object.
 std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& value);
 
-/// The value of "on": one selector or a list of them. Empty where it is wrong (reported).
+/// Reads the value of "on": one selector or a list of them. Empty where it is wrong (reported).
 std::optional<Selection> read_selection(SceneReading& reading, const JsonValue& value);
 
 /// Reports every selector that matches no edge of the scene's parts.

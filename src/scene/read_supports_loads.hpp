@@ -7,7 +7,7 @@
 
 namespace abut {
 
-/// Entries that are wrong are reported and left out.
+/// These read "supports" and "loads". Entries that are wrong are reported and left out.
 std::vector<Support> read_supports(SceneReading& reading, const JsonValue& supports);
 std::vector<Load> read_loads(SceneReading& reading, const JsonValue& loads);
 

@@ -19,6 +19,7 @@ using geometry::Vec2;
 
 enum class Analysis { plane_stress, plane_strain, axisymmetric };
 
+/// A material: E in force per area, density in mass per volume, in the scene's consistent units.
 struct Material {
     std::string name;
     double E = 0, nu = 0;
@@ -54,6 +55,7 @@ struct Selector {
 };
 using Selection = std::vector<Selector>;
 
+/// A support: edges, points or a part that are held, or rest on springs; which members are read depends on the kind.
 struct Support {
     enum class Kind { fix, displacement, symmetry, rigid, points, spring };
     Kind kind = Kind::fix;
@@ -67,6 +69,7 @@ struct Support {
     std::string where;
 };
 
+/// A load; which members are read depends on the kind.
 struct Load {
     enum class Kind { pressure, traction, edge_force, part_force, body_force, gravity, spin, temperature };
     Kind kind = Kind::pressure;
@@ -78,6 +81,7 @@ struct Load {
     std::string where;
 };
 
+/// A rule for what may touch: two selections and how they meet.
 struct PairRule {
     std::array<Selector, 2> between;
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
@@ -102,6 +106,7 @@ struct PenaltyOptions {
     bool split_by_second = true;
 };
 
+/// How contact is searched and formulated.
 struct ContactOptions {
     bool detect = true;
     std::optional<double> search_distance;
@@ -110,6 +115,7 @@ struct ContactOptions {
     std::vector<PairRule> pairs;
 };
 
+/// The grid of one part as the scene gives it.
 struct GridOptions {
     std::vector<double> x, y;        ///< knots (grid lines), assembly coordinates turned by -angle; empty: cells
     std::array<int, 2> cells{0, 0};  ///< over the part's bounding box (in the grid's own frame)
@@ -119,30 +125,34 @@ struct GridOptions {
     std::string where;
 };
 
+/// A place that is to have cells no larger than this.
 struct Refinement {
     Vec2 near;
     double radius, cell_size;
 };
 
+/// How accurate the answer is to be, or by which grids and splines.
 struct Accuracy {
     std::string level = "standard";  ///< "draft", "standard", "fine"
     std::optional<double> target;    ///< instead of a level: estimated relative error wanted
     int degree = 2;
     std::optional<double> cell_size;
     std::vector<Refinement> refine;
-    std::string basis = "auto";                ///< "auto", "plain", "web"
+    std::string basis = "auto";                ///< "auto", "plain", "normalized", "web"
     std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche", "solution_structure"
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
     bool by_cholmod = false;  ///< "solver": "cholmod"
 };
 
+/// A point of a part at which displacement and stress are asked for.
 struct Probe {
     std::string part;
     Vec2 at;
     std::string where;
 };
 
+/// What the answer is to hold besides, and the files to write.
 struct Output {
     std::vector<Probe> probes;
     std::vector<std::string> formats{"json", "csv", "html"};
@@ -157,6 +167,7 @@ struct ImportRecord {
     std::vector<geometry::Repair> repairs;
 };
 
+/// All that a scene file says, its geometry evaluated.
 struct Scene {
     std::string file;  ///< as given
     std::string title;

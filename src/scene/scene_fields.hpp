@@ -47,27 +47,27 @@ const JsonValue* required(SceneReading& reading, const JsonValue& object, std::s
 /// Which one of the keys does the object have? Reports and returns nullptr unless it is exactly one.
 const JsonValue* exactly_one(SceneReading& reading, const JsonValue& object, const std::vector<std::string>& keys);
 
-/// A number or an expression of the parameters; finite.
+/// Reads a number or an expression of the parameters; finite.
 std::optional<double> read_number(SceneReading& reading, const JsonValue& value);
 std::optional<double> read_positive(SceneReading& reading, const JsonValue& value);
-/// A whole number within [least, most].
+/// Reads a whole number within [least, most].
 std::optional<int> read_integer(SceneReading& reading, const JsonValue& value, int least, int most);
 std::optional<bool> read_flag(SceneReading& reading, const JsonValue& value);
-/// A text that is not empty.
+/// Reads a text that is not empty.
 std::optional<std::string> read_text(SceneReading& reading, const JsonValue& value);
-/// One of the words.
+/// Reads a text that is one of the words.
 std::optional<std::string> read_word(SceneReading& reading, const JsonValue& value, const Words& words);
-/// [x, y]
+/// Reads a vector: [x, y].
 std::optional<Vec2> read_vector(SceneReading& reading, const JsonValue& value);
-/// [x, y], not both zero: a direction.
+/// Reads a direction: [x, y], not both zero.
 std::optional<Vec2> read_direction(SceneReading& reading, const JsonValue& value);
-/// A number or an expression of the parameters and of x, y.
+/// Reads a number or an expression of the parameters and of x, y.
 std::optional<Expression> read_field(SceneReading& reading, const JsonValue& value);
-/// [e, e]
+/// Reads a vector of expressions of the parameters and of x, y: [e, e].
 std::optional<std::array<Expression, 2>> read_vector_field(SceneReading& reading, const JsonValue& value);
 /// Is there a part of this name? Reports at `at` where not.
 bool check_part_name(SceneReading& reading, const JsonValue& at, const std::string& name);
-/// The name of a part of the scene.
+/// Reads the name of a part of the scene.
 std::optional<std::string> read_part_name(SceneReading& reading, const JsonValue& value);
 
 /// The member's value by one of the functions above, or the default where the member is absent or wrong.

@@ -14,8 +14,8 @@ struct EdgePortion {
     double t0, t1;  ///< parameters of the edge's curve, t0 < t1
 };
 
-/// Portions selected, by part, edge and parameter, without overlaps. Throws InputError (JSON pointer of the selector) where a
-/// selector matches nothing: the message lists the part's edges, or the known parts where the part is unknown.
+/// The portions selected, by part, edge and parameter, without overlaps. Throws InputError (JSON pointer of the selector) where
+/// a selector matches nothing: the message lists the part's edges, or the known parts where the part is unknown.
 std::vector<EdgePortion> select(const Scene& scene, const Selection& selection);
 
 }  // namespace abut

@@ -16,17 +16,17 @@ namespace abut {
 /// "rows", "condensation", "contact iterations" and "displacements" are parts of "solve".
 using Stopwatches = std::map<std::string, double>;
 
-/// threads: at most so many, see solver::usable_threads.
+/// Solves one pass. What cannot be solved is told in `failure`. threads: at most so many, see solver::usable_threads.
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads = 1);
 
-/// The same grids and factorisations with interfaces made anew, where the candidates expect other ends of contact. Costs the
-/// contact solution alone.
+/// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of
+/// contact. Costs the contact solution alone.
 void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
                           Stopwatches& seconds, int threads);
 
-/// Largest condition number of the parts' scaled matrices; costs about ten solves each.
+/// The largest condition number of the parts' scaled matrices; costs about ten solves each.
 double largest_condition(const SolvedAssembly& solved, int threads);
 
 }  // namespace abut

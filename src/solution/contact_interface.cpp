@@ -34,7 +34,7 @@ struct Piece {
 /// changes no point of the quadrature.
 struct MiddlePair {
     FacingPair pair;
-    double stretch = 0;  // d(middle curve's length)/dm
+    double length_rate = 0;  // d(middle curve's length)/dm
 };
 
 /// s1 begins as the guess that it comes with; s2 likewise.
@@ -47,7 +47,7 @@ MiddlePair pair_in_middle(const Scene& scene, const ContactInterface& c, double 
         if (!found.pair.found) return found;
         s2 = found.pair.s2;
         const double left = m - (found.pair.s1 - s2), rate = 1 - found.pair.slope;
-        found.stretch = found.pair.stretch / rate;
+        found.length_rate = found.pair.length_rate / rate;
         if (std::abs(left) <= rounding) break;
         s1 = std::clamp(s1 + left / rate, c.zone.begin1, c.zone.end1);
     }
@@ -70,10 +70,11 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
         const double m = piece.begin1 - piece.begin2, whole = piece.end1 - piece.end2 - m;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
             const double t = rule.points[q];
-            const auto [pair, stretch] = pair_in_middle(scene, c, m + t * whole, piece.begin1 + t * (piece.end1 - piece.begin1),
-                                                        piece.begin2 + t * (piece.end2 - piece.begin2));
+            const auto [pair, length_rate] =
+                pair_in_middle(scene, c, m + t * whole, piece.begin1 + t * (piece.end1 - piece.begin1),
+                               piece.begin2 + t * (piece.end2 - piece.begin2));
             if (!pair.found) continue;
-            piece.length += rule.weights[q] * whole * stretch;
+            piece.length += rule.weights[q] * whole * length_rate;
             if (q != rule.points.size() / 2) continue;
             double size = std::numeric_limits<double>::infinity();
             if (c1 >= compliance_share * (c1 + c2)) size = size_along(first, pair.on1);
@@ -209,10 +210,10 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
         if (length <= shortest) continue;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
             const double m = cuts[k] + rule.points[q] * length;
-            const auto [pair, stretch] =
+            const auto [pair, length_rate] =
                 pair_in_middle(scene, c, m, interpolate(middle, c.s1, m), interpolate(middle, c.s2, m));
             if (!pair.found) continue;
-            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * stretch);
+            append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * length_rate);
         }
     }
     c.face.expected = expected_coefficients(c, candidate.expected);

@@ -15,10 +15,9 @@ namespace abut {
 /// The pressure's knot spacing in units of the local cell size: stable for every grid angle, shift and ratio of sizes
 /// (measured: smallest scaled eigenvalue of C at least 0.29), while knots at the grid's own crossings are not.
 inline constexpr double multiplier_spacing = 1.25;
-/// Where contact is expected to end the pressure has a double knot, so that it may leave zero with a slope: this far beyond the
-/// end, in knot spacings. Measured on Hertz' problem (degree 2, cells h at the end of a half width a): relative L2 error
-/// 0.12 h / a whatever the rest of the grid; 0.25 h / a with the knot at the end itself; with simple knots 0.2 to 1.2 h / a,
-/// by chance.
+/// How far beyond an expected end of contact, in knot spacings, the pressure has its double knot, by which it may leave zero
+/// with a slope. Measured on Hertz' problem (degree 2, cells h at the end of a half width a): relative L2 error 0.12 h / a
+/// whatever the rest of the grid; 0.25 h / a with the knot at the end itself; with simple knots 0.2 to 1.2 h / a, by chance.
 inline constexpr double end_overhang = 0.16;
 /// A body that holds less than this share of the compliance 1/E1 + 1/E2 does not limit the pressure's resolution.
 inline constexpr double compliance_share = 0.2;
@@ -31,12 +30,14 @@ struct GapRule {
     double of(double gap) const { return (no_overlap && gap < 0 ? 0.0 : gap) - closing; }
 };
 
+/// A candidate as the solver's interface, with the way back from its arc length to the parts' chains.
 struct ContactInterface {
     std::array<int, 2> part;  ///< indices into Scene::parts
     geometry::FacingZone zone;
     solver::Interface face;  ///< face.part: indices among the solver's parts
     std::vector<std::array<Vec2, 2>> own_normals;
-    /// Table: arc length on chain 1 against that of the middle curve (penalty: on chain 1 from the zone's begin), ascending.
+    /// The table of arc length on chain 1 against that of the middle curve (penalty: on chain 1 from the zone's begin),
+    /// ascending.
     std::vector<double> s1, s;
     std::vector<double> s2;  ///< partners on chain 2 of the table's entries
     double foundation = 0;
@@ -44,14 +45,14 @@ struct ContactInterface {
     Pairing pairing = Pairing::middle;
 };
 
-/// Mortar's, or penalty's where the scene asks for it.
+/// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it.
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
                                 const PartOnGrid& second, std::array<int, 2> solver_part);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);
 
-/// Element of a part that holds a point of its boundary.
+/// The element of a part that holds a point of its boundary.
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p);
 
 }  // namespace abut

@@ -9,13 +9,14 @@
 
 namespace abut {
 
+/// A place within a contact where the gap's curvature jumps.
 struct ContactJoint {
     double s;               ///< on the middle curve
     std::array<Vec2, 2> x;  ///< of both bodies, in the assembly's frame
     double opening;         ///< by how much the gap's second derivative grows there, along the middle curve (1/length)
 };
 
-/// Of both chains, over the whole interface, those that change the gap's curvature by half of it or more; ascending.
+/// The joints of both chains, over the whole interface, that change the gap's curvature by half of it or more; ascending.
 std::vector<ContactJoint> contact_joints(const Scene& scene, const ContactInterface& contact);
 
 }  // namespace abut

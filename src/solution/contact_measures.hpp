@@ -5,30 +5,32 @@
 
 namespace abut {
 
-/// Of all parts.
+/// The strain energy of all parts.
 double energy_of(const SolvedAssembly& solved);
-/// What rounding may make of that: the energy of strains as large as displacements over size, times a bound on rounding.
+/// What rounding may make of the strain energy: the energy of strains as large as displacements over size, times a bound on
+/// rounding.
 double energy_rounding_of(const SolvedAssembly& solved);
 
-/// Resultant on the contact's first part, shear of bonds included, and its moment about the origin; from the same quadrature
-/// that the solution used.
+/// The resultant on the contact's first part, shear of bonds included, and its moment about the origin; from the same
+/// quadrature that the solution used.
 struct ContactForce {
     Vec2 force{0, 0};
     double moment = 0;
 };
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact);
 
-/// Of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per thickness of the
-/// interface: a thicker part is stiffer. 0 of a rigid part.
+/// The compliance 1 / E' of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per
+/// thickness of the interface: a thicker part is stiffer. 0 of a rigid part.
 double half_plane_compliance(const PartOnGrid& part, double thickness);
 
-/// 1 / E* = 1 / E1' + 1 / E2' of a contact.
+/// The compliance 1 / E* = 1 / E1' + 1 / E2' of a contact.
 double compliance_of(const SolvedAssembly& solved, std::size_t contact);
 
-/// Penetration that a penalty allows, over the elastic closing within the contact: p / beta over p a / E*, as in Hertz' contact
-/// of half width a, whose middle closes by p a / E* more than its ends. 0 without penalty.
+/// The penetration that a penalty allows, over the elastic closing within the contact: p / beta over p a / E*, as in Hertz'
+/// contact of half width a, whose middle closes by p a / E* more than its ends. 0 without penalty.
 double penetration_share(const SolvedAssembly& solved, std::size_t contact);
 
+/// Is any contact under pressure?
 bool any_run(const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -59,7 +59,7 @@ FacingPair paired(const geometry::Part& part1, const geometry::Part& part2, cons
     pair.found = find_partner(part2, zone.chain2, pair) && pair.on1.normal.dot(pair.on2.normal) < 0;
     pair.normal = pair.on1.normal;
     pair.gap = (pair.on2.x - pair.on1.x).dot(pair.normal);
-    pair.stretch = 1;
+    pair.length_rate = 1;
     return pair;
 }
 

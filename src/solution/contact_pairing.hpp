@@ -6,8 +6,9 @@
 
 namespace abut {
 
-/// The pair of the point at s1 of zone.chain1, started at `guess` for the other arc length. `stretch` is measured along the
-/// curve that `pairing` integrates over: the middle curve, or the first body's own (1). `slope` is the middle pairing's.
+/// Finds the pair of the point at s1 of zone.chain1, started at `guess2` for the other arc length. `length_rate` is measured
+/// along the curve that `pairing` integrates over: the middle curve, or the first body's own (1). `slope` is the middle
+/// pairing's.
 geometry::FacingPair paired(const geometry::Part& part1, const geometry::Part& part2, const geometry::FacingZone& zone,
                             Pairing pairing, double s1, double guess2);
 

@@ -29,11 +29,11 @@ struct ContactRun {
     RunEnd at_begin{}, at_end{};
 };
 
-/// By contact.
+/// The runs of every contact.
 using ContactRuns = std::vector<std::vector<ContactRun>>;
 
-/// Stretches where the pressure spline is positive. Ends inside the interface by fitting the force near them: pressures
-/// end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
+/// The stretches where the pressure spline is positive. Ends inside the interface are found by fitting the force near them:
+/// pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
 std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

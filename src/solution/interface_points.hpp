@@ -11,29 +11,29 @@ namespace abut {
 /// Pieces shorter than this fraction of the zone are rounding between crossings that coincide.
 inline constexpr double shortest_piece = 1e-9;
 
-/// Arc lengths on a chain where its part's grid lines cross it or its edges meet, within (low, high), which may run past a
+/// The arc lengths on a chain where its part's grid lines cross it or its edges meet, within (low, high), which may run past a
 /// turn.
 std::vector<double> crossings(const PartOnGrid& g, const geometry::Chain& chain, double low, double high);
 
-/// Places on chain 1 where either part's grid lines cross its face, with the zone's ends, ascending: between them everything is
-/// smooth. Those of the second part by the middle curve's pairs.
+/// The places on chain 1 where either part's grid lines cross its face, with the zone's ends, ascending: between them
+/// everything is smooth. Those of the second part by the middle curve's pairs.
 std::vector<double> crossings_of_both(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first,
                                       const PartOnGrid& second);
 
-/// Ascending; what lies closer together than the shortest piece is one. The last stays.
+/// The places in ascending order, those closer together than the shortest piece as one. The last stays.
 std::vector<double> without_short_pieces(std::vector<double> places, double whole);
 
-/// Size of the cell around a boundary point, along the boundary.
+/// The size of the cell around a boundary point, along the boundary.
 double size_along(const PartOnGrid& g, const geometry::ChainPoint& p);
 
-/// 1/E of a part on its grid.
+/// The compliance 1/E of a part on its grid.
 double compliance(const Scene& scene, const PartOnGrid& g);
 
-/// The pair as a point of the interface, at arc length s; its gap as c.drawn has it.
+/// Appends the pair as a point of the interface, at arc length s; its gap as c.drawn has it.
 void append_point(ContactInterface& c, const geometry::FacingPair& pair, const PartOnGrid& first, const PartOnGrid& second,
                   double s, double weight);
 
-/// Stiffness of a Winkler foundation as deep as the larger body's tenth: only the start of the active set depends on it.
+/// The stiffness of a Winkler foundation as deep as the larger body's tenth: only the start of the active set depends on it.
 double winkler_stiffness(const Scene& scene, const PartOnGrid& first, const PartOnGrid& second);
 
 }  // namespace abut

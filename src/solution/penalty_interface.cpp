@@ -82,7 +82,7 @@ ContactInterface make_penalty_interface(const Scene& scene, const geometry::Faci
             const double s1 = c.s1[k] + gauss.points[q] * length;
             const geometry::FacingPair pair = partners.at(s1);
             if (!pair.found) continue;
-            append_point(c, pair, first, second, s1 - zone.begin1, gauss.weights[q] * length * pair.stretch);
+            append_point(c, pair, first, second, s1 - zone.begin1, gauss.weights[q] * length * pair.length_rate);
             c.face.penalty.push_back(stiffness_at(scene, first, second, pair));
         }
     }

@@ -6,8 +6,8 @@
 
 namespace abut {
 
-/// The first part is the master. Points a piece of a cell: its grid's degree + 1. beta by the scene's PenaltyOptions, which
-/// must be set.
+/// Makes the penalty interface of a zone, the first part as the master. Points a piece of a cell: its grid's degree + 1. beta
+/// by the scene's PenaltyOptions, which must be set.
 ContactInterface make_penalty_interface(const Scene& scene, const geometry::FacingZone& zone, const PartOnGrid& first,
                                         const PartOnGrid& second, std::array<int, 2> solver_part, const GapRule& rule);
 

@@ -7,8 +7,8 @@
 
 namespace abut {
 
-/// Rigid parts cannot be pressed against each other: no pressure follows. A pair whose faces overlap after the solution, in
-/// words; empty: none. Cost: that of some hundred pairs of points for each candidate between rigid parts.
+/// A pair of rigid parts whose faces overlap after the solution, in words; empty: none. Rigid parts cannot be pressed against
+/// each other: no pressure follows. Cost: that of some hundred pairs of points for each candidate between rigid parts.
 std::string rigid_pair_failure(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -16,7 +16,7 @@ struct SolvedAssembly {
     std::vector<int> solver_part;            ///< by scene part: index into grids, or -1
     std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
     std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
-    std::vector<int> shear_of;               ///< the same of the tangential traction of bonded ones
+    std::vector<int> shear_of;  ///< by contact: index of the interface of a bonded one's tangential traction, or -1
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     ContactRuns runs;
@@ -26,7 +26,7 @@ struct SolvedAssembly {
     int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
-/// Pressure spline's coefficients of a contact.
+/// The coefficients of a contact's pressure spline.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);
 
 }  // namespace abut

@@ -5,7 +5,7 @@
 
 namespace abut {
 
-/// Value of `to` at v in `from`, which ascends; beyond its ends the first and the last piece are continued. At least two
+/// The value of `to` at v in `from`, which ascends; beyond its ends the first and the last piece are continued. At least two
 /// entries.
 double interpolate(const std::vector<double>& from, const std::vector<double>& to, double v);
 

@@ -12,7 +12,7 @@
 
 namespace abut {
 
-/// In place of a level, where the scene gives its grids or its cell size: there is nothing that a level could change.
+/// The word in place of a level, where the scene gives its grids or its cell size: there is nothing that a level could change.
 inline constexpr const char* level_as_given = "as given";
 /// A level of a study's own, that the others are compared with where no closed form is known.
 inline constexpr const char* level_reference = "a fifth of fine";
@@ -35,13 +35,14 @@ struct StudySetting {
     bool operator==(const StudySetting&) const = default;
 };
 
-/// Seconds by stage, in the order of study_stages.
+/// The seconds by stage, in the order of study_stages.
 using StageSeconds = std::array<double, 8>;
-/// import: reading the scene; geometry to recovery: Result::stages; report: making the texts of all files, not writing them;
-/// other: what none of these holds (plan, mobility, checks, condition number).
+/// The stages. import: reading the scene; geometry to recovery: Result::stages; report: making the texts of all files, not
+/// writing them; other: what none of these holds (plan, mobility, checks, condition number).
 inline constexpr std::array<const char*, 8> study_stages{"import",  "geometry", "assembly", "factorisation",
                                                          "contact", "recovery", "report",   "other"};
 
+/// What one run of a study came to.
 struct StudyRun {
     StudySetting setting;
     enum class Status { ok, failed, skipped } status = Status::ok;
@@ -65,6 +66,7 @@ struct StudyMeasure {
     bool held = false;  ///< every run has it but for rounding: it says nothing about accuracy
 };
 
+/// A scene at many settings.
 struct Study {
     std::string title, file;
     std::string reference;             ///< what errors are against, in words
@@ -75,23 +77,25 @@ struct Study {
     std::vector<std::string> notes;  ///< what the reader must know of this study: what was left out, and why
 };
 
+/// The choices of a study.
 struct StudyOptions {
     int threads = 0;     ///< of the levels' second runs; 0: one for each processor; 1: there are none
     double budget = 60;  ///< seconds of wall time; runs that would not fit are skipped, those that do not end are stopped
     double repeated_seconds = 0.5;  ///< runs shorter than this are repeated until they fill it, some times at most
     std::string data_folder{};      ///< with the scenes of the verification problems; empty: no closed forms
-    /// Those of the runs on given grids. Sizes from large to small, so that what a budget leaves out is the finest.
+    /// The degrees and sizes of the runs on given grids. Sizes from large to small, so that what a budget leaves out is the
+    /// finest.
     std::vector<int> degrees{1, 2, 3, 4};
     std::vector<double> sizes{4, 2.8, 2, 1.4, 1, 0.7, 0.5};
     std::function<void(const std::string&)> progress{};  ///< told what is being done; may be empty
 };
 
-/// Every run is a process of its own (memory, and an end where it takes too long). Throws InputError where the scene cannot be
-/// read or analysed for a reason that lies in its text. The same scene gives the same runs and errors, but for what the budget
-/// leaves out.
+/// Runs a study. Every run is a process of its own (memory, and an end where it takes too long). Throws InputError where the
+/// scene cannot be read or analysed for a reason that lies in its text. The same scene gives the same runs and errors, but for
+/// what the budget leaves out.
 Study run_study(const std::string& scene_path, const StudyOptions& options);
 
-/// "standard", "degree 2, cells x 0.7", "degree 2, normalized, cells x 0.7", "degree 2, equal cells x 1".
+/// A setting in words: "standard", "degree 2, cells x 0.7", "degree 2, normalized, cells x 0.7", "degree 2, equal cells x 1".
 std::string setting_text(const StudySetting& setting);
 
 std::string study_html(const Study& study);  ///< one page, no network

@@ -9,12 +9,14 @@ namespace abut::report {
 
 enum class Mark { disc, square, triangle, diamond, cross };
 
+/// A point of a curve.
 struct ChartPoint {
     double x = 0, y = 0;  ///< above zero; others are left out
     std::string title;    ///< shown where the pointer rests on it
     std::string label{};  ///< written beside it
 };
 
+/// A curve: its points, marks and line.
 struct ChartSeries {
     std::string label;  ///< written at the last point's side
     std::string color;
@@ -25,6 +27,7 @@ struct ChartSeries {
     std::vector<ChartPoint> points;
 };
 
+/// A chart with its axes' texts and its curves.
 struct LogChart {
     std::string title;  ///< for those who cannot see it
     std::string x_title, y_title;
@@ -32,7 +35,7 @@ struct LogChart {
     std::vector<ChartSeries> series;                    ///< later ones are drawn above
 };
 
-/// Values at which a logarithmic axis is marked: 1, 10, 100 where it spans three decades or more; 1, 2, 5 in less.
+/// The values at which a logarithmic axis is marked: 1, 10, 100 where it spans three decades or more; 1, 2, 5 in less.
 std::vector<double> log_ticks(double low, double high);
 
 /// An SVG of the report's half width; empty without two different points.

@@ -6,6 +6,7 @@
 
 namespace abut {
 
+/// What a child process gave back, or why it gave nothing.
 struct ChildOutcome {
     std::string text;     ///< what the work gave; empty where it did not end well
     std::string failure;  ///< why not

@@ -11,7 +11,7 @@
 
 namespace abut {
 
-/// What runs are compared by where no closed form is known.
+/// The numbers that runs are compared by where no closed form is known.
 struct StudyAnswer {
     struct Contact {
         std::string between;  ///< both edges
@@ -31,6 +31,7 @@ struct StudyGrid {
     std::vector<double> x, y;
 };
 
+/// A measured run with what later runs are compared with or made from.
 struct StudyMeasured {
     StudyRun run;
     std::vector<Problem> problems;    ///< not empty: the scene's own fault, nothing else is filled in
@@ -39,7 +40,7 @@ struct StudyMeasured {
     std::vector<StudyGrid> grids;
 };
 
-/// What a run of the study is made from.
+/// The makings of one run of the study.
 struct StudyTask {
     std::string scene_path;
     StudySetting setting;
@@ -49,16 +50,16 @@ struct StudyTask {
     double repeated_seconds = 0;
 };
 
-/// Solves in a child process, as often as short runs allow.
+/// Solves a run in a child process, as often as short runs allow.
 StudyMeasured measure(const StudyTask& task, double limit_seconds);
 
 /// The scene with the setting in place of its accuracy.
 Scene scene_at(Scene scene, const StudyTask& task);
 
-/// The same grid with cells `size` times as large: the first and the last line stay, the others follow the grid's own grading.
+/// Grid lines with cells `size` times as large: the first and the last line stay, the others follow the grid's own grading.
 std::vector<double> resized_lines(const std::vector<double>& lines, double size);
 
-/// Between processes.
+/// A measured run as text, between processes, and back.
 std::string measured_text(const StudyMeasured& measured);
 StudyMeasured measured_from(const std::string& text);
 

@@ -9,13 +9,13 @@
 
 namespace abut::report {
 
-/// Curves of all families; y: a run's value, its title ends in y's text.
+/// A number of a run for a chart's axis.
 struct RunValue {
     std::function<double(const StudyRun&)> value;
     std::string (*text)(double);
     std::string title;
 };
-/// Unknowns of a run.
+/// The number of unknowns of a run, for a chart's axis.
 RunValue unknowns_of_run();
 std::vector<ChartSeries> study_series(const Study& study, const RunValue& x, const RunValue& y);
 

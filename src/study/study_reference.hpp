@@ -12,12 +12,12 @@ namespace abut {
 /// values of its parameters, one run, and nothing else replaced. nullptr: there is none.
 const VerifyProblem* known_problem(const std::string& scene_path, const Scene& scene, const std::string& data_folder);
 
-/// Quantities that differences from a reference run are made of. Of contacts together, each relative to the root of the sum of
-/// squares over all contacts, so that light contacts do not count like heavy ones.
+/// The quantities that differences from a reference run are made of. Those of contacts together, each relative to the root of
+/// the sum of squares over all contacts, so that light contacts do not count like heavy ones.
 std::vector<StudyMeasure> measures_of(const StudyAnswer& reference);
 
-/// By measure; NaN where the answers have different contacts. Pressures are compared point by point along the first part's
-/// edge, integrated over the arc length of the reference's profile.
+/// The differences of an answer from the reference by measure; NaN where the answers have different contacts. Pressures are
+/// compared point by point along the first part's edge, integrated over the arc length of the reference's profile.
 std::vector<double> differences(const StudyAnswer& answer, const StudyAnswer& reference);
 
 }  // namespace abut

@@ -34,13 +34,13 @@ std::vector<VerifyProblem> chosen_problems(const std::vector<std::string>& names
 /// analysis that fails gives rows that do not pass.
 std::vector<VerifyRow> verify(const VerifyProblem& problem, const std::string& data_folder);
 
-/// One analysis; its status may be "failed". Throws InputError where the scene cannot be read.
+/// Runs one analysis; its status may be "failed". Throws InputError where the scene cannot be read.
 Result answer_of(const VerifyRun& run, const std::string& data_folder);
 
 /// The verdict on one value; name, unknowns and seconds are left to be filled in.
 VerifyRow compared(const Quantity& quantity, double value);
 
-/// What `abut verify` prints, what it prints with --json, and with --list.
+/// The texts that `abut verify` prints, also with --json and with --list.
 std::string verify_table(const std::vector<VerifyRow>& rows);
 std::string verify_json(const std::vector<VerifyRow>& rows);
 std::string verify_list(const std::vector<VerifyProblem>& problems);

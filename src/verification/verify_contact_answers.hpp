@@ -13,32 +13,35 @@ struct Hertz {
     double a, p0;
     double pressure(double x) const;  ///< 0 outside
 };
-/// radius: 1 / (1/R1 + 1/R2), concave ones negative; modulus: of contact, 1 / (1/E1' + 1/E2'); load: per thickness, all of it.
+/// Hertz' contact. radius: 1 / (1/R1 + 1/R2), concave ones negative; modulus: of contact, 1 / (1/E1' + 1/E2'); load: per
+/// thickness, all of it.
 Hertz hertz(double radius, double modulus, double load);
 
-/// The first run's first contact.
+/// The first run's first contact, its largest pressure, and the size of its force.
 const ContactResult& contact_of(const Answers& answers);
 double peak(const Answers& answers);
 double force(const Answers& answers);
-/// Of models with a symmetry about x = 0, where forces along x are no matter of statics.
+/// The vertical force of the first contact, for models with a symmetry about x = 0, where forces along x are no matter of
+/// statics.
 double vertical_force(const Answers& answers);
-/// Of models cut at x = 0.
+/// The half width of a contact of models cut at x = 0.
 double half_width(const ContactResult& contact);
 
-/// Of a contact's profile, by straight lines between its points in order of x (or y); NaN outside.
+/// The pressure or gap of a contact's profile at a coordinate, by straight lines between its points in order of x (or y); NaN
+/// outside.
 double pressure_at_x(const ContactResult& contact, double x);
 double pressure_at_y(const ContactResult& contact, double y);
 double gap_at_y(const ContactResult& contact, double y);
-/// At the profile's highest point.
+/// The gap at the profile's highest point.
 double gap_at_top(const ContactResult& contact);
 
-/// Over the profile's points, each standing for the stretch of edge around it.
+/// The mean and the least pressure over the profile's points, each standing for the stretch of edge around it.
 double mean_pressure(const ContactResult& contact);
 double least_pressure(const ContactResult& contact);
-/// Largest deviation from a pressure over the profile, relative to it.
+/// The largest deviation from a pressure over the profile, relative to it.
 double pressure_error(const ContactResult& contact, double exact);
 
-/// || p_h - p || / || p || over points.
+/// The relative error || p_h - p || / || p || over points.
 double relative_error_norm(const std::vector<double>& value, const std::vector<double>& exact);
 
 }  // namespace abut

@@ -17,23 +17,24 @@ enum class Ours { penalty, mortar, automatic };
 inline constexpr std::size_t n_ours = 3;
 inline constexpr std::array<const char*, n_ours> ours_name{"penalty", "mortar", "default"};
 
-/// What a value of one of our columns must keep to.
+/// A tolerance that a value of one of our columns must keep to.
 struct Judged {
     Ours column;
     double tolerance;            ///< on the error relative to the reference
     bool below_printed = false;  ///< instead: it must stay below this fraction of the printed mesh-free value
 };
 
-/// One line of a table.
+/// One line of a dissertation's table, with what our answers to it are judged by.
 struct DissertationLine {
     std::string what, unit;                                     ///< unit: powers of F (force) and L (length); empty: a number
     std::function<std::optional<double>(const Result&)> value;  ///< unset: the answer does not tell
     std::optional<double> ansys{}, mesh_free{};                 ///< as printed
-    std::optional<double> reference{};                          ///< VALIDATION's, for the scene as it stands
+    std::optional<double> reference{};                          ///< converged number or closed form, for the scene as it stands
     std::vector<Judged> judged{};                               ///< all others are recorded
     std::string mark{};                                         ///< of a footnote: a misprint
 };
 
+/// One of the dissertation's tables: our runs, its lines, and notes on them.
 struct DissertationTable {
     std::string name, title;  ///< "B"; "Case B: convex cylinders (tables 4.2, 5.1, 5.2, Figure 5.4)"
     std::array<std::optional<VerifyRun>, n_ours> runs;
@@ -41,25 +42,26 @@ struct DissertationTable {
     std::vector<std::string> notes{};
 };
 
-/// In the dissertation's order.
+/// The dissertation's tables, in its order.
 std::vector<DissertationTable> dissertation_tables();
 
+/// A dissertation's table with our answers.
 struct SolvedTable {
     DissertationTable table;
-    /// By line and column; unset where the column has no run or its answer does not tell.
+    /// The cells by line and column; unset where the column has no run or its answer does not tell.
     std::vector<std::array<std::optional<VerifyRow>, n_ours>> cells;
 };
 
 /// Solves a table's runs. Throws InputError where a scene cannot be read.
 SolvedTable solve_table(const DissertationTable& table, const std::string& data_folder);
 
-/// The cells as rows of `abut verify --json`: names "dissertation-B-mortar", the reference VALIDATION's or else the printed
+/// The cells as rows of `abut verify --json`: names "dissertation-B-mortar", the reference our own or else the printed
 /// mesh-free value (NaN without either).
 std::vector<VerifyRow> rows_of(const SolvedTable& solved);
 
-/// One block of text a table, and how to read them.
+/// The tables as text, one block each, and how to read them.
 std::string dissertation_text(const std::vector<SolvedTable>& solved);
-/// Its line in `abut verify --list`.
+/// The tables' line in `abut verify --list`.
 std::string dissertation_list();
 
 }  // namespace abut

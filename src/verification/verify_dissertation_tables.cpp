@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the dissertation prints [Grishin10, tables 4.1-4.5, 5.1, 5.2; sections 5.1, 5.2], and what is asked of our answers. Its
-// figures with sizes and loads are lost: the scenes are VALIDATION's, part 3, so only numbers without the load's size (cells,
+// figures with sizes and loads are lost: the scenes have sizes of our own, so only numbers without the load's size (cells,
 // unknowns, relative errors, condition numbers) can be compared directly; the chosen sizes bring the others to its order.
 #include <cmath>
 #include <limits>
@@ -125,7 +125,7 @@ void append(std::vector<DissertationLine>& lines, std::vector<DissertationLine> 
     lines.insert(lines.end(), more.begin(), more.end());
 }
 
-/// VALIDATION S-A: q = 250, a = 0.5; converged numbers.
+/// Case A: q = 250, a = 0.5; converged numbers.
 DissertationTable case_a() {
     constexpr double a = 0.5, q = 250, three_percent = 0.03;
     const std::vector<double> p{q * 0.9024, q * 0.9040, q * 0.9121, q * 0.9400, q * 1.0332};
@@ -142,7 +142,7 @@ DissertationTable case_a() {
     return t;
 }
 
-/// Cases B and C: VALIDATION's converged p0 beside Hertz.
+/// Cases B and C: a converged p0 beside Hertz.
 struct HertzCase {
     std::string name, title, scene, automatic;
     Hertz hertz;

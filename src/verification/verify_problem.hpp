@@ -23,6 +23,7 @@ struct VerifyRun {
 /// The answers of a problem's runs, in their order.
 using Answers = std::vector<Result>;
 
+/// A number of a problem's answers, with its reference.
 struct Quantity {
     std::string what;
     std::function<double(const Answers&)> value;
@@ -31,6 +32,7 @@ struct Quantity {
     double scale = 0;                 ///< what the error is relative to; 0: the reference's size
 };
 
+/// A problem: its runs and what is compared of them.
 struct VerifyProblem {
     std::string name;             ///< "E4-quarter"; the group is what stands before the first '-'
     std::string about;            ///< one line

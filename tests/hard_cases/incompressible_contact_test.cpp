@@ -12,8 +12,8 @@
 namespace abut::test::incompressible_contact_test {
 namespace {
 
-/// Hertz' two cylinders, a hundredth of the radius in contact (VALIDATION H01), in plane strain with an E that keeps E / (1 -
-/// nu^2): the same contact whatever nu is.
+/// Hertz' two cylinders, a hundredth of the radius in contact (data/verification/hertz_001.json), in plane strain with an E
+/// that keeps E / (1 - nu^2): the same contact whatever nu is.
 Result hertz(double nu, int degree) {
     Scene scene = read_scene(std::string(ABUT_SOURCE_DIR) + "/data/verification/hertz_001.json", {});
     scene.analysis = Analysis::plane_strain;

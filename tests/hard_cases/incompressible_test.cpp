@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nearly incompressible plane strain (VALIDATION E10, E8): with the volume strain projected (solver/terms/dilatation.hpp)
-// nothing grows as nu nears 1/2; without, beside it, everything does.
+// Nearly incompressible plane strain (E10, E8 of data/README.md): with the volume strain projected
+// (solver/terms/dilatation.hpp) nothing grows as nu nears 1/2; without, beside it, everything does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -209,7 +209,7 @@ TEST(Incompressible, IsRecorded) {
 
 /// Cook's membrane on even grids: what is off comes from its corner (0, 44), whose stress has no limit.
 TEST(Incompressible, CooksMembraneConverges) {
-    constexpr double reference = 18.51192;  // VALIDATION E8, nu = 0.4999
+    constexpr double reference = 18.51192;  // E8 of data/README.md, nu = 0.4999
     Table table{{"degree", "cells", "v", "error"}, {}, {}};
     for (int degree : {2, 3}) {
         double before = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pin that nothing but contact holds: every clearance, load, place drawn, ratio of moduli and place of the grids is solved,
-// to rounding; pressure and contact angle agree with Persson's closed form (VALIDATION C6).
+// to rounding; pressure and contact angle agree with Persson's closed form (C6 of data/README.md).
 #include "tests/hard_cases/pin_sweep.hpp"
 
 #include <gtest/gtest.h>

@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Holds, FullRates, testing::ValuesIn(all_holds),
 
 /// E9: the energy falls short of the exact one by the square of the energy norm of the error.
 TEST(Rates, CornerConvergesLikeItsSingularity) {
-    constexpr double exact_energy = 4.884754673;  // VALIDATION E9, plane stress, E = 1, nu = 0.3
+    constexpr double exact_energy = 4.884754673;  // E9 of data/README.md, plane stress, E = 1, nu = 0.3
     constexpr double corner_tolerance = 0.1;
     PartProblem p;
     p.part = ell();
@@ -217,7 +217,7 @@ struct PatchCase {
     std::string name;
     geometry::Part part;
     int held;
-    double tolerance;  ///< of VALIDATION E1, without supports: straight edges, curved edges
+    double tolerance;  ///< of E1 of data/README.md, without supports: straight edges, curved edges
 };
 
 std::vector<PatchCase> patch_cases() {
@@ -229,7 +229,7 @@ std::vector<PatchCase> patch_cases() {
             {"splines", moved(plate_with_splines()), 3, 1e-7}};
 }
 
-constexpr double nitsche_patch_tolerance = 1e-6;  // VALIDATION E1
+constexpr double nitsche_patch_tolerance = 1e-6;  // E1 of data/README.md
 constexpr double patch_cell = 0.23;
 constexpr int patch_grids = 8;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VALIDATION parts 1 and 2 at the default accuracy, through the scenes of data/verification/.
+// The problems E and C of data/README.md at the default accuracy, through the scenes of data/verification/.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(ClosedForm, ShrinkFit) {
     EXPECT_LT(r.equilibrium.relative_residual, 1e-9);
 }
 
-/// The ring is held at R = 10, not at infinity: R p0 / Q = 0.707662, half angle 60.73 degrees (VALIDATION C6).
+/// The ring is held at R = 10, not at infinity: R p0 / Q = 0.707662, half angle 60.73 degrees (C6 of data/README.md).
 TEST(ClosedForm, PinInHole) {
     const Result r = verified("pin_in_hole");
     ASSERT_EQ(r.status, "ok") << r.message;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VALIDATION parts 2 and 3: contact against closed forms and converged numbers.
+// Contact against closed forms and converged numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

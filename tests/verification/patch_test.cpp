@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VALIDATION E1: a constant stress field must come out exactly, wherever the grid cuts the part.
+// E1 of data/README.md: a constant stress field must come out exactly, wherever the grid cuts the part.
 #include <gtest/gtest.h>
 
 #include <cmath>

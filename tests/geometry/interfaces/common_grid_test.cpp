@@ -35,8 +35,8 @@ void expect_case(const Part& part1, const Part& part2, char letter, const std::v
     EXPECT_EQ(case_of_parts(common, 1, 0), letter);
     ASSERT_EQ(common.contacts.size(), letter == 'e' ? 0u : 1u);
     if (letter == 'e') return;
-    EXPECT_EQ(common.contacts[0].meeting.cells[0], cells1);
-    EXPECT_EQ(common.contacts[0].meeting.cells[1], cells2);
+    EXPECT_EQ(common.contacts[0].its_case.cells[0], cells1);
+    EXPECT_EQ(common.contacts[0].its_case.cells[1], cells2);
 }
 
 TEST(CommonGrid, TheFiveCasesAndTheirCells) {
@@ -63,9 +63,9 @@ TEST(CommonGrid, ThreePartsOnOneGridGiveThreeGrids) {
     EXPECT_EQ(case_of_parts(common, 0, 1), 'a');
     EXPECT_EQ(case_of_parts(common, 1, 2), 'd');
     EXPECT_EQ(case_of_parts(common, 0, 2), 'e');
-    EXPECT_EQ(common.contacts[0].meeting.cells[0], (std::vector<int>{11, 12}));
-    EXPECT_EQ(common.contacts[1].meeting.cells[0], (std::vector<int>{27, 28}));
-    EXPECT_EQ(common.contacts[1].meeting.cells[1], (std::vector<int>{35, 36}));
+    EXPECT_EQ(common.contacts[0].its_case.cells[0], (std::vector<int>{11, 12}));
+    EXPECT_EQ(common.contacts[1].its_case.cells[0], (std::vector<int>{27, 28}));
+    EXPECT_EQ(common.contacts[1].its_case.cells[1], (std::vector<int>{35, 36}));
     const std::vector<std::array<int, 4>> boxes{{2, 0, 4, 2}, {3, 1, 2, 3}, {0, 4, 8, 1}};
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const CellRange& box = common.split[p];
@@ -116,7 +116,7 @@ RandomPair random_pair(Random& random) {
 }
 
 /// The case and its cells straight from the definition: every cell of one part with every cell of the other.
-MeetingCells by_definition(const CommonGrid& common) {
+CaseCells by_definition(const CommonGrid& common) {
     struct Cell {
         int column, row;
         CellClass cell_class;
@@ -157,10 +157,10 @@ TEST(CommonGrid, AgreesWithTheDefinitionAndWithTheCaseOfThePair) {
         ++seen[letter];
         EXPECT_EQ(letter, cell_case(pair.parts[0], pair.parts[1], pair.cell));
         if (common.grid.n_cells() > 2500) continue;  // every cell with every cell takes long
-        const MeetingCells expected = by_definition(common);
+        const CaseCells expected = by_definition(common);
         EXPECT_EQ(letter, expected.letter);
         if (letter == 'e') continue;
-        EXPECT_EQ(common.contacts[0].meeting.cells, expected.cells);
+        EXPECT_EQ(common.contacts[0].its_case.cells, expected.cells);
     }
     for (const char letter : {'a', 'b', 'c', 'd', 'e'}) EXPECT_GE(seen[letter], 8) << letter;
 }

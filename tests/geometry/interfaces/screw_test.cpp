@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of VALIDATION part 4, and the same under motion of the whole figure.
+// A table of mechanisms and what they leave, and the same under motion of the whole figure.
 #include "geometry/interfaces/screw.hpp"
 
 #include <gtest/gtest.h>

@@ -65,7 +65,7 @@ inline void expect_consistent(const Part& part1, const Part& part2, double dista
             // at a joint the curvature may be that of the edge beyond the end
             if (!bounds.advances_within || i == 0 || i + 1 == pairs.size()) continue;
             EXPECT_LT(pairs[i].slope, 0);
-            EXPECT_GT(pairs[i].stretch, 0);
+            EXPECT_GT(pairs[i].length_rate, 0);
         }
         const double end2 = pairs.back().s2;
         const double off = zone.chain2.closed ? std::remainder(end2 - zone.end2, zone.chain2.length) : end2 - zone.end2;
@@ -83,7 +83,7 @@ inline void expect_derivatives(const Part& part1, const Part& part2, const Facin
     ASSERT_TRUE(a.found && p.found && b.found);
     EXPECT_NEAR((b.s2 - a.s2) / (2 * h), p.slope, bounds.difference);
     const Vec2 dm = (b.on1.x + b.on2.x - a.on1.x - a.on2.x) / (4 * h);
-    EXPECT_NEAR(std::abs(cross(p.normal, dm)), p.stretch, bounds.difference);
+    EXPECT_NEAR(std::abs(cross(p.normal, dm)), p.length_rate, bounds.difference);
     // curvature is the rate at which the normal turns along the tangent
     EXPECT_NEAR(((b.on1.normal - a.on1.normal) / (2 * h) - p.on1.curvature * p.on1.tangent).norm(), 0, bounds.difference);
 }

@@ -237,7 +237,7 @@ TEST(FacingGeneral, NurbsCirclesDoAsCirclesDo) {
                 EXPECT_NEAR(p[k].gap, q[k].gap, 1e-12);
                 EXPECT_NEAR((p[k].on1.x - q[k].on1.x).norm(), 0, 1e-9);
                 EXPECT_NEAR((p[k].on2.x - q[k].on2.x).norm(), 0, 1e-9);
-                EXPECT_NEAR(p[k].stretch, q[k].stretch, 1e-9);
+                EXPECT_NEAR(p[k].length_rate, q[k].length_rate, 1e-9);
                 EXPECT_NEAR(p[k].slope, q[k].slope, 1e-9);
             }
         }

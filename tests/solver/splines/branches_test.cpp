@@ -87,7 +87,7 @@ TEST(Branches, OfASlotInsideACellLiveOnOneOfItsElementsEach) {
     }
     // three functions across, and along: those that reach the whole cell once, the rest for each arm
     EXPECT_EQ(s.n_functions, 3 * (3 + 2 * (rows + 2 - 3)));
-    EXPECT_EQ(count_pieces(ElementGraph(s.columns(), s.rows(), s.fraction, s.splits)), 1);
+    EXPECT_EQ(count_connected(ElementGraph(s.columns(), s.rows(), s.fraction, s.splits)), 1);
 }
 
 TEST(Branches, DoNotExtendAcrossASlotOnAGridLine) {
@@ -128,7 +128,7 @@ TEST(Branches, OfRandomPartsHoldLinearFunctionsAndAreConnected) {
             if (elements.empty()) continue;
             std::vector<double> only(fraction.size(), 0.0);
             for (int e : elements) only[static_cast<std::size_t>(e)] = 1;
-            EXPECT_EQ(count_pieces(ElementGraph(columns, rows, only, s.splits)), 1);
+            EXPECT_EQ(count_connected(ElementGraph(columns, rows, only, s.splits)), 1);
         }
         for (int cell = 0; cell < columns * rows; ++cell) {
             if (fraction[static_cast<std::size_t>(cell)] == 0) continue;

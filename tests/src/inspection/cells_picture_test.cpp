@@ -177,7 +177,7 @@ TEST(CellsPicture, SheetsHoldTheClassesAndContactCellsOfTheGrid) {
                 if (c == CellClass::inner && expected == Shade::outer) expected = Shade::inner;
             }
             for (const geometry::ContactCells& contact : common.contacts)
-                for (const std::vector<int>& cells : contact.meeting.cells)
+                for (const std::vector<int>& cells : contact.its_case.cells)
                     if (std::count(cells.begin(), cells.end(), row * common.grid.columns + column)) expected = Shade::contact;
             EXPECT_EQ(all.shade[all.box.index(column, row)], expected) << column << " " << row;
         }

@@ -57,7 +57,7 @@ TEST(ContactPairing, MasterMeetsTheSecondBodyAlongTheFirstsNormal) {
         EXPECT_LT((pair.normal - pair.on1.normal).norm(), rounding);
         EXPECT_LT((pair.on1.x + pair.gap * pair.normal - pair.on2.x).norm(), rounding) << f;
         EXPECT_NEAR((pair.on2.x - Vec2(0, 2)).norm(), 2, rounding);
-        EXPECT_EQ(pair.stretch, 1);
+        EXPECT_EQ(pair.length_rate, 1);
     }
 }
 
