@@ -161,8 +161,9 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
                          given_file};
     Scene scene;
     scene.file = document.file;
-    const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+    // "$schema" is for editors.
+    const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials",
+                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

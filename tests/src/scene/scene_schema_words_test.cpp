@@ -39,7 +39,6 @@ void collect(const Json& node, const std::string& place, std::map<std::string, S
 /// The place of the value in a scene, as a JSON pointer.
 const std::map<std::string, std::string> places{
     {"/properties/analysis", "/analysis"},
-    {"/properties/symmetry", "/symmetry"},
     {"/$defs/place/properties/mirror", "/parts/0/place/mirror"},
     {"/$defs/section/properties/axis", "/parts/1/geometry/mesh/section/axis"},
     {"/$defs/geometry/properties/place/properties/mirror", "/parts/0/geometry/place/mirror"},
