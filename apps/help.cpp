@@ -68,10 +68,9 @@ CommandSpec help_spec() {
         {{"--markdown", "", "print all keys as the pages of data/schema/README.md"},
          {"--man", "", "print the man page"},
          {"--keys", "", "print the names of all keys, for completion"}},
-        "TOPIC is a command (analyze) or a key: loads.force, contacts.friction, result.contacts.profile.pressure, or its last\n"
-        "word alone where there is only one (omega). Keys begin with scene, result, contacts, csv, study, batch, inspect or "
-        "verify\n"
-        "where that is to be said.\n"};
+        "TOPIC is a command (analyze) or a key: loads.force, contacts.friction, result.contacts.profile.pressure,\n"
+        "or its last word alone where there is only one (omega). Where that is to be said, keys begin with scene,\n"
+        "result, contacts, expect, csv, study, batch, inspect or verify.\n"};
     spec.operands = Operands::any;
     return spec;
 }

@@ -26,7 +26,7 @@ Inspection inspect_file(const std::string& path, const ImportOptions& options);
 std::vector<geometry::Repair> geometry_repairs(const Scene& scene);
 /// Those of imports, then those of the scene's own parts.
 std::vector<geometry::Repair> all_repairs(const Inspection& inspection);
-/// As SCENE.md states for `inspect --json`.
+/// The text of `inspect --json` (data/schema/inspect.schema.json).
 std::string inspection_json(const Inspection& inspection);
 std::string inspection_table(const Inspection& inspection);
 /// All parts with the names and directions of their edges, a scale, and numbered marks at repairs and problems.

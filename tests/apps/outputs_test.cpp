@@ -11,6 +11,8 @@ namespace {
 using namespace abut_tests;
 using namespace schema_check;
 
+using Strings = std::set<std::string>;
+
 const std::string data = std::string(ABUT_SOURCE_DIR) + "/data/";
 
 /// Two blocks, one on the other, with what a test adds.
@@ -65,6 +67,20 @@ TEST_F(Outputs, ContactsInspectionsAndVerificationsDoSo) {
         EXPECT_EQ(in_lines(of_inspect.faults(Json::parse(abut({"inspect", "--json", file}).output))), "") << file;
     EXPECT_EQ(in_lines(of_verify.faults(Json::parse(abut({"verify", "--json", "E2-quadratic"}).output))), "");
     EXPECT_EQ(in_lines(of_verify.never_met()), "");
+}
+
+/// It is read, not written: what the reader names as known are the keys of the schema.
+TEST_F(Outputs, ExpectedPairsHaveTheKeysOfTheirSchema) {
+    write("expected.json", R"({"no_such_key": 1, "pairs": [{"parts": ["bracket", "pin"], "no_such_key": 1}]})");
+    const Outcome run = abut({"contacts", data + "scenes/pin_bracket.json", "--expect", "expected.json"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_TRUE(any_line_has(run.errors, {"expected.json", "known here: abut, pairs"})) << joined(run.errors);
+    EXPECT_TRUE(any_line_has(run.errors, {"expected.json", "known here: parts, status, interface"})) << joined(run.errors);
+    Strings keys;
+    for_each_object(json_of(schema_file("expect")), "", [&](const std::string&, const Json& object) {
+        for (const auto& [key, value] : object["properties"].items()) keys.insert(key);
+    });
+    EXPECT_EQ(keys, (Strings{"abut", "pairs", "parts", "status", "interface"}));
 }
 
 TEST_F(Outputs, BatchesAndStudiesDoSo) {
