@@ -120,7 +120,7 @@ private:
         ReferenceEntry entry;
         entry.path = path;
         entry.parent = parent;
-        entry.title = resolved(node).contains("properties") ? text(node, "title") : "";
+        entry.title = !path.empty() && resolved(node).contains("properties") ? text(node, "title") : "";
         entry.type = type_of(node);
         entry.meaning = text(node, "description");
         entry.required = required;
