@@ -25,6 +25,7 @@ int study_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 int batch_command(const Arguments& arguments);
 int merge_command(const Arguments& arguments);
+int help_command(const Arguments& arguments);
 
 /// The words that each command accepts, for parsing and for its help.
 CommandSpec analyze_spec();
@@ -35,5 +36,18 @@ CommandSpec study_spec();
 CommandSpec verify_spec();
 CommandSpec batch_spec();
 CommandSpec merge_spec();
+CommandSpec help_spec();
+
+struct Command {
+    CommandSpec spec;
+    int (*run)(const Arguments&);
+};
+/// All commands, in the order in which the help lists them.
+std::vector<Command> known_commands();
+
+/// The text of `abut --help`.
+std::string general_help();
+/// The meaning of the exit status in a line.
+std::string exit_status_text();
 
 }  // namespace abut

@@ -30,6 +30,8 @@ _abut() {
         COMPREPLY=($(compgen -W "$(_abut_words "$program" "${COMP_WORDS[1]}") --help" -- "$word"))
     elif [[ ${COMP_WORDS[1]} == verify && $before != -* ]]; then
         COMPREPLY=($(compgen -W "$("$program" verify --list 2>/dev/null | sed -n 's/^\([A-Za-z0-9][^ ]*\) .*/\1/p')" -- "$word"))
+    elif [[ ${COMP_WORDS[1]} == help ]]; then
+        COMPREPLY=($(compgen -W "$(_abut_words "$program") $("$program" help --keys 2>/dev/null)" -- "$word"))
     fi # else files, by the default of complete
 }
 

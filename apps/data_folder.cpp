@@ -19,9 +19,20 @@ fs::path program_file() {
     return fs::read_symlink("/proc/self/exe", error);
 }
 
-bool has_verification(const fs::path& folder) {
+bool has_folder(const fs::path& folder, const char* inside) {
     std::error_code error;
-    return fs::is_directory(folder / "verification", error);
+    return fs::is_directory(folder / inside, error);
+}
+
+/// The folder data/ that came with the program, where it holds a certain folder.
+std::string data_with(const char* inside, const std::string& command, const std::string& hint) {
+    const std::vector<fs::path> places{program_file().parent_path() / "../share/abut", fs::path(ABUT_SOURCE_FOLDER) / "data"};
+    for (const fs::path& folder : places)
+        if (has_folder(folder, inside)) return folder.lexically_normal().string();
+    throw InputError(command,
+                     "the folder '" + std::string(inside) + "' that it needs is not found, neither in " +
+                         places[0].lexically_normal().string() + " nor in " + places[1].string(),
+                     hint);
 }
 
 }  // namespace
@@ -29,16 +40,14 @@ bool has_verification(const fs::path& folder) {
 std::string data_folder(const Arguments& arguments) {
     if (has(arguments, "--data")) {
         const std::string folder = arguments.options.at("--data");
-        if (has_verification(folder)) return folder;
+        if (has_folder(folder, "verification")) return folder;
         throw InputError("--data", "there is no folder 'verification' in " + folder, "give the folder data/ of abut's sources");
     }
-    const std::vector<fs::path> places{program_file().parent_path() / "../share/abut", fs::path(ABUT_SOURCE_FOLDER) / "data"};
-    for (const fs::path& folder : places)
-        if (has_verification(folder)) return folder.lexically_normal().string();
-    throw InputError(
-        "verify",
-        "its scenes are not found, neither in " + places[0].lexically_normal().string() + " nor in " + places[1].string(),
-        "give their folder by --data DIR");
+    return data_with("verification", "verify", "give the folder above it by --data DIR");
+}
+
+std::string schema_folder() {
+    return data_with("schema", "help", "install abut again, or build it from its sources") + "/schema";
 }
 
 }  // namespace abut

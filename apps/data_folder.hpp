@@ -10,4 +10,7 @@ namespace abut {
 /// installed; else that of the sources it was built from. Throws InputError where there is none.
 std::string data_folder(const Arguments& arguments);
 
+/// The folder schema/ of it; without options.
+std::string schema_folder();
+
 }  // namespace abut

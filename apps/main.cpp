@@ -19,27 +19,6 @@ namespace {
 
 using namespace abut;
 
-struct Command {
-    CommandSpec spec;
-    int (*run)(const Arguments&);
-};
-
-std::vector<Command> known_commands() {
-    return {{analyze_spec(), analyze_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
-            {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command},
-            {batch_spec(), batch_command},     {merge_spec(), merge_command}};
-}
-
-std::string general_help() {
-    std::string text = "usage: abut COMMAND FILE [OPTIONS]\n\nContact analysis of plane assemblies.\n\ncommands:\n";
-    for (const Command& command : known_commands()) {
-        text += "  " + command.spec.name + std::string(10 - command.spec.name.size(), ' ') + command.spec.summary + "\n";
-    }
-    return text +
-           "\nabut COMMAND --help shows a command's options; abut --version the version.\n"
-           "Exit status: 0 done; 1 the analysis failed, or a comparison differs; 2 the input or the usage is wrong.\n";
-}
-
 [[noreturn]] void refuse_command(const std::string& word) {
     std::vector<std::string> names;
     for (const Command& command : known_commands()) names.push_back(command.spec.name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// contacts.json: the keys and their order are those of the scene format's page "Commands".
+// contacts.json, which data/schema/contacts.schema.json describes.
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -27,7 +27,7 @@ Inspection inspect_file(const std::string& path, const ImportOptions& options);
 std::vector<geometry::Repair> geometry_repairs(const Scene& scene);
 /// All repairs: those of imports, then those of the scene's own parts.
 std::vector<geometry::Repair> all_repairs(const Inspection& inspection);
-/// The text that `inspect --json` prints.
+/// The text that `inspect --json` prints (data/schema/inspect.schema.json).
 std::string inspection_json(const Inspection& inspection);
 std::string inspection_table(const Inspection& inspection);
 /// A picture of all parts with the names and directions of their edges, a scale, and numbered marks at repairs and problems.

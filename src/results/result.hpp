@@ -241,7 +241,7 @@ struct Result {
     std::vector<LoadMark> load_marks;
 };
 
-/// The text of result.json; deterministic but for timing.
+/// The text of result.json (data/schema/result.schema.json); deterministic but for timing.
 std::string result_json(const Result& result);
 /// The text of contact_<k>.csv.
 std::string contact_csv(const ContactResult& contact);

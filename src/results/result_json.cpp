@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// result.json: the keys and their order are those of the scene format's page "Result".
+// result.json, which data/schema/result.schema.json describes.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -41,6 +41,7 @@ void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
 
 void read_general(SceneReading& reading, Scene& scene) {
     const JsonValue& root = reading.root;
+    if (const JsonValue* schema = find_member(root, "$schema")) read_text(reading, *schema);  // for editors alone
     const JsonValue* title = find_member(root, "title");
     if (title && title->kind != JsonValue::Kind::string)
         report_problem(reading, *title, "expected a text, found " + described(*title));
@@ -163,8 +164,8 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
                          given_file};
     Scene scene;
     scene.file = document.file;
-    const Words keys{{"abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+    const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials",
+                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

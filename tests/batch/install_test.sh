@@ -23,6 +23,8 @@ for file in scenes/vise.json sketches/pin_bracket_r14.dxf batch/loads.csv schema
 done
 "$abut" --version | grep -q '^abut [0-9]' || fail "it does not run"
 "$abut" verify E6 >/dev/null || fail "verify does not find its scenes"
+"$abut" help loads.force | grep -q '^scene.loads\[\].force' || fail "help does not find the schemas"
+grep -q '^\.TH ABUT 1' "$share/man/man1/abut.1" || fail "the man page is not installed"
 echo '{' >"$share/abut/verification/bar.json"
 "$abut" verify E6 >/dev/null 2>&1 && fail "verify reads scenes from elsewhere"
 "$abut" batch "$share/abut/batch/loads.csv" --template "$share/abut/batch/pin_pushed_down.json" -o out --quiet || fail "the example of batch does not run"
@@ -33,12 +35,14 @@ offered() {
     bash -c 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _abut; printf "%s\n" "${COMPREPLY[@]}"' bash \
         "$share/bash-completion/completions/abut" "$abut" "$@"
 }
-for command in analyze contacts inspect init study verify batch merge; do
+for command in analyze contacts inspect init study verify batch merge help; do
     offered "" | grep -qx "$command" || fail "completion does not offer $command"
     for option in $("$abut" "$command" --help | sed -n 's/^  \(-[a-z-]*\).*/\1/p'); do
         offered "$command" "${option:0:2}" | grep -qx -- "$option" || fail "completion does not offer $option of $command"
     done
 done
+offered help loads.f | grep -qx loads.force || fail "completion does not offer loads.force"
+offered help ver | grep -qx verify || fail "completion does not offer verify to help"
 offered analyze --accuracy d | grep -qx draft || fail "completion does not offer draft"
 [[ $(offered batch --sh) == --shard ]] || fail "completion offers more than fits"
 echo "passed"

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The schema of scenes against the scenes of data/, and against wrong ones. Skipped where the module jsonschema is missing."""
+"""The schema of scenes against the scenes of data/, and against wrong ones; examples and defaults of all schemas against what they are
+examples of. Skipped where the module jsonschema is missing; tests/src/reference and tests/apps/outputs_test check keys without it."""
 import json
 import pathlib
 import re
@@ -37,6 +38,10 @@ WRONG = {
     "a support without a kind": block(supports=[{"on": "block/left"}]),
     "a load of two kinds": block(loads=[{"on": "block/top", "pressure": 1, "force": [0, 1]}]),
     "a radius below zero": block(parts=[{"name": "a", "material": "steel", "geometry": {"circle": {"center": [0, 0], "radius": -1}}}]),
+    "friction, which is not supported yet": block(contacts={"friction": 0.3}),
+    "a load at a point, which is not supported yet": block(loads=[{"part": "block", "at": [0, 0], "force": [0, 1]}]),
+    "a format that is not supported yet": block(output={"formats": ["vtu"]}),
+    "a schema that is no text": block(**{"$schema": 1}),
     "a name with a slash": block(parts=[block()["parts"][0] | {"name": "a/b"}]),
 }
 
@@ -66,6 +71,40 @@ class SceneSchema(unittest.TestCase):
         for what, instance in WRONG.items():
             with self.subTest(what):
                 self.assertNotEqual(self.faults(instance), [])
+
+
+def instances(node, place=""):
+    """Every example and default in a schema, with the node that it belongs to."""
+    if isinstance(node, list):
+        for k, item in enumerate(node):
+            yield from instances(item, f"{place}/{k}")
+    if not isinstance(node, dict):
+        return
+    if "properties" in node or "$ref" in node or "type" in node or "anyOf" in node or "enum" in node:
+        own = {key: value for key, value in node.items() if key not in ("examples", "default")}
+        for value in node.get("examples", []) + [node[key] for key in ["default"] if key in node]:
+            yield place, own, value
+    for key, value in node.items():
+        if key not in ("examples", "default"):
+            yield from instances(value, f"{place}/{key}")
+
+
+@unittest.skipIf(jsonschema is None, "the Python module jsonschema is missing")
+class Examples(unittest.TestCase):
+    def test_every_example_and_default_is_one(self):
+        for path in sorted((ROOT / "data/schema").glob("*.schema.json")):
+            schema = json.loads(path.read_text())
+            jsonschema.Draft202012Validator.check_schema(schema)
+            found = list(instances(schema))
+            self.assertGreater(len(found), 0)
+            for place, own, value in found:
+                with self.subTest(path.name + place):
+                    validator = jsonschema.Draft202012Validator(own | {"$defs": schema.get("$defs", {})})
+                    self.assertEqual([error.message for error in validator.iter_errors(value)], [])
+
+    def test_a_wrong_default_is_noticed(self):
+        (place, own, value), = instances({"type": "integer", "default": "two"})
+        self.assertNotEqual(list(jsonschema.Draft202012Validator(own).iter_errors(value)), [])
 
 
 if __name__ == "__main__":

@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> rooms{
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
      {"io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "report", "inspection",
-      "verification", "study", "batch"}}};
+      "verification", "study", "batch", "reference"}}};
 
 /// These compile slowly and need flags of their own.
 const std::vector<std::string> cgal_files{"geometry/csg/exact_regions.cpp"};

@@ -95,6 +95,11 @@ TEST(ReadScene, defaults) {
     EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(ReadScene, the_schema_that_editors_are_told_is_a_text_and_nothing_else) {
+    EXPECT_EQ(with_members(R"("$schema": "no/such/file.json", "title": "t")").title, "t");
+    EXPECT_THROW(with_members(R"("$schema": 1)"), InputError);
+}
+
 TEST(ReadScene, geometry_nodes) {
     EXPECT_NEAR(area_of(with_geometry(R"({"rectangle": {"min": [0, 0], "max": ["R", 3]}})")), 6, 1e-12);
     EXPECT_NEAR(area_of(with_geometry(R"({"circle": {"center": [5, 5], "radius": "R"}})")), 4 * pi, 1e-12);
