@@ -5,13 +5,10 @@
 
 namespace abut {
 
-/// Length of the UTF-8 character that begins at text[at], 0 if there is none (RFC 3629, section 4).
+/// Length of the UTF-8 character that begins at text[at], 0 if there is none (RFC 3629, section 4). Throws nothing.
 std::size_t utf8_length(const std::string& text, std::size_t at);
 
-/// Appends the character with this code point (below 0x110000, no surrogate).
-void append_utf8(std::string& text, unsigned code);
-
-/// Characters as they are seen, of UTF-8 text.
+/// Characters as they are seen, of UTF-8 text; of other bytes something, without a throw.
 std::size_t text_width(const std::string& text);
 
 }  // namespace abut
