@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -25,12 +26,12 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// FNV-1a.
-std::uint64_t checksum(const SparseSymmetric& m) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const std::vector<int>* numbers : {&m.first, &m.row})
-        for (int i : *numbers) hash = (hash ^ static_cast<std::uint32_t>(i)) * 1099511628211u;
-    return hash;
+/// Of the columns' beginnings and of the rows, for comparisons within one run of the program.
+std::array<std::size_t, 2> checksum(const SparseSymmetric& m) {
+    const auto of = [](const std::vector<int>& numbers) {
+        return std::hash<std::string_view>()({reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(int)});
+    };
+    return {of(m.first), of(m.row)};
 }
 
 /// The banded factor is chosen up to this bandwidth, in entries of the matrix in a row of its lower triangle: measured, see the
@@ -163,7 +164,7 @@ Structure structure_for(const SparseSymmetric& m, std::optional<FactorMethod> me
 }  // namespace
 
 struct SymbolicFactorization::Data {
-    std::uint64_t checksum;
+    std::array<std::size_t, 2> checksum;
     Structure structure;
     int given_bandwidth;
 };

@@ -68,7 +68,7 @@ public:
     FactorMethod method() const;
     int bandwidth() const;                           ///< below the diagonal in the chosen order; not banded: in the given one
     double entries() const;                          ///< numbers that the factor stores
-    bool fits(const SparseSymmetric& matrix) const;  ///< whether it was made for this pattern (by a 64 bit checksum)
+    bool fits(const SparseSymmetric& matrix) const;  ///< whether it was made for this pattern (by checksums)
 
 private:
     friend class Factorization;
