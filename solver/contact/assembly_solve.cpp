@@ -3,7 +3,6 @@
 // -> the contact QP -> displacements.
 #include "solver/contact/assembly_solve.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/neutral_motions.hpp"
+#include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {
@@ -144,8 +144,8 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     imbalance.tail(levers.cols()) = levers.transpose() * forces;
     if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
     const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
-    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(motions.transpose() * weighted);
-    const VectorXd change = (forces.array() != 0).select(-motions * factor.solve(imbalance), 0.0);
+    const VectorXd amplitudes = least_squares(motions.transpose() * weighted, imbalance);
+    const VectorXd change = (forces.array() != 0).select(-motions * amplitudes, 0.0);
     if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
     return forces + forces.cwiseAbs().cwiseProduct(change);
 }

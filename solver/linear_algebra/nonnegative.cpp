@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/linear_algebra/nonnegative.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
+
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -14,7 +15,7 @@ using Eigen::Index;
 Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<Index>& passive) {
     Eigen::MatrixXd columns(a.rows(), static_cast<Index>(passive.size()));
     for (std::size_t i = 0; i < passive.size(); ++i) columns.col(static_cast<Index>(i)) = a.col(passive[i]);
-    return columns.completeOrthogonalDecomposition().solve(b);
+    return least_squares(columns, b);
 }
 
 }  // namespace
