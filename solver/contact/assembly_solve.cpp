@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/neutral_motions.hpp"
@@ -244,6 +245,8 @@ void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd&
 
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
                        AssemblySolution& solution) {
+    ENSURE(multipliers.size() == all.rows.n && all.first_row.size() == problem.interfaces.size(),
+           "multipliers are by row of these interfaces");
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(
             all_coefficients(problem.interfaces[f], multipliers.segment(all.first_row[f], n_rows(problem.interfaces[f]))));

@@ -5,10 +5,16 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "base/ensure.hpp"
+
 namespace abut::solver {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
+constexpr const char* rows_differ = "a right-hand side has the rows of its matrix";
+}
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(a);
@@ -30,33 +36,40 @@ SingularVectors right_singular_vectors(const MatrixXd& a) {
 }
 
 VectorXd least_squares(const MatrixXd& a, const VectorXd& b) {
+    ENSURE(a.rows() == b.size(), rows_differ);
     return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(a).solve(b);
 }
 
 bool Cholesky::compute(const MatrixXd& a) {
+    ENSURE(a.rows() == a.cols(), "a symmetric matrix is square");
     factor_.compute(a);
     return succeeded();
 }
 
 VectorXd Cholesky::solve(const VectorXd& b) const {
+    ENSURE(factor_.rows() == b.size(), rows_differ);
     return factor_.solve(b);
 }
 
 MatrixXd Cholesky::solve_columns(const MatrixXd& b) const {
+    ENSURE(factor_.rows() == b.rows(), rows_differ);
     return factor_.solve(b);
 }
 
 MatrixXd Cholesky::solve_lower(const MatrixXd& b) const {
+    ENSURE(factor_.rows() == b.rows(), rows_differ);
     return factor_.matrixL().solve(b);
 }
 
 PivotedCholesky::PivotedCholesky(const MatrixXd& a) : factor_(a) {}
 
 VectorXd PivotedCholesky::solve(const VectorXd& b) const {
+    ENSURE(factor_.rows() == b.size(), rows_differ);
     return factor_.solve(b);
 }
 
 MatrixXd PivotedCholesky::solve_columns(const MatrixXd& b) const {
+    ENSURE(factor_.rows() == b.rows(), rows_differ);
     return factor_.solve(b);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/ensure.hpp"
 #include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
@@ -23,6 +24,8 @@ Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd
 NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                             const std::vector<char>& bounded) {
     const Index n = a.cols();
+    ENSURE(b.size() == a.rows() && static_cast<Index>(bounded.size()) == n,
+           "there is a datum for every row, a bound for every column");
     NonnegativeResult r{Eigen::VectorXd::Zero(n), b, true};
     if (a.size() == 0) return r;
     r.converged = false;

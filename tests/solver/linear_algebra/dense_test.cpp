@@ -61,5 +61,17 @@ TEST(Dense, FactorsSolve) {
     EXPECT_LT(std::abs(pivots[2]), 1e-12 * pivots[0]);
 }
 
+TEST(Dense, RefusesOtherSizes) {
+    const VectorXd three = VectorXd::Ones(3);
+    EXPECT_THROW(least_squares(tall, three), std::logic_error);
+    EXPECT_THROW(Cholesky{tall}, std::logic_error);
+    const MatrixXd a = MatrixXd::Identity(4, 4);
+    EXPECT_THROW(Cholesky(a).solve(three), std::logic_error);
+    EXPECT_THROW(Cholesky(a).solve_columns(three), std::logic_error);
+    EXPECT_THROW(Cholesky(a).solve_lower(three), std::logic_error);
+    EXPECT_THROW(PivotedCholesky(a).solve(three), std::logic_error);
+    EXPECT_THROW(PivotedCholesky(a).solve_columns(three), std::logic_error);
+}
+
 }  // namespace
 }  // namespace abut::solver::dense_test
