@@ -4,12 +4,13 @@
 # name that messages begin with. Everything that fails prints one line (a failed build: the end of its log) and exits with status 1.
 
 build_packages=(
-    libcgal-dev libeigen3-dev libsuitesparse-dev libassimp-dev lib3mf-dev nlohmann-json3-dev libboost-dev libgmp-dev libmpfr-dev
+    libcgal-dev libeigen3-dev libsuitesparse-dev libassimp-dev lib3mf-dev nlohmann-json3-dev libutfcpp-dev libxxhash-dev libboost-dev
+    libgmp-dev libmpfr-dev
     # not the reference BLAS, which takes several times as long; the first one may be called from several threads
     "libopenblas-pthread-dev|libopenblas-serial-dev|libopenblas-openmp-dev"
 )
 test_packages=(libgtest-dev libbenchmark-dev)
-sources=(geometry solver src apps CMakeLists.txt CMakePresets.json)
+sources=(base geometry solver src apps CMakeLists.txt CMakePresets.json)
 
 fail() {
     printf '%s: %s\n' "$program" "$1" >&2

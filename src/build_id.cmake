@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run at every build: cmake -D SOURCE_DIR=... -D VERSION=... -D FILE=... -P build_id.cmake writes FILE where its text changed.
 set(sources)
-foreach(floor geometry solver src apps)
+foreach(floor base geometry solver src apps)
   file(GLOB_RECURSE of_floor ${SOURCE_DIR}/${floor}/*.cpp ${SOURCE_DIR}/${floor}/*.hpp ${SOURCE_DIR}/${floor}/CMakeLists.txt)
   list(APPEND sources ${of_floor})
 endforeach()

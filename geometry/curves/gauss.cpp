@@ -5,7 +5,8 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
-#include <stdexcept>
+
+#include "base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -47,7 +48,7 @@ GaussRule make_rule(int n) {
 const GaussRule& gauss_rule(int n) {
     static std::array<GaussRule, most_gauss_points + 1> rules;
     static std::array<std::once_flag, most_gauss_points + 1> made;
-    if (n < 1 || n > most_gauss_points) throw std::logic_error("gauss_rule: n outside 1..128");
+    ENSURE(n >= 1 && n <= most_gauss_points, "a Gauss rule has 1 to 128 points");
     const auto k = static_cast<std::size_t>(n);
     std::call_once(made[k], [&] { rules[k] = make_rule(n); });
     return rules[k];

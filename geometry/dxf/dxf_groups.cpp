@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/dxf/dxf_groups.hpp"
 
+#include <utf8.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "geometry/brep/input_error.hpp"
@@ -131,7 +134,7 @@ std::string unescaped(std::string_view value) {
         const bool is_escape = value.compare(i, 3, "\\U+") == 0 && digits.size() == 4 &&
                                std::from_chars(digits.data(), digits.data() + 4, code, 16).ptr == digits.data() + 4;
         if (is_escape && code != 0 && (code < 0xD800 || code > 0xDFFF)) {
-            append_utf8(text, code);
+            utf8::append(code, std::back_inserter(text));
             i += 7;
         } else {
             text += value[i++];

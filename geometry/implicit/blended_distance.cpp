@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/cardinal_spline.hpp"
@@ -19,10 +19,10 @@ namespace {
 BlendedDistance completed(const Part& part, BlendedDistance options) {
     if (options.delta == 0) options.delta = strip_width(part);
     if (options.cell == 0) options.cell = std::max(2 * options.delta, bounding_box(part).diagonal() / finest_default_grid);
-    require(std::isfinite(options.delta) && options.delta > 0, "blended_distance: delta not positive");
-    require(std::isfinite(options.cell) && options.cell > 0, "blended_distance: cell not positive");
-    require(options.degree >= 1 && options.degree <= max_cardinal_degree, "blended_distance: degree outside 1..8");
-    require(options.gamma >= 1 && options.m >= 1, "blended_distance: gamma or m below 1");
+    ENSURE(std::isfinite(options.delta) && options.delta > 0, "the width of a blend is positive");
+    ENSURE(std::isfinite(options.cell) && options.cell > 0, "the cells of a blend have a size");
+    ENSURE(options.degree >= 1 && options.degree <= max_cardinal_degree, "the degree of a blend is 1 to 8");
+    ENSURE(options.gamma >= 1 && options.m >= 1, "the exponents of a blend are 1 at least");
     return options;
 }
 
@@ -179,7 +179,7 @@ double strip_width(const Part& part) {
 }
 
 ImplicitField blended_distance(const Part& part, const BlendedDistance& options) {
-    if (part.edges.empty()) throw std::logic_error("blended_distance: a part without edges");
+    ENSURE(!part.edges.empty(), "a part has edges");
     return make_field(Blend(part, options));
 }
 

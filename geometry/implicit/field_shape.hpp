@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is behind an ImplicitField: a formula, evaluated over doubles or over jets.
 #pragma once
-#include <stdexcept>
 #include <utility>
 
 #include "geometry/implicit/implicit.hpp"
@@ -35,11 +34,6 @@ private:
 template <class Formula>
 ImplicitField make_field(Formula formula) {
     return {std::make_shared<const FormulaShape<Formula>>(std::move(formula))};
-}
-
-/// Throws std::logic_error with this text unless `ok`: wrong arguments are the caller's fault.
-inline void require(bool ok, const char* what) {
-    if (!ok) throw std::logic_error(what);
 }
 
 /// The plane's coordinates as jets.

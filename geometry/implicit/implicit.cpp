@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/ensure.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/r_functions.hpp"
 
@@ -21,8 +22,8 @@ ImplicitField joined(const ImplicitField& a, const ImplicitField& b, Join join, 
 
 /// Balanced, so that n fields need log n roots one upon the other: a chain would dampen or amplify the first of them.
 ImplicitField folded(std::vector<ImplicitField> fields, Join join, double alpha) {
-    require(!fields.empty(), "R-function of no fields");
-    require(alpha > -1 && alpha <= 1, "R-function: alpha outside (-1, 1]");
+    ENSURE(!fields.empty(), "an R-function is of some fields");
+    ENSURE(alpha > -1 && alpha <= 1, "the alpha of R-functions is in (-1, 1]");
     while (fields.size() > 1) {
         std::vector<ImplicitField> half;
         for (std::size_t i = 0; i + 1 < fields.size(); i += 2) half.push_back(joined(fields[i], fields[i + 1], join, alpha));
@@ -58,7 +59,7 @@ ImplicitField negation(const ImplicitField& field) {
 }
 
 ImplicitField equivalence(const std::vector<ImplicitField>& fields, int m) {
-    require(!fields.empty() && m >= 1, "equivalence: no fields, or m below 1");
+    ENSURE(!fields.empty() && m >= 1, "a join is of some fields, and of order 1 at least");
     return make_field([fields, m]<class T>(const PointOf<T>& p) -> T {
         std::vector<T> w;
         w.reserve(fields.size());

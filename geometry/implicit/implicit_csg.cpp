@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The R-function of a geometry tree.
-#include <stdexcept>
 #include <variant>
 
+#include "base/ensure.hpp"
 #include "geometry/csg/primitives.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/trimmed_edge.hpp"
@@ -46,7 +46,7 @@ ImplicitField line_field(const Primitive& primitive, std::size_t edge) {
 /// Of a primitive whose one edge is a full circle or ellipse.
 ImplicitField closed_field(const Primitive& primitive) {
     const TrimmedEdge edge = trimmed_edge(with_material_left(primitive, 0));
-    if (!edge.is_conic || !edge.conic.is_closed) throw std::logic_error("implicit_of: a circle or ellipse that is not whole");
+    ENSURE(edge.is_conic && edge.conic.is_closed, "a primitive with one edge is a whole circle or ellipse");
     return whole_field(edge.conic);
 }
 
@@ -105,7 +105,7 @@ private:
 ImplicitField implicit_of(const CsgNode& tree, double alpha) {
     std::vector<GeometryProblem> problems;
     const std::vector<Primitive> primitives = primitives_of(tree, problems);
-    if (!problems.empty()) throw std::logic_error("implicit_of: " + problems.front().where + ": " + problems.front().what);
+    ENSURE(problems.empty(), problems.front().where + ": " + problems.front().what);
     return Builder(primitives, alpha).field_of(tree);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of boundaries given by their edges.
 
+#include "base/ensure.hpp"
 #include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/trimmed_edge.hpp"
@@ -24,7 +25,7 @@ BoundarySide boundary_side(const Part& part) {
 }
 
 ImplicitField distance_field(const Part& part, int m) {
-    require(!part.edges.empty() && m >= 1, "distance_field: a part without edges, or m below 1");
+    ENSURE(!part.edges.empty() && m >= 1, "a part has edges, and a join is of order 1 at least");
     std::vector<TrimmedEdge> edges;
     for (const Edge& edge : part.edges) edges.push_back(trimmed_edge(edge.curve));
     return make_field([edges = std::move(edges), side = boundary_side(part), m]<class T>(const PointOf<T>& p) -> T {
@@ -33,10 +34,10 @@ ImplicitField distance_field(const Part& part, int m) {
 }
 
 ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m) {
-    require(!edges.empty() && m >= 1, "edge_field: no edges, or m below 1");
+    ENSURE(!edges.empty() && m >= 1, "a field is of some edges, and a join of order 1 at least");
     std::vector<TrimmedEdge> chosen;
     for (const int e : edges) {
-        require(e >= 0 && static_cast<std::size_t>(e) < part.edges.size(), "edge_field: no such edge");
+        ENSURE(e >= 0 && static_cast<std::size_t>(e) < part.edges.size(), "the edge is one of the part's");
         chosen.push_back(trimmed_edge(part.edges[static_cast<std::size_t>(e)].curve));
     }
     const double on_edge = on_edge_fraction * bounding_box(part).diagonal();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/ensure.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/gauss_portions.hpp"
 
@@ -79,6 +80,8 @@ std::vector<BoundaryPoint> rule_along(const Part& part, const CutCells& cells, i
     std::vector<BoundaryPoint> points;
     std::vector<GaussPortion> portions;
     const auto e = static_cast<std::size_t>(edge);
+    ENSURE(e < part.edges.size() && cells.first_piece.size() == part.edges.size() + 1,
+           "the cells are those that cut this part");
     const Curve& curve = part.edges[e].curve;
     for (auto k = static_cast<std::size_t>(cells.first_piece[e]); k < static_cast<std::size_t>(cells.first_piece[e + 1]); ++k) {
         const BoundaryPiece& piece = cells.pieces[k];

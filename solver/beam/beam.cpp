@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/beam/beam.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -240,14 +240,14 @@ VectorXd scale_of(BeamScaling scaling, const Beam& beam, const std::vector<Span>
 }
 
 /// A pivot that is nothing but rounding of its diagonal entry tells of a matrix that is singular to working precision.
-bool is_definite(const Eigen::LLT<MatrixXd>& factor, const MatrixXd& matrix) {
-    if (factor.info() != Eigen::Success) return false;
-    const VectorXd pivot = factor.matrixLLT().diagonal().cwiseAbs2().cwiseQuotient(matrix.diagonal());
+bool is_definite(const Cholesky& factor, const MatrixXd& matrix) {
+    if (!factor.succeeded()) return false;
+    const VectorXd pivot = factor.diagonal().cwiseAbs2().cwiseQuotient(matrix.diagonal());
     return (pivot.array() > unit).all();
 }
 
 double largest_eigenvalue(const MatrixXd& symmetric) {
-    return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    return symmetric_eigenvalues(symmetric).maxCoeff();
 }
 
 double norm_one(const MatrixXd& matrix) {
@@ -283,7 +283,7 @@ BeamSystem assemble_beam(const Beam& beam, const BeamLoad& load, BeamScaling sca
 
 BeamSolution solve_beam(const Beam& beam, const BeamSystem& system) {
     if (!system.failure.empty()) return {{}, system.failure};
-    const Eigen::LLT<MatrixXd> factor(system.stiffness);
+    const Cholesky factor(system.stiffness);
     if (!is_definite(factor, system.stiffness))
         return {{},
                 "the beam's stiffness is not positive definite to working precision: the beam is much shorter than a cell, or "
@@ -307,9 +307,9 @@ BeamState beam_state(const Beam& beam, const BeamSolution& solution, double x) {
 
 ConditionNumbers condition_numbers(const MatrixXd& matrix) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
-    const Eigen::LLT<MatrixXd> factor(matrix);
+    const Cholesky factor(matrix);
     if (!is_definite(factor, matrix)) return {infinite, infinite, infinite};
-    const MatrixXd inverse = factor.solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    const MatrixXd inverse = factor.solve_columns(MatrixXd::Identity(matrix.rows(), matrix.cols()));
     return {norm_one(matrix) * norm_one(inverse), largest_eigenvalue(matrix) * largest_eigenvalue(inverse),
             matrix.stableNorm() * inverse.stableNorm()};
 }

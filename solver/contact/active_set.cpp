@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/active_set.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <set>
 #include <utility>
 
 #include "solver/linear_algebra/blas.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -95,14 +94,14 @@ public:
         : shifted_(shifted), proximal_(proximal), factor_(proximal.stiffness) {}
     double operator()(const VectorXd& l) const {
         const VectorXd load = shifted_.qp.modes.transpose() * l + shifted_.qp.mode_load;
-        const double held = load.size() > 0 ? load.dot(proximal_.anchor + 0.5 * VectorXd(factor_.solve(load))) : 0.0;
+        const double held = load.size() > 0 ? load.dot(proximal_.anchor + 0.5 * factor_.solve(load)) : 0.0;
         return l.dot(0.5 * closing_of(shifted_.qp, l) + shifted_.gap) + held;
     }
 
 private:
     const ShiftedQp& shifted_;
     const Proximal& proximal_;
-    Eigen::LLT<MatrixXd> factor_;
+    Cholesky factor_;
 };
 
 /// Where the way from l to target first makes a unilateral multiplier negative.
@@ -169,9 +168,9 @@ bool solve_on(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSe
     const Index n = shifted.qp.modes.cols();
     VectorXd motion = VectorXd::Zero(n);
     if (n > 0) {
-        const Eigen::LDLT<MatrixXd> held(c.stiffness + proximal.stiffness);
-        const VectorXd d = held.vectorD().cwiseAbs();
-        if (held.info() != Eigen::Success || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
+        const PivotedCholesky held(c.stiffness + proximal.stiffness);
+        const VectorXd d = held.pivots().cwiseAbs();
+        if (!held.succeeded() || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
         motion = held.solve(c.load);
     }
     state = state_of(shifted.qp, c, factor, proximal.anchor, motion);
@@ -183,12 +182,11 @@ bool solve_least_motion(const ShiftedQp& shifted, const VectorXd& anchor, const 
     Condensed c;
     const Index n = shifted.qp.modes.cols();
     if (n == 0 || !condense(shifted, anchor, active, factor, c)) return false;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(c.stiffness);
-    const VectorXd& stiffness = eigen.eigenvalues();
+    const auto [stiffness, motions] = symmetric_eigen(c.stiffness);
     if (!(stiffness[n - 1] > 0)) return false;
-    VectorXd motion = eigen.eigenvectors().transpose() * c.load;
+    VectorXd motion = motions.transpose() * c.load;
     for (Index k = 0; k < n; ++k) motion[k] = stiffness[k] > free_fraction * stiffness[n - 1] ? motion[k] / stiffness[k] : 0.0;
-    motion = eigen.eigenvectors() * motion;
+    motion = motions * motion;
     state = state_of(shifted.qp, c, factor, anchor, motion);
     return closes_what_is_left_out(shifted, factor, state);
 }

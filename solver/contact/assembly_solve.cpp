@@ -3,16 +3,17 @@
 // -> the contact QP -> displacements.
 #include "solver/contact/assembly_solve.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/neutral_motions.hpp"
+#include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {
@@ -144,8 +145,8 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     imbalance.tail(levers.cols()) = levers.transpose() * forces;
     if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
     const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
-    const Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor(motions.transpose() * weighted);
-    const VectorXd change = (forces.array() != 0).select(-motions * factor.solve(imbalance), 0.0);
+    const VectorXd amplitudes = least_squares(motions.transpose() * weighted, imbalance);
+    const VectorXd change = (forces.array() != 0).select(-motions * amplitudes, 0.0);
     if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
     return forces + forces.cwiseAbs().cwiseProduct(change);
 }
@@ -244,6 +245,8 @@ void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd&
 
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
                        AssemblySolution& solution) {
+    ENSURE(multipliers.size() == all.rows.n && all.first_row.size() == problem.interfaces.size(),
+           "multipliers are by row of these interfaces");
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f)
         solution.pressure.push_back(
             all_coefficients(problem.interfaces[f], multipliers.segment(all.first_row[f], n_rows(problem.interfaces[f]))));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "base/ensure.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {
@@ -105,6 +106,9 @@ std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
 ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale, int threads) {
     const std::vector<Index> offset = mode_offsets(parts);
     const Index m = rows.n, n = offset.back();
+    ENSURE(rows.by_part.size() == parts.size() && rows.gap0.size() == m && rows.weight.size() == m &&
+               static_cast<Index>(rows.unilateral.size()) == m && rows.softness.size() <= m,
+           "rows are of these parts, with a gap, a weight and a kind each");
     ContactQp qp{MatrixXd::Zero(m, m),
                  rows.gap0,
                  MatrixXd::Zero(m, n),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/contact/active_set.hpp"
 #include "solver/contact/interior_point.hpp"
 #include "solver/contact/rigid_settle.hpp"
@@ -192,9 +193,19 @@ bool solve_linear(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
+void ensure_shapes(const ContactQp& qp) {
+    const Index m = qp.gap.size(), n = qp.mode_load.size();
+    ENSURE(qp.compliance.rows() == m && qp.compliance.cols() == m, "the compliance couples all rows");
+    ENSURE((qp.modes.rows() == m || n == 0) && qp.modes.cols() == n, "every motion moves all rows, and has a load");
+    ENSURE(static_cast<Index>(qp.unilateral.size()) == m && qp.foundation.size() == m && qp.drawn_gap.size() == m,
+           "every row has a kind, a foundation and a drawn gap");
+    ENSURE(qp.expected.size() == 0 || qp.expected.size() == m, "every row has an expected multiplier, or none");
+}
+
 }  // namespace
 
 ContactQpResult solve_contact_qp(const ContactQp& qp) {
+    ensure_shapes(qp);
     ContactQpResult result;
     result.active = bilateral_rows(qp);
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
@@ -231,6 +242,8 @@ double contact_residual(const ContactQp& qp, const ContactConditions& c) {
 }
 
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {
+    ensure_shapes(qp);
+    ENSURE(active.size() == qp.unilateral.size(), "every row is closed or open");
     ContactState state;
     if (!state_on_set(qp, active, state)) return false;
     multipliers = std::move(state.multipliers);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/ensure.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -215,6 +217,10 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
     Rows rows;
     first_row.clear();
     for (const Interface& face : interfaces) {
+        for (int part : face.part)
+            ENSURE(part >= 0 && static_cast<std::size_t>(part) < parts.size(),
+                   "an interface lies between parts of the assembly");
+        ENSURE(face.penalty.empty() || face.penalty.size() == face.points.size(), "every point of a penalty interface has one");
         first_row.push_back(rows.n);
         rows.n += n_rows(face);
     }
@@ -240,6 +246,7 @@ KnotVector polyline_knots(const std::vector<InterfacePoint>& points, double begi
 }
 
 Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& unknown) {
+    ENSURE(unknown.size() == n_rows(face), "an interface has one multiplier a row");
     if (!face.penalty.empty()) return continued(face, unknown);
     Eigen::VectorXd all(face.pressure.n_functions());
     for (Index k = 0; k < all.size(); ++k) all[k] = unknown[k % unknown.size()];
@@ -248,6 +255,7 @@ Eigen::VectorXd all_coefficients(const Interface& face, const Eigen::VectorXd& u
 
 int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const FunctionIntegrals& integrals, double area,
                            const Eigen::Vector3d& coefficient, double size, double value) {
+    ENSURE(integrals.value.size() == system.n() && area > 0, "means are over this part's functions and its area");
     const int row = rows.n++;
     for (int f = 0; f < system.n(); ++f) {
         const double mean = integrals.value[f] / area, turn = 0.5 * size / area;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/interior_point.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "solver/contact/rigid_settle.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -53,14 +53,12 @@ public:
         const double little = regularization * matrix.diagonal().mean();
         matrix.diagonal().array() += little;
         for (Index k : unilateral_) matrix(k, k) += x.gap[k] / x.l[k];
-        compliance_.compute(matrix);
-        if (compliance_.info() != Eigen::Success) return false;
+        if (!compliance_.compute(matrix)) return false;
         if (qp_.modes.cols() == 0) return true;
-        columns_ = compliance_.matrixL().solve(qp_.modes);
+        columns_ = compliance_.solve_lower(qp_.modes);
         MatrixXd stiffness = columns_.transpose() * columns_;
         stiffness.diagonal().array() += regularization * stiffness.diagonal().mean();
-        stiffness_.compute(stiffness);
-        return stiffness_.info() == Eigen::Success;
+        return stiffness_.compute(stiffness);
     }
 
     /// Towards l gap = product (by row).
@@ -96,7 +94,7 @@ private:
     const VectorXd& gap0_;
     std::vector<Index> unilateral_;
     VectorXd of_gap_, of_balance_;
-    Eigen::LLT<MatrixXd> compliance_, stiffness_;
+    Cholesky compliance_, stiffness_;
     MatrixXd columns_;
 };
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/neutral_motions.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "solver/contact/condensation.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -98,18 +96,18 @@ MatrixXd mean_square(const AssemblyProblem& problem, const Interface& f, const W
 
 /// Orthonormal basis of the motions with so small a mean square that they are neutral.
 MatrixXd neutral_to(const MatrixXd& squared) {
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(squared);
-    const Index n = (eigen.eigenvalues().array() < neutral_motion_fraction * neutral_motion_fraction).count();
-    return eigen.eigenvectors().leftCols(n);
+    const SymmetricEigen eigen = symmetric_eigen(squared);
+    const Index n = (eigen.values.array() < neutral_motion_fraction * neutral_motion_fraction).count();
+    return eigen.vectors.leftCols(n);
 }
 
 /// A basis, and what another spans besides; both orthonormal.
 MatrixXd joined(const MatrixXd& basis, const MatrixXd& other) {
     if (basis.cols() == 0 || other.cols() == 0) return basis.cols() == 0 ? other : basis;
-    const Eigen::JacobiSVD<MatrixXd> svd(other - basis * (basis.transpose() * other), Eigen::ComputeThinU);
-    const Index more = (svd.singularValues().array() > same_motion).count();
+    const SingularVectors rest = left_singular_vectors(other - basis * (basis.transpose() * other));
+    const Index more = (rest.values.array() > same_motion).count();
     MatrixXd both(basis.rows(), basis.cols() + more);
-    both << basis, svd.matrixU().leftCols(more);
+    both << basis, rest.vectors.leftCols(more);
     return both;
 }
 
@@ -157,11 +155,11 @@ std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>
 /// Of the neutral motions those in which contact forces have levers, scaled to levers of one.
 MatrixXd balanced_motions(const Resistance& resistance, const MatrixXd& neutral) {
     const MatrixXd levers = neutral.transpose() * resistance.acting * neutral;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(levers);
+    const SymmetricEigen eigen = symmetric_eigen(levers);
     MatrixXd balanced(neutral.rows(), 0);
     for (Index k = 0; k < neutral.cols(); ++k) {
-        const VectorXd motion = neutral * eigen.eigenvectors().col(k);
-        const double lever = std::sqrt(std::max(0.0, eigen.eigenvalues()[k])),
+        const VectorXd motion = neutral * eigen.vectors.col(k);
+        const double lever = std::sqrt(std::max(0.0, eigen.values[k])),
                      left = std::sqrt(std::max(0.0, motion.dot(resistance.contact * motion)));
         if (lever <= std::max(least_lever, clear_lever * left)) continue;
         balanced.conservativeResize(Eigen::NoChange, balanced.cols() + 1);
@@ -191,13 +189,12 @@ MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resi
     const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
     const MatrixXd squared = resistance.contact + held.transpose() * held;
     const double limit = neutral_motion_fraction * neutral_motion_fraction;
-    const VectorXd values = Eigen::SelfAdjointEigenSolver<MatrixXd>(squared, Eigen::EigenvaluesOnly).eigenvalues();
-    if (values[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
+    if (symmetric_eigenvalues(squared)[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
     // Jacobi's rotations leave motions that nothing couples apart: one part's stays one part's among equal values, too
-    const Eigen::JacobiSVD<MatrixXd> svd(squared, Eigen::ComputeFullV);
-    const Index kept = (svd.singularValues().array() >= limit).count();
-    const MatrixXd neutral = svd.matrixV().rightCols(n - kept);
-    return {svd.matrixV().leftCols(kept), neutral, balanced_motions(resistance, neutral)};
+    const SingularVectors motions = right_singular_vectors(squared);
+    const Index kept = (motions.values.array() >= limit).count();
+    const MatrixXd neutral = motions.vectors.rightCols(n - kept);
+    return {motions.vectors.leftCols(kept), neutral, balanced_motions(resistance, neutral)};
 }
 
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
@@ -245,7 +242,8 @@ MatrixXd integrals_of_modes(const PartSystem& part) {
     MatrixXd integrals(coefficients.rows(), 3);
     for (Index k = 0; k < 3; ++k)
         integrals.col(k) = body_load(part.input, [&](const Vec2& x) { return rigid[static_cast<std::size_t>(k)].at(x); });
-    return integrals * (coefficients.transpose() * coefficients).ldlt().solve(coefficients.transpose() * part.modes);
+    return integrals *
+           PivotedCholesky(coefficients.transpose() * coefficients).solve_columns(coefficients.transpose() * part.modes);
 }
 
 }  // namespace
@@ -264,7 +262,7 @@ void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, 
         gram += integrals.transpose() * motion[i];
         rhs -= integrals.transpose() * solution.displacement[i];
     }
-    const VectorXd amplitude = gram.ldlt().solve(rhs);
+    const VectorXd amplitude = PivotedCholesky(gram).solve(rhs);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/rigid_settle.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -114,7 +115,7 @@ Settled settle_rigidly(const ContactQp& qp) {
         s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
         if (s.balanced || mean == 0) break;
         const VectorXd direction =
-            held_stiffness(qp.modes, pressed_foundation(qp, s.multipliers), held * mean).ldlt().solve(residual);
+            PivotedCholesky(held_stiffness(qp.modes, pressed_foundation(qp, s.multipliers), held * mean)).solve(residual);
         const double reach = move_along(qp, residual, direction, s, energy);
         if (reach == 0) break;
         held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
@@ -128,9 +129,9 @@ std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& 
     VectorXd foundation = qp.foundation;
     for (Index k = 0; k < foundation.size(); ++k)
         if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
-    const Eigen::LDLT<MatrixXd> factor(weighted_gram(qp.modes, foundation));
-    const VectorXd pivots = factor.vectorD();
-    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > free_pivot * pivots.maxCoeff())) return std::nullopt;
+    const PivotedCholesky factor(weighted_gram(qp.modes, foundation));
+    const VectorXd pivots = factor.pivots();
+    if (!factor.succeeded() || !(pivots.minCoeff() > free_pivot * pivots.maxCoeff())) return std::nullopt;
     return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
 }
 

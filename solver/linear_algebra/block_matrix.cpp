@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/ensure.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -96,6 +98,7 @@ void BlockScatter::add(std::span<const int> functions, const std::vector<Eigen::
 }
 
 Eigen::VectorXd multiply(const BlockMatrix& a, const Eigen::VectorXd& x) {
+    ENSURE(x.size() == 2 * a.n, "a function has two coefficients");
     Eigen::VectorXd y = Eigen::VectorXd::Zero(2 * a.n);
     for (int r = 0; r < a.n; ++r)
         for (int k = a.first[index(r)]; k < a.first[index(r) + 1]; ++k) {
@@ -123,6 +126,7 @@ void for_numbered(const BlockMatrix& a, const std::vector<int>& number, F f) {
 }  // namespace
 
 SparseSymmetric restricted(const BlockMatrix& a, const std::vector<int>& number, int n_kept) {
+    ENSURE(number.size() == 2 * index(a.n), "a function has two rows");
     SparseSymmetric s;
     s.n = n_kept;
     s.first.assign(index(n_kept) + 1, 0);

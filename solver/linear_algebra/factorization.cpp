@@ -6,10 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 
+#include "base/ensure.hpp"
 #include "solver/linear_algebra/banded_factor.hpp"
 #include "solver/linear_algebra/condition.hpp"
 #include "solver/linear_algebra/frontal_factor.hpp"
@@ -142,6 +143,7 @@ struct Factorization::Data {
     std::optional<SchurComplement> schur;  // with the signed factor only
 
     int n() const { return static_cast<int>(scale.size()); }
+    int n_given() const { return schur ? schur->n() : n(); }  // a K is without the eliminated rows
 
     /// f of the factor: banded, or by supernodes.
     template <class F>
@@ -262,14 +264,15 @@ double Factorization::unscaled_condition_two() const {
 double Factorization::unscaled_condition_one() const {
     const Data& d = *data_;
     if (d.n() == 0) return 1;
-    const int n = d.schur ? d.schur->n() : d.n();
+    const int n = d.n_given();
     const double norm = d.schur ? solver::norm_one(n, d.schur_product()) : d.norm_one;
     return norm * solver::norm_one(n, [&](const VectorXd& b) { return solve(b); });
 }
 
 VectorXd Factorization::solve(const VectorXd& b) const {
     if (b.size() == 0) return b;
-    const auto own = data_->scale.head(b.size());  // a K is without the eliminated rows
+    ENSURE(b.size() == data_->n_given(), "a right-hand side has the rows of its matrix");
+    const auto own = data_->scale.head(b.size());
     VectorXd padded = VectorXd::Zero(data_->n());
     padded.head(b.size()) = own.cwiseProduct(b);
     return own.cwiseProduct(data_->solved(padded).head(b.size()));
@@ -277,13 +280,15 @@ VectorXd Factorization::solve(const VectorXd& b) const {
 
 Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
     if (b.size() == 0) return b;
-    if (data_->schur) throw std::logic_error("the factor of a Schur complement has signs: inverse_form() knows them");
+    ENSURE(!data_->schur, "the factor of a Schur complement has signs: inverse_form() knows them");
+    ENSURE(b.rows() == data_->n(), "a right-hand side has the rows of its matrix");
     const Eigen::MatrixXd scaled = data_->scale.asDiagonal() * b;
     return data_->with_factor([&](const auto& l) { return l.solve_lower(scaled); });
 }
 
 Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {
     if (b.size() == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
+    ENSURE(b.rows() == data_->n_given(), "a form has the rows of its matrix");
     const Eigen::SparseMatrix<double> scaled = data_->scale.head(b.rows()).asDiagonal() * b;
     return data_->with_factor([&](const auto& l) { return l.inverse_form(scaled); });
 }

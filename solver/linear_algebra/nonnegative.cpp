@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/linear_algebra/nonnegative.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <limits>
+
+#include "base/ensure.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -14,7 +16,7 @@ using Eigen::Index;
 Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, const std::vector<Index>& passive) {
     Eigen::MatrixXd columns(a.rows(), static_cast<Index>(passive.size()));
     for (std::size_t i = 0; i < passive.size(); ++i) columns.col(static_cast<Index>(i)) = a.col(passive[i]);
-    return columns.completeOrthogonalDecomposition().solve(b);
+    return least_squares(columns, b);
 }
 
 }  // namespace
@@ -22,6 +24,8 @@ Eigen::VectorXd least_squares_on(const Eigen::MatrixXd& a, const Eigen::VectorXd
 NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                             const std::vector<char>& bounded) {
     const Index n = a.cols();
+    ENSURE(b.size() == a.rows() && static_cast<Index>(bounded.size()) == n,
+           "there is a datum for every row, a bound for every column");
     NonnegativeResult r{Eigen::VectorXd::Zero(n), b, true};
     if (a.size() == 0) return r;
     r.converged = false;

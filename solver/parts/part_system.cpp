@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/parts/free_motions.hpp"
 #include "solver/parts/hold_axis.hpp"
 #include "solver/parts/pins.hpp"
@@ -157,6 +158,16 @@ void note_failure(PartSystem& s) {
         }
 }
 
+void ensure_rules(const PartInput& input) {
+    for (const CellRule& rule : input.cut_rules) {
+        ENSURE(rule.element >= 0 && static_cast<std::size_t>(rule.element) < input.space.fraction.size(),
+               "a quadrature rule is of an element of the space");
+        ENSURE(rule.points.size() == rule.weights.size(), "every point of a quadrature rule has a weight");
+        ENSURE(std::all_of(rule.weights.begin(), rule.weights.end(), [](double w) { return std::isfinite(w); }),
+               "weights of quadrature are numbers");
+    }
+}
+
 }  // namespace
 
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion) {
@@ -175,6 +186,8 @@ Eigen::MatrixXd coefficients_of(const SplineSpace& space, const std::vector<Rigi
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs, const Eigen::VectorXd& weighted) {
     const auto begin = std::chrono::steady_clock::now();
+    ensure_rules(input);
+    ENSURE(applied.size() == 2 * input.space.n_functions, "a load has two numbers for every function");
     PartSystem s;
     s.input = std::move(input);
     s.applied = std::move(applied);
@@ -223,6 +236,7 @@ Eigen::VectorXd stiffness_times(const PartSystem& system, const Eigen::VectorXd&
 }
 
 Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load) {
+    ENSURE(load.size() == 2 * system.n(), "a load has two numbers for every function");
     Eigen::VectorXd rest = load;
     if (!system.prescribed.isZero(0)) rest -= stiffness_times(system, system.prescribed);
     Eigen::VectorXd b(system.n_kept);
@@ -271,6 +285,8 @@ Resultant dropped_reaction(const PartSystem& system, const SupportRecord& record
 
 std::vector<Resultant> support_reactions(const PartSystem& system, const Eigen::VectorXd& displacement,
                                          const Eigen::VectorXd& load, const Eigen::VectorXd& plain) {
+    ENSURE(displacement.size() == 2 * system.n() && load.size() == 2 * system.n(),
+           "displacements and loads have two numbers for every function");
     const Eigen::VectorXd residual = stiffness_times(system, displacement) - load;
     std::vector<Resultant> reactions;
     for (const SupportRecord& record : system.supports)

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/linear_algebra/index.hpp"
 #include "solver/splines/branches.hpp"
 
@@ -187,6 +188,8 @@ SplineSpace make_space(SpaceInput input) {
     s.basis = input.basis;
     s.fraction = std::move(input.fraction);
     s.splits = std::move(input.splits);
+    ENSURE(s.fraction.size() == static_cast<std::size_t>(s.n_cells()) + s.splits.cell_of_extra.size(),
+           "every element of a space has a filled fraction");
     const ElementGraph graph(s.columns(), s.rows(), s.fraction, s.splits);
     Branches branches = find_branches(s.x, s.y, graph);
     s.tensor_of_extra = std::move(branches.tensor_of_extra);

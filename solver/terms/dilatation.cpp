@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/terms/dilatation.hpp"
 
-#include <stdexcept>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "solver/assembly/ring.hpp"
 
 namespace abut::solver {
@@ -111,7 +111,7 @@ std::shared_ptr<const Dilatation> make_dilatation(const PartInput& input, const 
 }
 
 const Dilatation& dilatation_of(const PartInput& input) {
-    if (!input.dilatation) throw std::logic_error("a part whose dilatation is projected, before its system was made");
+    ENSURE(input.dilatation, "the projection of a part's dilatation is made with its system");
     return *input.dilatation;
 }
 

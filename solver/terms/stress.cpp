@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/terms/stress.hpp"
 
+#include "base/ensure.hpp"
 #include "solver/assembly/ring.hpp"
 #include "solver/splines/local_spline.hpp"
 #include "solver/terms/dilatation.hpp"
@@ -9,6 +10,7 @@
 namespace abut::solver {
 
 StressOf::StressOf(const PartInput& input, const Eigen::VectorXd& displacement) : input_(input), displacement_(displacement) {
+    ENSURE(displacement.size() == 2 * input.space.n_functions, "a displacement has two numbers for every function");
     if (input.is_projected) pressure_ = pressure(dilatation_of(input), displacement);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/analysis/placement.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "solver/linear_algebra/dense.hpp"
 #include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 
@@ -61,7 +61,8 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
     solver::RigidMotion motion{{0, 0}, 0, g.frame.to_global(g.center)};
     const Eigen::VectorXd& u = solved.solution.displacement[grid];
     if (system.free_motions.empty() || u.size() != system.modes.rows()) return motion;
-    const Eigen::VectorXd share = (system.modes.transpose() * system.modes).ldlt().solve(system.modes.transpose() * u);
+    const Eigen::VectorXd share =
+        solver::PivotedCholesky(system.modes.transpose() * system.modes).solve(system.modes.transpose() * u);
     Vec2 at_center(0, 0);
     for (Eigen::Index k = 0; k < share.size(); ++k) {
         const solver::RigidMotion& unit = system.free_motions[static_cast<std::size_t>(k)];

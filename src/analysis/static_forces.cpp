@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/analysis/static_forces.hpp"
 
-#include <Eigen/SVD>
-
 #include "geometry/curves/vec2.hpp"
+#include "solver/linear_algebra/dense.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {
@@ -54,10 +53,10 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
                             (side == 0 ? 1 : -1) * work(lines[j].unit, solved.grids[i], motion);
             ++row;
         }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(balance, Eigen::ComputeFullV);
+    const auto [values, vectors] = solver::right_singular_vectors(balance);
     Index rank = 0;
-    while (rank < svd.singularValues().size() && svd.singularValues()[rank] > rounding * svd.singularValues()[0]) ++rank;
-    const auto null = svd.matrixV().rightCols(balance.cols() - rank);
+    while (rank < values.size() && values[rank] > rounding * values[0]) ++rank;
+    const auto null = vectors.rightCols(balance.cols() - rank);
     for (std::size_t j = 0; j < lines.size(); ++j)
         given[lines[j].contact] = null.cols() == 0 || null.row(static_cast<Index>(j)).norm() < rounding;
     return given;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/ensure.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/io/index.hpp"
@@ -146,6 +147,7 @@ std::string status_of(const ContactInterface& contact, const std::vector<Contact
 
 ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate,
                              std::size_t contact) {
+    ENSURE(contact < solved.contacts.size(), "an answer is of a contact of the assembly");
     const ContactInterface& c = solved.contacts[contact];
     ContactResult result;
     result.part = {candidate.first, candidate.second};

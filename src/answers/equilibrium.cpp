@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "base/ensure.hpp"
 #include "solver/parts/rigid_body.hpp"
 #include "src/io/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
@@ -184,6 +185,7 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     Resultant reaction;
     double largest = std::max(t.largest, solved.problem.load_scale);
     for (auto& [tag, r] : t.reactions) {
+        ENSURE(tag >= 0 && at(tag) < scene.supports.size(), "a reaction is that of a support of the scene");
         reaction.force += r.force;
         reaction.moment += r.moment;
         largest = std::max(largest, r.force.norm());

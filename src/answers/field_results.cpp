@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ensure.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "solver/splines/local_spline.hpp"
 #include "src/io/index.hpp"
@@ -38,7 +39,9 @@ Stress turned(const Eigen::Vector4d& s, const Frame& f) {
 class FieldSampler {
 public:
     FieldSampler(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress)
-        : grid_(grid), displacement_(displacement), stress_(stress) {}
+        : grid_(grid), displacement_(displacement), stress_(stress) {
+        ENSURE(displacement.size() == 2 * grid.input.space.n_functions, "a displacement has two numbers for every function");
+    }
 
     FieldSample operator()(int element, const Vec2& local) {
         if (element != element_) take(element);

@@ -47,9 +47,7 @@ std::string as_text(const std::string& bytes) {
 /// Long names keep their end, and begin with a hash of the whole.
 std::string shortened_name(const std::string& name) {
     if (name.size() <= longest_name) return name;
-    ContentHash hash;
-    hash.add(name);
-    return hash.text() + "-" + as_text(name.substr(name.size() - longest_name / 2));
+    return content_hash(name) + "-" + as_text(name.substr(name.size() - longest_name / 2));
 }
 
 /// A name that is one folder on every file system.

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/batch/job_key.hpp"
 
+#include <xxhash.h>
+
 #include <algorithm>
+#include <array>
+#include <cinttypes>
+#include <cstdio>
 #include <filesystem>
 
 #include "src/io/json_document.hpp"
@@ -16,10 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string hash_of(const std::optional<std::string>& bytes) {
-    if (!bytes) return "missing";
-    ContentHash hash;
-    hash.add(*bytes);
-    return hash.text();
+    return bytes ? content_hash(*bytes) : "missing";
 }
 
 InputFile hashed(const std::string& path) {
@@ -49,16 +51,10 @@ std::vector<std::string> names_in(const std::string& text) {
 
 }  // namespace
 
-void ContentHash::add(std::string_view bytes) {
-    for (const char c : bytes) state_ = (state_ ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-}
-
-std::string ContentHash::text() const {
-    constexpr int digits = 16, bits = 4;
-    std::string text(digits, '0');
-    for (int i = 0; i < digits; ++i)
-        text[static_cast<std::size_t>(digits - 1 - i)] = "0123456789abcdef"[(state_ >> (bits * i)) & 0xF];
-    return text;
+std::string content_hash(std::string_view bytes) {
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016" PRIx64, XXH3_64bits(bytes.data(), bytes.size()));
+    return text.data();
 }
 
 std::vector<InputFile> input_files(const std::string& file) {
@@ -85,14 +81,14 @@ bool are_unchanged(const std::vector<InputFile>& inputs) {
 }
 
 std::string job_key(const std::map<std::string, std::string>& settings, const std::vector<InputFile>& inputs) {
-    ContentHash hash;
-    const auto add = [&](const std::string& text) { hash.add(std::to_string(text.size()) + ":" + text); };
+    std::string all;
+    const auto add = [&](const std::string& text) { all += std::to_string(text.size()) + ":" + text; };
     for (const auto& [name, value] : settings) {
         add(name);
         add(value);
     }
     for (const InputFile& input : inputs) add(input.hash);
-    return hash.text();
+    return content_hash(all);
 }
 
 }  // namespace abut

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the answer of a job depends on, in one short text: the same key, the same answer.
 #pragma once
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -11,15 +10,8 @@
 
 namespace abut {
 
-/// FNV-1a, 64 bits. Tells changes of files apart, not forgeries.
-class ContentHash {
-public:
-    void add(std::string_view bytes);
-    std::string text() const;  ///< 16 hexadecimal digits
-
-private:
-    std::uint64_t state_ = 14695981039346656037ULL;
-};
+/// 16 hexadecimal digits (XXH3, 64 bits). Tells changes of files apart, not forgeries.
+std::string content_hash(std::string_view bytes);
 
 /// A file that is read, and the hash of its contents; "missing" where it is not there.
 struct InputFile {

@@ -3,10 +3,13 @@
 // libraries give positions for faults of syntax only.
 #include "src/io/json_document.hpp"
 
+#include <utf8.h>
+
 #include <cctype>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -178,7 +181,7 @@ private:
             result += meanings[i];
             ++at_;
         } else if (peek() == 'u') {
-            append_utf8(result, unicode_escape());
+            utf8::append(unicode_escape(), std::back_inserter(result));
         } else {
             fail("expected one of \" \\ / b f n r t u after a backslash" + found(), "a backslash itself is written \\\\");
         }

@@ -5,13 +5,10 @@
 
 namespace abut {
 
-/// The length of the UTF-8 character that begins at text[at], 0 if there is none (RFC 3629, section 4).
+/// The length of the UTF-8 character that begins at text[at], 0 if there is none (RFC 3629, section 4). Throws nothing.
 std::size_t utf8_length(const std::string& text, std::size_t at);
 
-/// Appends the character with this code point (below 0x110000, no surrogate).
-void append_utf8(std::string& text, unsigned code);
-
-/// The number of characters of UTF-8 text as they are seen.
+/// The number of characters of UTF-8 text as they are seen; of other bytes some number, without a throw.
 std::size_t text_width(const std::string& text);
 
 }  // namespace abut

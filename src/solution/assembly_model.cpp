@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/ensure.hpp"
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/dilatation.hpp"
@@ -328,6 +329,8 @@ void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads) {
+    ENSURE(solve_part.size() == scene.parts.size() && wanted.size() == scene.parts.size(),
+           "every part has a wanted size, and is solved or not");
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
     {
@@ -380,6 +383,8 @@ double largest_condition(const SolvedAssembly& solved, int threads) {
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {
+    ENSURE(contact < solved.interface_of.size() && at(solved.interface_of[contact]) < solved.solution.pressure.size(),
+           "pressures are asked for of contacts that were solved");
     return solved.solution.pressure[at(solved.interface_of[contact])];
 }
 

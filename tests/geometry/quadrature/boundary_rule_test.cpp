@@ -153,6 +153,16 @@ TEST(BoundaryRule, LengthOfCurvesThatStandStill) {
         }
 }
 
+TEST(BoundaryRule, RefusesEdgesAndCellsOfOtherParts) {
+    const Part part = all_parts().front();
+    const CutCells cells = cut_cells(part, {{-10, 10}, {-10, 10}});
+    EXPECT_THROW(boundary_rule(part, cells, static_cast<int>(part.edges.size()), 0, 1, 3), std::logic_error);
+    EXPECT_THROW(boundary_rule(part, cells, -1, 0, 1, 3), std::logic_error);
+    Part other = part;
+    other.edges.push_back(part.edges.front());
+    EXPECT_THROW(boundary_rule(other, cells, 0, 0, 1, 3), std::logic_error);
+}
+
 }  // namespace
 
 }  // namespace boundary_rule_test

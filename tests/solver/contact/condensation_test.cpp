@@ -105,5 +105,14 @@ TEST(Condensation, LeavesTheSolutionTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.pressure[0], more.pressure[0]);
 }
 
+TEST(Condensation, RefusesRowsOfOtherParts) {
+    const Setting s(2, 0, 0, false);
+    Rows fewer_parts = s.rows, fewer_gaps = s.rows;
+    fewer_parts.by_part.pop_back();
+    fewer_gaps.gap0.conservativeResize(s.rows.n - 1);
+    EXPECT_THROW(condense(s.problem.parts, fewer_parts, 1, 1), std::logic_error);
+    EXPECT_THROW(condense(s.problem.parts, fewer_gaps, 1, 1), std::logic_error);
+}
+
 }  // namespace
 }  // namespace abut::solver::condensation_test

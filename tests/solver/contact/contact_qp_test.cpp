@@ -460,4 +460,18 @@ TEST(ContactQp, SolvesOnAGivenSet) {
     EXPECT_FALSE(solve_on_set(qp, std::vector<char>(6, 0), l, a));  // nothing holds the mode
 }
 
+TEST(ContactQp, RefusesShapesThatDoNotFit) {
+    const ContactQp qp = random_problem(2, 6, 1, true);
+    VectorXd l, a;
+    EXPECT_THROW(solve_on_set(qp, std::vector<char>(5, 1), l, a), std::logic_error);
+    std::vector<ContactQp> wrong(6, qp);
+    wrong[0].compliance.resize(6, 5);
+    wrong[1].modes.resize(5, 1);
+    wrong[2].mode_load.resize(2);
+    wrong[3].unilateral.pop_back();
+    wrong[4].foundation.resize(0);
+    wrong[5].expected.resize(5);
+    for (const ContactQp& each : wrong) EXPECT_THROW(solve_contact_qp(each), std::logic_error);
+}
+
 }  // namespace abut::solver::contact_qp_test

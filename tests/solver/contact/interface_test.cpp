@@ -124,6 +124,17 @@ TEST(Interface, PeriodicRowsWrapAround) {
     EXPECT_NEAR(pressure_at(face.pressure, all, 0), 1.5, 1e-14);  // mean of the two functions that meet at a knot
 }
 
+TEST(Interface, RefusesWhatDoesNotFit) {
+    Setting s;
+    EXPECT_THROW(all_coefficients(s.problem.interfaces[0], VectorXd::Ones(s.rows.n - 1)), std::logic_error);
+    Interface elsewhere = s.problem.interfaces[0], stiff = elsewhere;
+    elsewhere.part[1] = 2;
+    stiff.penalty.assign(stiff.points.size() + 1, 1.0);
+    for (const Interface& wrong : {elsewhere, stiff})
+        EXPECT_THROW(interface_rows(s.problem.parts, {wrong}, s.first_row), std::logic_error);
+    EXPECT_THROW(append_mean_constraint(s.rows, s.problem.parts[0], 0, {}, 1, {1, 0, 0}, 1, 0), std::logic_error);
+}
+
 TEST(Interface, PressureIsTheSpline) {
     const KnotVector k = clamped_knots({0, 1, 3, 4}, 2);
     VectorXd square(k.n_functions());

@@ -136,4 +136,10 @@ TEST(BlockMatrix, MayKeepNothing) {
     EXPECT_TRUE(s.value.empty());
 }
 
+TEST(BlockMatrix, RefusesVectorsOfOtherSizes) {
+    const BlockMatrix m = random_blocks();
+    EXPECT_THROW(multiply(m, Eigen::VectorXd::Ones(9)), std::logic_error);
+    EXPECT_THROW(restricted(m, std::vector<int>(5, -1), 0), std::logic_error);
+}
+
 }  // namespace abut::solver::block_matrix_test

@@ -283,4 +283,12 @@ TEST(Factorization, OfNothingSolvesNothing) {
     EXPECT_EQ(f.unscaled_condition_two(), 1);
 }
 
+TEST(Factorization, RefusesRightHandSidesOfOtherSizes) {
+    const Factorization f(sparse(positive_definite(5)));
+    EXPECT_THROW(f.solve(VectorXd::Ones(4)), std::logic_error);
+    EXPECT_THROW(f.solve(VectorXd::Ones(6)), std::logic_error);
+    EXPECT_THROW(f.solve_lower(MatrixXd::Ones(4, 2)), std::logic_error);
+    EXPECT_THROW(f.inverse_form(MatrixXd::Ones(4, 2).sparseView()), std::logic_error);
+}
+
 }  // namespace abut::solver::factorization_test

@@ -134,4 +134,10 @@ TEST(NonnegativeLeastSquares, BalancesManyRowsAtOnce) {
                 1e-10);  // distance from the cone's last ray
 }
 
+TEST(NonnegativeLeastSquares, RefusesOtherSizes) {
+    const MatrixXd a = MatrixXd::Identity(2, 2);
+    EXPECT_THROW(nonnegative_least_squares(a, Eigen::Vector3d(1, 2, 3), {1, 1}), std::logic_error);
+    EXPECT_THROW(nonnegative_least_squares(a, Eigen::Vector2d(1, 2), {1}), std::logic_error);
+}
+
 }  // namespace abut::solver::nonnegative_test

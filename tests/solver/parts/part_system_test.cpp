@@ -235,6 +235,26 @@ TEST(PartSystem, SaysWhereTheFactorisationEnded) {
     EXPECT_TRUE(is_a_function);
 }
 
+TEST(PartSystem, RefusesLoadsAndRulesThatAreNotThePartsOwn) {
+    const std::vector<SupportSet> supports{held(GridSide::left, 0), held(GridSide::left, 1)};
+    const VectorXd one_less = unloaded.head(unloaded.size() - 1);
+    EXPECT_THROW(test::system_of(plate, supports, one_less), std::logic_error);
+    const PartSystem s = test::system_of(plate, supports, unloaded);
+    EXPECT_THROW(solve(s, one_less), std::logic_error);
+    EXPECT_THROW(stiffness_times(s, one_less), std::logic_error);
+    EXPECT_THROW(support_reactions(s, unloaded, one_less), std::logic_error);
+    const CellRule rule{0, {{0.1, 0.1}}, {0.01}};
+    CellRule outside = rule, unweighted = rule, odd = rule;
+    outside.element = 12;
+    unweighted.weights.clear();
+    odd.weights = {std::nan("")};
+    for (const CellRule& wrong : {outside, unweighted, odd}) {
+        PartInput part = plate;
+        part.cut_rules = {wrong};
+        EXPECT_THROW(test::system_of(part, supports, unloaded), std::logic_error);
+    }
+}
+
 TEST(PartSystem, SaysWhyASupportIsImposedAsItIs) {
     const PartSystem s = test::system_of(plate,
                                          {held(GridSide::left, 0), test::side_support(plate.space, GridSide::bottom, 0, 0.1),

@@ -152,4 +152,8 @@ TEST(SplineSpace, DoesNotExtendAcrossASlot) {
     for (int f : extraction(s, 12).functions) EXPECT_LE(greville_point(s, f).y(), 1) << "cell 12 is made from function " << f;
 }
 
+TEST(SplineSpace, RefusesFractionsOfOtherCells) {
+    EXPECT_THROW(make_space({0, 1, 2}, {0, 1}, 1, 1, {1}, Basis::web), std::logic_error);
+}
+
 }  // namespace abut::solver::spline_space_test

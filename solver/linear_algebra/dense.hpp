@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decompositions of dense matrices of some rows. These are Eigen's; each takes seconds to compile, hence one place for all.
+#pragma once
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+namespace abut::solver {
+
+struct SymmetricEigen {
+    Eigen::VectorXd values;   ///< ascending
+    Eigen::MatrixXd vectors;  ///< orthonormal columns
+};
+/// Reads the lower triangle.
+SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
+Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);  ///< ascending
+
+struct SingularVectors {
+    Eigen::VectorXd values;   ///< descending, min(rows, columns) of them
+    Eigen::MatrixXd vectors;  ///< orthonormal columns, in the order of the values
+};
+/// By Jacobi's rotations, which leave apart what nothing couples.
+SingularVectors left_singular_vectors(const Eigen::MatrixXd& a);   ///< (rows x number of values)
+SingularVectors right_singular_vectors(const Eigen::MatrixXd& a);  ///< (columns x columns): those of the null space come last
+
+/// The shortest x that minimises |A x - b|, for any rank of A.
+Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+/// A = L L' of a positive definite matrix, of which the lower triangle is read.
+class Cholesky {
+public:
+    Cholesky() = default;
+    explicit Cholesky(const Eigen::MatrixXd& a) { compute(a); }
+    bool compute(const Eigen::MatrixXd& a);  ///< false: not positive definite
+    bool succeeded() const { return factor_.info() == Eigen::Success; }
+    Eigen::VectorXd diagonal() const { return factor_.matrixLLT().diagonal(); }  ///< of L
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
+    Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 b
+
+private:
+    Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+/// P A P' = L D L' of a semidefinite matrix, the largest pivots first. Solutions of what has tiny pivots mean little: look at
+/// these before.
+class PivotedCholesky {
+public:
+    explicit PivotedCholesky(const Eigen::MatrixXd& a);
+    bool succeeded() const { return factor_.info() == Eigen::Success; }
+    Eigen::VectorXd pivots() const { return factor_.vectorD(); }  ///< D
+    Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
+
+private:
+    Eigen::LDLT<Eigen::MatrixXd> factor_;
+};
+
+}  // namespace abut::solver
