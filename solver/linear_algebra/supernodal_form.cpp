@@ -90,7 +90,7 @@ private:
     void find_columns(const Eigen::SparseMatrix<double>& b) {
         for (int c = 0; c < b.cols(); ++c)
             for (Entry e(b, c); e; ++e) {
-                Columns& list = shares_[owner_of(position_[at(e.row())])].columns;
+                Columns& list = shares_[owner_of(position_[size(e.row())])].columns;
                 if (list.empty() || list.back() != c) list.push_back(c);
             }
         Columns all;
@@ -115,7 +115,7 @@ private:
     void add_entries(const Eigen::SparseMatrix<double>& b) {
         for (int c = 0; c < b.cols(); ++c)
             for (Entry e(b, c); e; ++e) {
-                const int k = position_[at(e.row())];
+                const int k = position_[size(e.row())];
                 const std::size_t s = owner_of(k);
                 const Columns& columns = shares_[s].columns;
                 const auto column = std::lower_bound(columns.begin(), columns.end(), c) - columns.begin();
