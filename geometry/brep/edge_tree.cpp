@@ -13,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/curves/index.hpp"
+#include "base/index.hpp"
 
 namespace abut::geometry {
 

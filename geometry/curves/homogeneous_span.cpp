@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/curves/index.hpp"
+#include "base/index.hpp"
 #include "geometry/curves/numbers.hpp"
 
 namespace abut::geometry {

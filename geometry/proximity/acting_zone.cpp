@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/curves/index.hpp"
+#include "base/index.hpp"
 #include "geometry/proximity/facing.hpp"
 
 namespace abut::geometry {

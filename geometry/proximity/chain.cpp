@@ -72,7 +72,7 @@ std::vector<Chain> smooth_chains(const Part& part) {
     return chains;
 }
 
-ChainPoint at(const Part& part, const Chain& chain, double s) {
+ChainPoint chain_point(const Part& part, const Chain& chain, double s) {
     s = chain.closed ? wrapped(s, chain.length) : std::clamp(s, 0.0, chain.length);
     const auto next = std::upper_bound(chain.begin.begin(), chain.begin.end(), s);
     const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - chain.begin.begin() - 1, 0));

@@ -123,29 +123,29 @@ bool opposed(const ChainPoint& p1, const ChainPoint& p2) {
 }  // namespace
 
 FacingPair pair_from_first(const Part& part1, const Part& part2, const FacingZone& zone, double s1, double guess2) {
-    const ChainPoint p1 = at(part1, zone.chain1, s1);
+    const ChainPoint p1 = chain_point(part1, zone.chain1, s1);
     const auto F = [&](double s2) {
-        const ChainPoint p2 = at(part2, zone.chain2, s2);
+        const ChainPoint p2 = chain_point(part2, zone.chain2, s2);
         const Condition c = condition(zone, p1, p2);
         return std::pair(c.value, c.by_s2);
     };
     const Range range = search_range(zone.chain2, guess2);
     const Root root = increasing_root(F, guess2, range.low, range.high, end_slack * zone.chain2.length, noise_at(p1.x));
-    FacingPair pair = completed(zone, s1, root.s, p1, at(part2, zone.chain2, root.s));
+    FacingPair pair = completed(zone, s1, root.s, p1, chain_point(part2, zone.chain2, root.s));
     pair.found = root.found && opposed(pair.on1, pair.on2);
     return pair;
 }
 
 FacingPair pair_from_second(const Part& part1, const Part& part2, const FacingZone& zone, double s2, double guess1) {
-    const ChainPoint p2 = at(part2, zone.chain2, s2);
+    const ChainPoint p2 = chain_point(part2, zone.chain2, s2);
     const auto F = [&](double s1) {
-        const ChainPoint p1 = at(part1, zone.chain1, s1);
+        const ChainPoint p1 = chain_point(part1, zone.chain1, s1);
         const Condition c = condition(zone, p1, p2);
         return std::pair(c.value, c.by_s1);
     };
     const Range range = search_range(zone.chain1, guess1);
     const Root root = increasing_root(F, guess1, range.low, range.high, end_slack * zone.chain1.length, noise_at(p2.x));
-    FacingPair pair = completed(zone, root.s, s2, at(part1, zone.chain1, root.s), p2);
+    FacingPair pair = completed(zone, root.s, s2, chain_point(part1, zone.chain1, root.s), p2);
     pair.found = root.found && opposed(pair.on1, pair.on2);
     return pair;
 }

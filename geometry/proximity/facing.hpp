@@ -44,7 +44,7 @@ struct ChainPoint {
 };
 /// The point of a chain at arc length s, which is taken modulo the length on closed chains and clamped to the ends on open
 /// ones.
-ChainPoint at(const Part& part, const Chain& chain, double s);
+ChainPoint chain_point(const Part& part, const Chain& chain, double s);
 
 /// A stretch of a chain of part 1 that faces a stretch of a chain of part 2, with one pair for every point.
 struct FacingZone {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/curve_polish.hpp"
-#include "geometry/curves/index.hpp"
 #include "geometry/curves/piece_pairs.hpp"
 #include "geometry/proximity/facing_carry.hpp"
 #include "geometry/proximity/facing_search.hpp"
@@ -67,7 +67,7 @@ ArcChains arc_chains(const Part& part) {
 double true_length(const Part& part, const ArcChains& all, int chain, double s) {
     const Chain &arcs = all.arcs[at(chain)], &curves = all.curves[at(chain)];
     const double turns = arcs.closed ? std::floor(s / arcs.length) : 0.0;
-    const ChainPoint p = at(all.part, arcs, s);
+    const ChainPoint p = chain_point(all.part, arcs, s);
     const Origin& origin = all.origin[at(p.edge)];
     const Curve& curve = part.edges[at(origin.edge)].curve;
     const double start = origin.t0 + p.t * (origin.t1 - origin.t0);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "base/index.hpp"
 #include "geometry/brep/message_text.hpp"
-#include "geometry/curves/index.hpp"
 #include "geometry/sketch/arc_fit.hpp"
 
 namespace abut::geometry {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/curves/index.hpp"
+#include "base/index.hpp"
 
 namespace abut::geometry {
 

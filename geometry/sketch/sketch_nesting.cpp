@@ -9,9 +9,9 @@
 #include <memory>
 #include <numeric>
 
+#include "base/index.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
-#include "geometry/curves/index.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
 
 namespace abut::geometry {

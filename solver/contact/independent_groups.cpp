@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {

@@ -11,10 +11,10 @@
 #include <variant>
 
 #include "base/ensure.hpp"
+#include "base/index.hpp"
 #include "solver/linear_algebra/banded_factor.hpp"
 #include "solver/linear_algebra/condition.hpp"
 #include "solver/linear_algebra/frontal_factor.hpp"
-#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/ordering.hpp"
 #include "solver/linear_algebra/schur_complement.hpp"
 #include "solver/linear_algebra/signed_factor.hpp"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 
 namespace abut::solver {

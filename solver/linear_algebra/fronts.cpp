@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 
 namespace abut::solver {
 

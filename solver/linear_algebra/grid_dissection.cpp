@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 
 namespace abut::solver {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 
 namespace abut::solver {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/index.hpp"
 #include "solver/linear_algebra/blas.hpp"
-#include "solver/linear_algebra/index.hpp"
 #include "solver/linear_algebra/supernodes.hpp"
 
 namespace abut::solver {

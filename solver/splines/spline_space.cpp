@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/ensure.hpp"
-#include "solver/linear_algebra/index.hpp"
+#include "base/index.hpp"
 #include "solver/splines/branches.hpp"
 
 namespace abut::solver {

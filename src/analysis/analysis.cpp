@@ -5,6 +5,7 @@
 #include <chrono>
 #include <map>
 
+#include "base/index.hpp"
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/accuracy_results.hpp"
@@ -23,7 +24,6 @@
 #include "src/answers/part_results.hpp"
 #include "src/answers/probes.hpp"
 #include "src/contact/candidate_faces.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/verdict.hpp"

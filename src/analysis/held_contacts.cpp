@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "src/contact/part_reach.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
 #include "src/scene/scene.hpp"
 

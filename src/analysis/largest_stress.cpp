@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/stress.hpp"
 #include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/discretization/grid_design.hpp"
-#include "src/io/index.hpp"
 
 namespace abut {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "src/io/index.hpp"
+#include "base/index.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {

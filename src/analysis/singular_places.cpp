@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/io/index.hpp"
+#include "base/index.hpp"
 
 namespace abut {
 

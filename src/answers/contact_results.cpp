@@ -6,9 +6,9 @@
 #include <map>
 
 #include "base/ensure.hpp"
+#include "base/index.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/contact/candidate_faces.hpp"
-#include "src/io/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {

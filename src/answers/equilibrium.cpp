@@ -6,8 +6,8 @@
 #include <map>
 
 #include "base/ensure.hpp"
+#include "base/index.hpp"
 #include "solver/parts/rigid_body.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 
 namespace abut {

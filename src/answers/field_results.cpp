@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "base/ensure.hpp"
+#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "solver/splines/local_spline.hpp"
-#include "src/io/index.hpp"
 
 namespace abut {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "base/index.hpp"
 #include "src/answers/motion_text.hpp"
 #include "src/contact/candidate_faces.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
 
 namespace abut {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "base/index.hpp"
 #include "src/discretization/cut_quality.hpp"
-#include "src/io/index.hpp"
 
 namespace abut {
 

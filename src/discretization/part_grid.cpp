@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "src/discretization/discretize.hpp"
-#include "src/io/index.hpp"
 
 namespace abut {
 

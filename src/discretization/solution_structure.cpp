@@ -6,11 +6,11 @@
 #include <iterator>
 #include <set>
 
+#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/transformed_gauss.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
-#include "src/io/index.hpp"
 
 namespace abut {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/index.hpp"
 #include "solver/assembly/ring.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/support_components.hpp"
 
 namespace abut {

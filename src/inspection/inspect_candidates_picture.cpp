@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/index.hpp"
 #include "src/inspection/inspect_stages.hpp"
-#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/report_svg.hpp"
 #include "src/results/result_units.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "src/io/index.hpp"
+#include "base/index.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/loads.hpp"
 

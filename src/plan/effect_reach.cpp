@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "base/index.hpp"
 #include "src/contact/candidates.hpp"
-#include "src/io/index.hpp"
 #include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/index.hpp"
 #include "src/contact/part_reach.hpp"
-#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/loads.hpp"
 #include "src/scene/selection.hpp"

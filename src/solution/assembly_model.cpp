@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "base/ensure.hpp"
+#include "base/index.hpp"
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/dilatation.hpp"
@@ -13,7 +14,6 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
-#include "src/io/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/io/index.hpp"
+#include "base/index.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {

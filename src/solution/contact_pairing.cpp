@@ -35,7 +35,7 @@ double noise_of(const ChainPoint& p1, const geometry::Chain& chain2) {
 bool find_partner(const geometry::Part& part2, const geometry::Chain& chain2, FacingPair& pair) {
     const double slack = end_slack * chain2.length, noise = noise_of(pair.on1, chain2);
     for (int step = 0; step < max_newton_steps; ++step) {
-        pair.on2 = at(part2, chain2, pair.s2);
+        pair.on2 = chain_point(part2, chain2, pair.s2);
         const Condition c = on_normal(pair.on1, pair.on2);
         if (std::abs(c.value) <= noise) return true;
         if (c.slope == 0) return false;

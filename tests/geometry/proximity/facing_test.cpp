@@ -88,20 +88,20 @@ TEST(Chains, OpenChainStartsAtItsCorner) {
     ASSERT_EQ(chains.size(), 1u);
     EXPECT_FALSE(chains[0].closed);
     EXPECT_EQ(chains[0].edges, (std::vector<int>{2, 0, 1}));
-    EXPECT_NEAR((at(part, chains[0], 0).x - Vec2(0, -2)).norm(), 0, exact);
-    EXPECT_NEAR((at(part, chains[0], chains[0].length).x - Vec2(0, -2)).norm(), 0, exact);
+    EXPECT_NEAR((chain_point(part, chains[0], 0).x - Vec2(0, -2)).norm(), 0, exact);
+    EXPECT_NEAR((chain_point(part, chains[0], chains[0].length).x - Vec2(0, -2)).norm(), 0, exact);
 }
 
 TEST(Chains, PointsAreContinuousAndPeriodic) {
     const Part part = rounded(0, 0, 4, 2, 0.5);
     const Chain chain = smooth_chains(part)[0];
     for (const double s : chain.begin) {
-        const ChainPoint before = at(part, chain, s - 1e-9), after = at(part, chain, s + 1e-9);
+        const ChainPoint before = chain_point(part, chain, s - 1e-9), after = chain_point(part, chain, s + 1e-9);
         EXPECT_NEAR((before.x - after.x).norm(), 2e-9, 1e-12);
         EXPECT_NEAR((before.normal - after.normal).norm(), 0, 1e-8);
     }
-    EXPECT_NEAR((at(part, chain, 0.3).x - at(part, chain, 0.3 - 2 * chain.length).x).norm(), 0, exact);
-    EXPECT_NEAR((at(part, chain, -1e-18).x - at(part, chain, 0).x).norm(), 0, exact);
+    EXPECT_NEAR((chain_point(part, chain, 0.3).x - chain_point(part, chain, 0.3 - 2 * chain.length).x).norm(), 0, exact);
+    EXPECT_NEAR((chain_point(part, chain, -1e-18).x - chain_point(part, chain, 0).x).norm(), 0, exact);
 }
 
 TEST(Facing, CirclesTouchingAtAPoint) {

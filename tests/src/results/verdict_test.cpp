@@ -118,14 +118,5 @@ TEST(Impossible, ForcesOrMomentsOutOfBalance) {
     EXPECT_EQ(impossible_in(r).find("moments are out of balance by 1.1 %"), 0u) << impossible_in(r);
 }
 
-/// A bar pulled by its end: the stress is the same everywhere, the far end moves by load / E of its length.
-Result bar(const std::string& traction) {
-    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0}},
-        "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [4, 1]}}}],
-        "supports": [{"on": ["bar/left", "bar/bottom"], "symmetry": true}],
-        "loads": [{"on": "bar/right", "traction": [)" +
-                        traction + R"(, 0]}]})");
-}
-
 }  // namespace
 }  // namespace abut::verdict_test
