@@ -37,9 +37,9 @@ struct Corner {
 
 using BandEdges = std::array<std::vector<DirectedEdge>, n_bands>;
 
-/// Convex: a quadrilateral, or a triangle cut twice, each time with at most one corner more. On the stack: there are millions.
+/// Convex: a triangle or quadrilateral cut twice, each time with at most one corner more. On the stack: there are millions.
 struct Polygon {
-    std::array<Corner, 5> corner;
+    std::array<Corner, 6> corner;
     std::size_t n = 0;
 
     void add(const Corner& c) { corner[n++] = c; }
@@ -100,15 +100,27 @@ Polygon clipped(const Polygon& polygon, double level, double sign) {
     return kept;
 }
 
-void add_triangle(const Corner& a, const Corner& b, const Corner& c, BandEdges& bands) {
-    const auto [low, high] = std::minmax({a.value, b.value, c.value});
-    const Polygon triangle{{a, b, c, {}, {}}, 3};
+/// A polygon in which the field is as good as linear.
+void add_cut(const Polygon& polygon, BandEdges& bands) {
+    double low = polygon.corner[0].value, high = low;
+    for (std::size_t i = 1; i < polygon.n; ++i) {
+        low = std::min(low, polygon.corner[i].value);
+        high = std::max(high, polygon.corner[i].value);
+    }
     for (int band = band_of(low); band <= band_of(high); ++band) {
-        Polygon piece = triangle;
+        Polygon piece = polygon;
         if (band > 0) piece = clipped(piece, static_cast<double>(band) / n_bands, 1);
         if (band + 1 < n_bands) piece = clipped(piece, static_cast<double>(band + 1) / n_bands, -1);
         if (piece.n > 2) add_polygon(piece, bands[static_cast<std::size_t>(band)]);
     }
+}
+
+/// Within half a band: triangles around the middle would show nothing else.
+bool is_nearly_linear(const Patch& patch) {
+    const auto& v = patch.value;
+    constexpr double half_band = 0.5 / n_bands;
+    return std::abs(v[0] - v[1] + v[2] - v[3]) < half_band &&
+           std::abs(0.25 * (v[0] + v[1] + v[2] + v[3]) - patch.middle) < half_band;
 }
 
 void add_patch(const Patch& patch, BandEdges& bands) {
@@ -129,7 +141,8 @@ void add_patch(const Patch& patch, BandEdges& bands) {
         add_polygon(corners, bands[static_cast<std::size_t>(band(0))]);
         return;
     }
-    for (std::size_t i = 0; i < 4; ++i) add_triangle(corners.corner[i], corners.after(i), middle, bands);
+    if (is_nearly_linear(patch)) return add_cut(corners, bands);
+    for (std::size_t i = 0; i < 4; ++i) add_cut({{corners.corner[i], corners.after(i), middle, {}, {}, {}}, 3}, bands);
 }
 
 constexpr std::uint32_t flip = 0x80000000u;  // makes unsigned numbers ordered like signed ones

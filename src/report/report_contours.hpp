@@ -24,10 +24,10 @@ inline constexpr int n_bands = 40;
 /// The fill colour of a band ("#rrggbb").
 std::string band_color(int band);
 
-/// The bands of a field as SVG paths, one per band. Within a patch the field is interpolated linearly on four triangles around
-/// its middle; all pieces of one band are merged (their common edges cancel), so that the size of the text follows the length
-/// of the contour lines and not the number of patches. Values outside 0..1 take the first or last colour; patches with a value
-/// that is not finite are left out. Cost O(patches log patches).
+/// The bands of a field as SVG paths, one per band. Within a patch the field is interpolated linearly, on four triangles
+/// around its middle where it is not nearly linear; all pieces of one band are merged (their common edges cancel), so that the
+/// size of the text follows the length of the contour lines and not the number of patches. Values outside 0..1 take the first
+/// or last colour; patches with a value that is not finite are left out. Cost O(patches).
 std::string filled_bands(const std::vector<Patch>& patches);
 
 }  // namespace abut::report
