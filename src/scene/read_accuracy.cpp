@@ -46,7 +46,8 @@ std::string word_or(SceneReading& reading, const JsonValue& object, const char* 
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt", "solver"}, {}};
+    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt", "solver"},
+                     {}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
     if (find_member(accuracy, "level") && find_member(accuracy, "target"))
