@@ -165,7 +165,7 @@ std::vector<MonotonePiece> monotone_pieces(const Part& part) {
 
 double y_at(const MonotonePiece& piece, double x) {
     if (piece.is_general) return general_meeting(piece, 0, x).at.y();
-    double y;
+    double y = 0;
     if (piece.is_arc) {
         const double dx = x - piece.center.x();
         y = piece.center.y() + piece.y_side * std::sqrt(std::max(0.0, (piece.radius - dx) * (piece.radius + dx)));
@@ -177,7 +177,7 @@ double y_at(const MonotonePiece& piece, double x) {
 
 double x_at(const MonotonePiece& piece, double y) {
     if (piece.is_general) return general_meeting(piece, 1, y).at.x();
-    double x;
+    double x = 0;
     if (piece.is_arc) {
         const double dy = y - piece.center.y();
         x = piece.center.x() + piece.x_side * std::sqrt(std::max(0.0, (piece.radius - dy) * (piece.radius + dy)));

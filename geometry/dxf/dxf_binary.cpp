@@ -52,9 +52,8 @@ struct Raw {
 
 class BinaryReader {
 public:
-    BinaryReader(const std::string& file, std::string_view bytes) : file_(file), bytes_(bytes), at_(sentinel.size()) {
-        has_short_codes_ = codes_are_short();
-    }
+    BinaryReader(const std::string& file, std::string_view bytes)
+        : file_(file), bytes_(bytes), at_(sentinel.size()), has_short_codes_(codes_are_short()) {}
 
     void read() {
         bool is_end = false;

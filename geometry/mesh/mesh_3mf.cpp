@@ -103,7 +103,7 @@ std::string Reader::name_of(PLib3MFBase* object) const {
     ask(ABUT_LATE(lib3mf(), NMR::lib3mf_object_getnameutf8, path_)(object, name.data(), static_cast<ULONG>(name.size()),
                                                                    &needed),
         path_);
-    return name.c_str();
+    return name.c_str();  // NOLINT(readability-redundant-string-cstr): up to the first zero
 }
 
 void Reader::add_mesh(PLib3MFBase* object, const Eigen::Affine3d& placement) {

@@ -207,11 +207,14 @@ private:
 }  // namespace
 
 FacingModel::FacingModel(const Part& first, const Part& second, double search_distance)
-    : part1(first), part2(second), tree1(first), tree2(second), distance(search_distance) {
-    size = bounding_box(first).diagonal() + bounding_box(second).diagonal();
-    same = same_fraction * size;
-    thin = thin_fraction * size;
-}
+    : part1(first),
+      part2(second),
+      tree1(first),
+      tree2(second),
+      distance(search_distance),
+      size(bounding_box(first).diagonal() + bounding_box(second).diagonal()),
+      same(same_fraction * size),
+      thin(thin_fraction * size) {}
 
 std::optional<EdgePair> pair_on_edges(const FacingModel& model, int edge1, int edge2, double s1) {
     const Curve &curve1 = curve_of(model.part1, edge1), &curve2 = curve_of(model.part2, edge2);

@@ -45,7 +45,7 @@ FunctionSets sets_of_functions(int n, const FunctionSets& sets) {
 }
 
 /// Ascending: rows are short, and nearly in order.
-void sort_few(int* begin, int* end) {
+void sort_few(int* begin, const int* end) {
     for (int* p = begin; p < end; ++p) {
         const int v = *p;
         int* to = p;

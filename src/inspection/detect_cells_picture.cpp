@@ -102,7 +102,8 @@ std::vector<Vec2> number_places(const geometry::CaseCells& its_case, const Unifo
     Vec2 mean(0, 0);
     for (const std::vector<int>& cells : its_case.cells)
         for (const int cell : cells) {
-            places.push_back(view(grid.point(cell % grid.columns + 0.5, cell / grid.columns + 0.5)));
+            const int column = cell % grid.columns, row = cell / grid.columns;
+            places.push_back(view(grid.point(column + 0.5, row + 0.5)));
             mean += places.back();
         }
     mean /= std::max(1.0, static_cast<double>(places.size()));

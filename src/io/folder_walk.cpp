@@ -20,7 +20,7 @@ public:
 
     FolderFiles from(const fs::path& folder) {
         std::error_code error;
-        fs::directory_iterator(folder, error);
+        const fs::directory_iterator first(folder, error);
         if (error) throw InputError(folder.string(), "the folder cannot be read: " + error.message(), "check its permissions");
         look_into(folder);
         while (!links_.empty()) follow(links_.extract(links_.begin()).value());

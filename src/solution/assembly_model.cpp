@@ -262,7 +262,8 @@ bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
 /// fewer points apart than two cells have are one.
-std::vector<ContactRun> without_flicker(std::vector<ContactRun> runs, const solver::KnotVector& points, int points_per_cell) {
+std::vector<ContactRun> without_flicker(const std::vector<ContactRun>& runs, const solver::KnotVector& points,
+                                        int points_per_cell) {
     std::vector<ContactRun> joined;
     for (const ContactRun& run : runs) {
         const auto between = [&](double s) { return !joined.empty() && s > joined.back().end && s < run.begin; };
@@ -283,10 +284,10 @@ std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contac
     const solver::Interface& face = solved.contacts[contact].face;
     if (!face.bilateral && is_rounding(solved, contact)) return {};
     if (!face.bilateral) {
-        std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
+        const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
         if (face.penalty.empty()) return runs;
         const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
-        return without_flicker(std::move(runs), face.pressure, std::max(space.x.degree, space.y.degree) + 1);
+        return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
     }
     return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }

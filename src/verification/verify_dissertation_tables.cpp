@@ -85,7 +85,7 @@ std::vector<double> exact_pressures(double a, const std::function<double(double)
 }
 
 /// The contact's pressure at the five points.
-Value error_of_pressure(double a, std::vector<double> p) {
+Value error_of_pressure(double a, const std::vector<double>& p) {
     return [=](const Result& r) {
         std::vector<double> ours;
         for (std::size_t k = 0; k < n_points; ++k) ours.push_back(pressure_at_x(r.contacts.at(0), point(a, k)));
@@ -95,7 +95,7 @@ Value error_of_pressure(double a, std::vector<double> p) {
 
 /// -n . sigma . n on the first part at the five points (eq 4.38), which are the scene's probes; an arc of radius R1 about (0,
 /// R1), or with R1 infinite the line y = 0.
-Value error_of_stress(double a, double R1, std::vector<double> p) {
+Value error_of_stress(double a, double R1, const std::vector<double>& p) {
     return [=](const Result& r) -> std::optional<double> {
         if (r.probes.size() < n_points) return std::nullopt;
         std::vector<double> ours;
