@@ -32,7 +32,8 @@ PartRule read_rule(SceneReading& reading, const JsonValue& value, const std::vec
     if (const JsonValue* name = find_member(value, "name")) rule.name = read_new_part_name(reading, *name);
     if (const JsonValue* material = find_member(value, "material"))
         rule.material = read_material_name(reading, *material, materials);
-    if (const JsonValue* thickness = find_member(value, "thickness")) rule.thickness = read_positive(reading, *thickness);
+    if (const JsonValue* thickness = find_member(value, "thickness"))
+        rule.thickness = read_positive(reading, *thickness, dimension::length);
     return rule;
 }
 

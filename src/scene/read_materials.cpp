@@ -33,8 +33,8 @@ void check_poisson(SceneReading& reading, const JsonValue& value, double nu, Ana
                           : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain and around an axis");
 }
 
-std::optional<double> read_not_negative(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> number = read_number(reading, value);
+std::optional<double> read_density(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> number = read_number(reading, value, dimension::density);
     if (number && *number < 0) report_problem(reading, value, "'" + value.key + "' must not be negative");
     return number;
 }
@@ -43,13 +43,15 @@ Material read_material(SceneReading& reading, const JsonValue& value, Analysis a
     Material material;
     material.name = value.key;
     if (!check_object(reading, value, {{"E", "nu", "density", "expansion", "yield"}, {}})) return material;
-    material.E = required_member(reading, value, "E", read_positive).value_or(1);
-    material.nu = required_member(reading, value, "nu", read_number).value_or(0);
+    material.E = required_member(reading, value, "E", read_positive, dimension::stress).value_or(1);
+    material.nu = required_member(reading, value, "nu", read_number, dimension::none).value_or(0);
     if (const JsonValue* nu = find_member(value, "nu")) check_poisson(reading, *nu, material.nu, analysis);
-    material.density = member_or(reading, value, "density", 0.0, read_not_negative);
+    material.density = member_or(reading, value, "density", 0.0, read_density);
     material.has_density = find_member(value, "density") != nullptr;
-    if (const JsonValue* expansion = find_member(value, "expansion")) material.expansion = read_number(reading, *expansion);
-    if (const JsonValue* yield = find_member(value, "yield")) material.yield = read_positive(reading, *yield);
+    if (const JsonValue* expansion = find_member(value, "expansion"))
+        material.expansion = read_number(reading, *expansion, dimension::expansion);
+    if (const JsonValue* yield = find_member(value, "yield"))
+        material.yield = read_positive(reading, *yield, dimension::stress);
     return material;
 }
 
@@ -69,11 +71,13 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
                            "give the parameter another name");
         } else if (const auto given = reading.replaced.find(item.key); given != reading.replaced.end()) {
             reading.parameters[item.key] = given->second;
-        } else if (const std::optional<double> number = read_number(reading, item)) {
+        } else if (const std::optional<double> number = read_parameter(reading, item)) {
             reading.parameters[item.key] = *number;
         } else {
-            // Already reported; a value keeps those that refer to it from being reported too.
+            // Already reported; a value keeps those that refer to it from being reported too, and edges of parts that this
+            // value does not make.
             reading.parameters[item.key] = 1;
+            reading.all_parts_named = false;
         }
     }
 }

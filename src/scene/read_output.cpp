@@ -10,7 +10,7 @@ namespace {
 std::optional<Probe> read_probe(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"part", "at"}, {}})) return std::nullopt;
     const auto part = required_member(reading, value, "part", read_part_name);
-    const auto at = required_member(reading, value, "at", read_vector);
+    const auto at = required_member(reading, value, "at", read_vector, dimension::length);
     if (!part || !at) return std::nullopt;
     return Probe{*part, *at, value.pointer};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+// Reads a scene top down. Order matters: units come before parameters, these before all other numbers, parts before all that
+// names parts.
 #include "src/scene/read_scene.hpp"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ void read_version(SceneReading& reading) {
 
 void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
     if (!check_object(reading, units, {{"length", "force"}, {}})) return;
-    scene.length_unit = member_or(reading, units, "length", std::string(), read_text);
-    scene.force_unit = member_or(reading, units, "force", std::string(), read_text);
+    scene.length_unit = reading.units.length = member_or(reading, units, "length", std::string(), read_text);
+    scene.force_unit = reading.units.force = member_or(reading, units, "force", std::string(), read_text);
 }
 
 void read_general(SceneReading& reading, Scene& scene) {
@@ -46,7 +47,6 @@ void read_general(SceneReading& reading, Scene& scene) {
     if (title && title->kind != JsonValue::Kind::string)
         report_problem(reading, *title, "expected a text, found " + described(*title));
     if (title) scene.title = title->text;
-    if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* analysis = find_member(root, "analysis")) {
         const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain", "axisymmetric"}, {}});
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
@@ -68,7 +68,7 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     }
     Imports imports;
     imports.length_unit = scene.length_unit;
-    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive);
+    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive, dimension::length);
     if (parts) read_parts(reading, imports, *parts, thickness, scene);
     if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
     scene.imports = std::move(imports.records);
@@ -160,7 +160,7 @@ void check_replaced(SceneReading& reading) {
 }
 
 Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced, const std::string& given_file = {}) {
-    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced,
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced, {}, {},
                          given_file};
     Scene scene;
     scene.file = document.file;
@@ -169,6 +169,7 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);
+    if (const JsonValue* units = find_member(reading.root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
     check_replaced(reading);
     read_general(reading, scene);
