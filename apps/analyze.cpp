@@ -33,6 +33,14 @@ std::vector<Effect> whole_plan(const Scene& scene) {
     return plan;
 }
 
+/// What is taken from elsewhere and what is doubtful of a scene, before anything is computed.
+std::string remarks(const Scene& scene) {
+    std::string text;
+    for (const std::string& note : scene.notes) text += "note: " + note + "\n";
+    for (const std::string& warning : scene.warnings) text += "warning: " + warning + "\n";
+    return text;
+}
+
 Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);
     AnalyzeOptions options;
@@ -77,7 +85,7 @@ int analyze_command(const Arguments& arguments) {
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
         const std::vector<Effect> plan = whole_plan(scene);
-        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan));
+        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan) + remarks(scene));
         return exit_done;
     }
     check_formats(scene);

@@ -54,7 +54,7 @@ END
 
 make_copy() {
     rm -rf -- "${work:?}"/*
-    mkdir -p "$top"/{apps,base,geometry,solver,src,tests} "$tools" "$work/elsewhere"
+    mkdir -p "$top"/{apps,base,geometry,solver,src,tests,data/materials} "$tools" "$work/elsewhere"
     cp "$here/../apps/abut" "$here/../apps/prepare.sh" "$top/apps"
     cp "$here/../CMakePresets.json" "$top"
     printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(trial LANGUAGES CXX)' 'add_subdirectory(apps)' >"$top/CMakeLists.txt"

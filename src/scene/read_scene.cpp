@@ -101,6 +101,16 @@ void check_thickness(SceneReading& reading, Scene& scene) {
     for (ScenePart& part : scene.parts) part.thickness = full_circle;
 }
 
+/// A slip in the units of E is no error: the scene may mean it.
+void check_stiffness(const SceneReading& reading, Scene& scene) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const auto is_of_it = [&](const ScenePart& part) { return part.material == static_cast<int>(m); };
+        if (std::none_of(scene.parts.begin(), scene.parts.end(), is_of_it)) continue;
+        if (const std::string doubt = implausible_stiffness(scene.materials[m], reading.units); !doubt.empty())
+            scene.warnings.push_back(doubt);
+    }
+}
+
 /// A plane part spins about a point, a part around an axis about that.
 void check_spin_about(SceneReading& reading, const Scene& scene, const Load& load) {
     const JsonValue& spin = *find_member(*find_pointer(reading.root, load.where), "spin");
@@ -178,8 +188,8 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     }
     scene.materials.push_back(built_in_rigid());
     read_all_parts(reading, scene);
-    const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
-    if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
+    drop_unused_rigid(scene);
+    check_stiffness(reading, scene);
     check_thickness(reading, scene);
     read_sections(reading, scene);
     // Edges can be looked up only where every part has its geometry.

@@ -182,6 +182,7 @@ struct Scene {
     Output output;
     std::vector<ImportRecord> imports;
     std::vector<std::string> warnings;
+    std::vector<std::string> notes{};  ///< what was taken from elsewhere: materials of the library
 };
 
 /// A part by its number, and its shape.
