@@ -81,6 +81,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
     if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
+    if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
 }
 
 /// Thicknesses have no meaning around an axis; the full circle takes their place.
@@ -175,7 +176,7 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     Scene scene;
     scene.file = document.file;
     const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials",
-                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);
