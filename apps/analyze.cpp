@@ -13,12 +13,15 @@
 #include "apps/thread_option.hpp"
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/result.hpp"
+#include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
+#include "src/verification/expectations.hpp"
 
 namespace abut {
 
@@ -31,6 +34,14 @@ std::vector<Effect> whole_plan(const Scene& scene) {
     std::vector<Effect> plan = plan_effects(scene, conditions);
     plan.push_back(left_out_effect(scene, conditions));
     return plan;
+}
+
+/// What is taken from elsewhere and what is doubtful of a scene, before anything is computed.
+std::string remarks(const Scene& scene) {
+    std::string text;
+    for (const std::string& note : scene.notes) text += "note: " + note + "\n";
+    for (const std::string& warning : scene.warnings) text += "warning: " + warning + "\n";
+    return text;
 }
 
 Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
@@ -50,6 +61,25 @@ void print_result(const Result& result, const std::string& folder, const Argumen
     }
 }
 
+/// Says whether the answers that the scene knows come out; true where they do, or where it knows none.
+bool tell_expectations(const Scene& scene, const Result& result, const Arguments& arguments) {
+    std::vector<VerifyRow> rows = compared_with_expectations(scene, result);
+    for (VerifyRow& row : rows) row.seconds = stage_seconds(result, "total");
+    if (!rows.empty() && !has(arguments, "--json") && !has(arguments, "--quiet"))
+        print_text("\nexpected:\n" + verify_table(rows));
+    bool all_pass = true;
+    for (const VerifyRow& row : rows) {
+        if (row.pass) continue;
+        all_pass = false;
+        std::cout.flush();
+        const std::string what =
+            row.failure.empty() ? row.quantity + " is " + number_text(row.value, 6) + ", not " + number_text(row.reference, 6)
+                                : row.failure;
+        std::cerr << "abut: " << scene.file << ": not as expected: " << one_line_text(what) << "\n";
+    }
+    return all_pass;
+}
+
 }  // namespace
 
 CommandSpec analyze_spec() {
@@ -61,7 +91,7 @@ CommandSpec analyze_spec() {
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
-             {"--strict", "", "end with status 1 also where it is solved with reservations"},
+             {"--strict", "", "end with status 1 also where it is solved with reservations, or not as the scene expects"},
              {"--quiet", "", "print nothing but errors"}},
             "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
             "known;\n"
@@ -77,7 +107,7 @@ int analyze_command(const Arguments& arguments) {
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
         const std::vector<Effect> plan = whole_plan(scene);
-        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan));
+        print_text(has(arguments, "--json") ? plan_json(plan) : plan_table(plan) + remarks(scene));
         return exit_done;
     }
     check_formats(scene);
@@ -87,8 +117,11 @@ int analyze_command(const Arguments& arguments) {
     complete_import_time(result, reading_seconds);
     write_results(result, folder, scene.output.formats, watch);
     print_result(result, folder, arguments, scene.output);
+    const bool as_expected = tell_expectations(scene, result, arguments);
     const Verdict verdict = verdict_of(result);
-    if (verdict == Verdict::reached || (verdict == Verdict::solved_but && !has(arguments, "--strict"))) return exit_done;
+    if (verdict == Verdict::reached && (as_expected || !has(arguments, "--strict"))) return exit_done;
+    if (verdict == Verdict::solved_but && !has(arguments, "--strict")) return exit_done;
+    if (verdict == Verdict::reached) return exit_failed;
     std::cout.flush();
     std::cerr << "abut: " << arguments.operand << ": "
               << one_line_text(verdict == Verdict::failed ? "the analysis failed: " + result.message

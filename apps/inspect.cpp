@@ -15,11 +15,14 @@ namespace abut {
 CommandSpec inspect_spec() {
     CommandSpec spec{
         "inspect", "FILE", "Shows what is in a scene or drawing: parts, edges with their names, repairs and problems.", {}, {}};
-    spec.options = {{"--json", "", "print it as JSON instead of a table"}, {"-o", "DIR", "write pictures into DIR"}};
+    spec.options = {{"--json", "", "print it as JSON instead of a table"},
+                    {"-o", "DIR", "write pictures and a page with one into DIR"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
     spec.notes =
-        "Pictures: inspect.svg, parts with names and directions of edges, repairs and problems; and what an analysis would\n"
-        "begin with: inspect_cells.svg, cells of the first grids by class; inspect_pieces.svg, the boundary clipped to them;\n"
+        "Pictures: inspect.svg, parts with names and directions of edges, repairs and problems; inspect.html, the same as a "
+        "page in\n"
+        "which a click on an edge copies its selector; and what an analysis would begin with: inspect_cells.svg, cells of the "
+        "first grids by class; inspect_pieces.svg, the boundary clipped to them;\n"
         "inspect_candidates.svg, where parts face each other, with some pairs of points.\n"
         "Problems are also listed on standard error, one a line; the exit status is 2 then, and 0 without any.\n";
     return spec;
@@ -30,6 +33,7 @@ namespace {
 /// The plain picture first: it is there whatever is wrong with the grids that the scene asks for.
 void write_pictures(const Inspection& inspection, const std::string& folder) {
     write_file(folder, "inspect.svg", inspection_svg(inspection));
+    write_file(folder, "inspect.html", inspection_html(inspection));
     for (const InspectionPicture& picture : stage_pictures(inspection)) write_file(folder, picture.file, picture.svg);
 }
 

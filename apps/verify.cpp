@@ -3,12 +3,14 @@
 #include "src/verification/verify.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "apps/commands.hpp"
 #include "apps/data_folder.hpp"
 #include "apps/print_text.hpp"
 #include "apps/progress_line.hpp"
+#include "src/verification/expectations.hpp"
 #include "src/verification/verify_dissertation.hpp"
 
 namespace abut {
@@ -43,6 +45,33 @@ std::vector<VerifyRow> verified(const std::vector<VerifyProblem>& problems, cons
     return rows;
 }
 
+/// Folders and files of scenes among the names are taken out of the list.
+std::vector<std::string> take_paths(std::vector<std::string>& names) {
+    const auto is_path = [](const std::string& name) { return std::filesystem::exists(name); };
+    std::vector<std::string> paths;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(paths), is_path);
+    std::erase_if(names, is_path);
+    return paths;
+}
+
+std::vector<std::string> scenes_of(const std::vector<std::string>& paths) {
+    std::vector<std::string> scenes;
+    for (const std::string& path : paths)
+        for (std::string& scene : scenes_with_expectations(path)) scenes.push_back(std::move(scene));
+    return scenes;
+}
+
+std::vector<VerifyRow> verified_scenes(const std::vector<std::string>& scenes) {
+    ProgressLine line(true);
+    std::vector<VerifyRow> rows;
+    for (const std::string& scene : scenes) {
+        line.show(scene);
+        const std::vector<VerifyRow> more = verify_scene(scene);
+        rows.insert(rows.end(), more.begin(), more.end());
+    }
+    return rows;
+}
+
 /// Failures are said once a problem, whatever is printed of the rows.
 void report_failures(const std::vector<VerifyRow>& rows) {
     std::string last;
@@ -64,6 +93,7 @@ CommandSpec verify_spec() {
          {"--json", "", "print the comparison as JSON instead of a table"},
          {"--data", "DIR", "folder with verification/ and scenes/ (default: the one the program came with)"}},
         "NAME is a problem (E4-quarter) or a group of them (E4); without any, all are solved, which takes minutes.\n"
+        "NAME may also be a folder, or a scene: then all scenes below it that have \"expect\" are solved (abut help expect).\n"
         "dissertation: the tables of the dissertation, its printed values beside ours.\n"
         "The exit status is 1 where a quantity misses its tolerance.\n"};
     spec.operands = Operands::any;
@@ -73,19 +103,24 @@ CommandSpec verify_spec() {
 int verify_command(const Arguments& arguments) {
     std::vector<std::string> names = arguments.operands;
     const bool tables = take_dissertation(names);
-    // the dissertation alone asks for no other problem
-    const std::vector<VerifyProblem> problems = tables && names.empty() ? std::vector<VerifyProblem>{} : chosen_problems(names);
+    const std::vector<std::string> scenes = scenes_of(take_paths(names));
+    // the dissertation or scenes alone ask for no other problem
+    const bool has_others = tables || !scenes.empty();
+    const std::vector<VerifyProblem> problems =
+        has_others && names.empty() ? std::vector<VerifyProblem>{} : chosen_problems(names);
     if (has(arguments, "--list")) {
         if (!problems.empty()) print_text(verify_list(problems));
-        if (tables || names.empty()) print_text(dissertation_list());
+        for (const std::string& scene : scenes) print_text(scene + "\n");
+        if (tables || (names.empty() && scenes.empty())) print_text(dissertation_list());
         return exit_done;
     }
-    const std::string folder = data_folder(arguments);
+    const std::string folder = tables || !problems.empty() ? data_folder(arguments) : "";
     const std::vector<SolvedTable> solved = tables ? solved_tables(folder) : std::vector<SolvedTable>{};
     std::vector<VerifyRow> rows;
     for (const SolvedTable& table : solved)
         for (VerifyRow& row : rows_of(table)) rows.push_back(std::move(row));
-    const std::vector<VerifyRow> others = verified(problems, folder);
+    std::vector<VerifyRow> others = verified(problems, folder);
+    for (VerifyRow& row : verified_scenes(scenes)) others.push_back(std::move(row));
     if (!has(arguments, "--json")) {
         if (tables) print_text(dissertation_text(solved));
         if (!others.empty()) print_text(verify_table(others));

@@ -5,6 +5,8 @@ foreach(floor base geometry solver src apps)
   file(GLOB_RECURSE of_floor ${SOURCE_DIR}/${floor}/*.cpp ${SOURCE_DIR}/${floor}/*.hpp ${SOURCE_DIR}/${floor}/CMakeLists.txt)
   list(APPEND sources ${of_floor})
 endforeach()
+file(GLOB materials ${SOURCE_DIR}/data/materials/*.json)  # compiled in
+list(APPEND sources ${materials})
 set(all)
 foreach(source IN LISTS sources)
   file(SHA1 ${source} hash)

@@ -155,6 +155,7 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.force_unit = drawn.force_unit;
     result.degree = drawn.accuracy.degree;
     result.warnings = drawn.warnings;
+    result.notes = drawn.notes;
     check_probes(drawn);
     const ResolvedConditions conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, conditions);

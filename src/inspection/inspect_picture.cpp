@@ -10,6 +10,7 @@
 
 #include "src/inspection/inspect.hpp"
 #include "src/inspection/inspect_page.hpp"
+#include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/report/svg.hpp"
@@ -260,7 +261,20 @@ std::string style() {
 
 }  // namespace
 
-std::string inspection_svg(const Inspection& inspection) {
+namespace {
+
+/// What the pointer meets: each edge once more, wide and unseen, on top of all.
+std::string edge_targets(const Inspection& inspection, const View& view) {
+    std::string svg;
+    for (const ScenePart& part : inspection.scene.parts)
+        for (const geometry::Edge& edge : part.part.edges)
+            svg += "<g data-edge=\"" + escape_xml(part.name + "/" + edge.name) + "\" data-about=\"" +
+                   escape_xml(kind_name(edge.curve) + ", length " + with_unit(length(edge.curve), 6, inspection.unit)) + "\">" +
+                   path_element(path_data(edge.curve, 0, 1, view), "target") + "</g>\n";
+    return svg;
+}
+
+std::string picture_of(const Inspection& inspection, bool with_targets) {
     const std::vector<Mark> all = marks_of(inspection), some = shown(all);
     const View view = page_view(box_of(inspection, all));
     const double left = page_margin - axis_distance, bottom = view(view.box.min).y() + axis_distance;
@@ -276,7 +290,63 @@ std::string inspection_svg(const Inspection& inspection) {
                       page_axes(view, inspection.unit) + part_shapes(inspection, view) + edge_directions(inspection, view);
     // What is placed first finds room first.
     const std::string names = part_names(inspection, view, labels), marks = mark_elements(some, view, labels);
-    return svg + edge_names(inspection, view, labels) + names + marks + legend(lines, legend_top) + "</svg>\n";
+    svg += edge_names(inspection, view, labels) + names + marks + legend(lines, legend_top);
+    return svg + (with_targets ? edge_targets(inspection, view) : "") + "</svg>\n";
+}
+
+constexpr const char* page_head = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<title>abut inspect</title>
+<style>
+body { margin: 0; font: 15px Helvetica, Arial, 'Liberation Sans', sans-serif; }
+#said { margin: 0; position: sticky; top: 0; padding: 8px 14px; background: #f3f3f3; border-bottom: 1px solid #ccc; min-height: 1.3em; }
+svg { display: block; }
+[data-edge] { cursor: pointer; }
+.target { fill: none; stroke: #0a58ca; stroke-width: 12; stroke-linecap: round; stroke-opacity: 0; pointer-events: stroke; }
+[data-edge]:hover .target { stroke-opacity: .35; }
+</style>
+</head>
+<body>
+<p id="said">Point at an edge for its name and length; click to copy its selector.</p>
+)";
+
+// Browsers that give pages of files no clipboard copy what is selected.
+constexpr const char* page_script = R"(<script>
+"use strict";
+const said = document.getElementById("said");
+function copy(text) {
+  const selected = () => {
+    const field = document.body.appendChild(document.createElement("textarea"));
+    field.value = text;
+    field.select();
+    const done = document.execCommand("copy");
+    field.remove();
+    return done ? Promise.resolve() : Promise.reject();
+  };
+  return navigator.clipboard ? navigator.clipboard.writeText(text).catch(selected) : selected();
+}
+for (const edge of document.querySelectorAll("[data-edge]")) {
+  const name = edge.dataset.edge;
+  edge.addEventListener("mouseenter", () => { said.textContent = name + ": " + edge.dataset.about; });
+  edge.addEventListener("click", () => {
+    copy(name).then(() => { said.textContent = "copied: " + name; }, () => { said.textContent = "not copied, the browser forbids it: " + name; });
+  });
+}
+</script>
+</body>
+</html>
+)";
+
+}  // namespace
+
+std::string inspection_svg(const Inspection& inspection) {
+    return picture_of(inspection, false);
+}
+
+std::string inspection_html(const Inspection& inspection) {
+    return page_head + picture_of(inspection, true) + page_script;
 }
 
 }  // namespace abut

@@ -8,6 +8,7 @@
 
 #include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/read_materials.hpp"
 #include "src/scene/read_sketch.hpp"
 
 namespace abut {
@@ -17,20 +18,17 @@ namespace {
 /// Edges listed per part; `abut inspect` lists them all.
 constexpr std::size_t most_edges = 60;
 
-/// Force unit and Young's modulus of steel that go with a length unit.
-struct Steel {
-    const char *length, *force, *stress;
-    double E, density;
+/// The force unit that goes with a length unit.
+struct UsualForce {
+    const char *length, *force;
 };
-constexpr Steel steels[] = {{"mm", "N", "MPa", 210000, 7.85e-9},   {"m", "N", "Pa", 2.1e11, 7850},
-                            {"cm", "N", "N/cm^2", 2.1e7, 7.85e-5}, {"um", "uN", "MPa", 210000, 7.85e-21},
-                            {"in", "lbf", "psi", 3.05e7, 7.35e-4}, {"ft", "lbf", "psf", 4.39e9, 15.2}};
+constexpr UsualForce usual_forces[] = {{"mm", "N"}, {"m", "N"}, {"cm", "N"}, {"um", "uN"}, {"in", "lbf"}, {"ft", "lbf"}};
 
 /// Of millimetres where the file states no unit, or one without an entry.
-const Steel& steel_for(const std::string& length_unit) {
-    const auto found =
-        std::find_if(std::begin(steels), std::end(steels), [&](const Steel& s) { return length_unit == s.length; });
-    return found == std::end(steels) ? steels[0] : *found;
+SceneUnits units_for(const std::string& length_unit) {
+    for (const UsualForce& usual : usual_forces)
+        if (length_unit == usual.length) return {usual.length, usual.force};
+    return {usual_forces[0].length, usual_forces[0].force};
 }
 
 std::string quoted(const std::string& text) {
@@ -55,14 +53,14 @@ std::string edge_line(const ScenePart& part, const geometry::Edge& edge) {
     return for_comment(line.str());
 }
 
-void write_parts(std::ostream& out, const Scene& scene) {
+void write_parts(std::ostream& out, const Scene& scene, const std::string& material) {
     out << "    \"parts\": {\n";
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const ScenePart& part = scene.parts[i];
         const auto box = bounding_box(part.part);
-        out << "      " << quoted(part.name) << ": {\"material\": \"steel\"}" << (i + 1 < scene.parts.size() ? "," : "")
-            << "  // " << number(box.size().x()) << " x " << number(box.size().y()) << ", area " << number(area(part.part))
-            << ", " << counted(part.part.edges.size(), "edge") << "\n";
+        out << "      " << quoted(part.name) << ": {\"material\": " << quoted(material) << "}"
+            << (i + 1 < scene.parts.size() ? "," : "") << "  // " << number(box.size().x()) << " x " << number(box.size().y())
+            << ", area " << number(area(part.part)) << ", " << counted(part.part.edges.size(), "edge") << "\n";
     }
     out << "    }\n";
 }
@@ -103,20 +101,36 @@ std::string extreme_edge(const Scene& scene, double sign) {
 
 /// Lengths are converted where file and scene state different units, so none is stated where another one than the file's is
 /// meant.
-std::string units_line(const geometry::Drawing& drawing, const Steel& steel) {
-    const std::string force = "\"force\": \"" + std::string(steel.force) + "\"";
+std::string units_line(const geometry::Drawing& drawing, const SceneUnits& units) {
+    const std::string force = "\"force\": \"" + units.force + "\"";
     if (!drawing.replaced_unit.empty())
         return "{" + force + "},  // lengths in " + for_comment(drawing.unit) + ", though the file states " +
                drawing.replaced_unit + ": stated here they would be converted";
     const bool is_known = !drawing.unit.empty();
-    return "{\"length\": " + quoted(is_known ? drawing.unit : steel.length) + ", " + force + "}," +
+    return "{\"length\": " + quoted(is_known ? drawing.unit : units.length) + ", " + force + "}," +
            (is_known ? "" : "  // the file states no unit of length: millimetres are assumed, check the sizes below");
 }
 
+/// The library's material, in numbers where the scene's units are not stated, or none that are known.
+void write_material(std::ostream& out, const geometry::Drawing& drawing, const SceneUnits& units, const std::string& name) {
+    const Material material = material_from_library(name, units);
+    if (drawing.replaced_unit.empty() && (drawing.unit.empty() || drawing.unit == units.length)) {
+        out << "  // The library has steel, aluminium, cast iron, brass, POM and more (abut help materials); \"materials\": "
+               "{\"own\": "
+               "{\"E\": \"70 GPa\", \"nu\": 0.33}} defines others.\n";
+        return;
+    }
+    out << "  \"materials\": {" << quoted(name) << ": {\"E\": " << nlohmann::json(material.E).dump()
+        << ", \"nu\": " << nlohmann::json(material.nu).dump() << ", \"density\": " << nlohmann::json(material.density).dump()
+        << "}},  // for lengths in " << units.length << ", E in " << units.force << "/" << units.length << "^2\n";
+}
+
 /// What the file was read with, so that the scene reads it the same way.
-void write_import(std::ostream& out, const SketchReading& reading, const ImportOptions& options) {
+void write_import(std::ostream& out, const SketchReading& reading, const ImportOptions& options, const std::string& folder) {
     constexpr const char* axes[] = {"x", "y", "z"};
-    out << "    \"file\": " << quoted(reading.scene.file) << ",  // relative to this scene's folder\n"
+    const std::string file =
+        folder.empty() ? reading.scene.file : std::filesystem::proximate(reading.scene.file, folder).string();
+    out << "    \"file\": " << quoted(file) << ",  // relative to this scene's folder\n"
         << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
     if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
     if (!options.recognise_arcs) out << "    \"recognise_arcs\": false,\n";
@@ -135,19 +149,21 @@ void write_to_fill_in(std::ostream& out, const std::string& key, const std::stri
 
 }  // namespace
 
-std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts) {
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts,
+                          const StarterChoice& choice) {
     const Scene& scene = reading.scene;
-    const Steel& steel = steel_for(scene.length_unit);
+    const SceneUnits units = units_for(scene.length_unit);
     std::ostringstream out;
     out << "// Begun by abut init. Fill in a support and a load, at the end, then run: abut analyze THIS_FILE\n{\n"
         << "  \"abut\": 1,\n  \"title\": " << quoted(std::filesystem::path(scene.file).stem().string()) << ",\n"
-        << "  \"units\": " << units_line(reading.drawing, steel) << "\n"
-        << "  \"analysis\": \"plane_stress\",  // or \"plane_strain\"\n  \"thickness\": 1,\n"
-        << "  \"materials\": {\"steel\": {\"E\": " << nlohmann::json(steel.E).dump()
-        << ", \"nu\": 0.3, \"density\": " << nlohmann::json(steel.density).dump() << "}},  // E in " << steel.stress << "\n"
-        << "  \"assembly\": {\n";
-    write_import(out, reading, options);
-    write_parts(out, scene);
+        << "  \"units\": " << units_line(reading.drawing, units) << "\n"
+        << "  \"analysis\": \"plane_stress\",  // or \"plane_strain\"\n  \"thickness\": "
+        << nlohmann::json(choice.thickness.value_or(1)).dump()
+        << (choice.thickness ? ",\n" : ",  // check: forces are totals over it\n");
+    write_material(out, reading.drawing, units, choice.material);
+    out << "  \"assembly\": {\n";
+    write_import(out, reading, options, choice.folder);
+    write_parts(out, scene, choice.material);
     out << "  },\n";
     write_edges(out, scene);
     write_contacts(out, scene, contacts);

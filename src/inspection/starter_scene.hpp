@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene to begin with, for a drawing or mesh: `abut init`.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "src/contact/detect.hpp"
@@ -9,10 +10,19 @@
 
 namespace abut {
 
+/// What the user of `abut init` chose.
+struct StarterChoice {
+    std::string material = "steel";
+    std::optional<double> thickness{};  ///< in the scene's unit; unset: 1, to be checked
+    std::string folder{};               ///< where the scene will stand; empty: not known
+};
+
 /// The text of a scene that imports the file as `options` read it, with its parts and, in comments, their edges and the
 /// contacts found between them. A support and a load stand there with a text in place of their edges that says what to fill in,
 /// and an edge of the model as an example: until that is done, reading the scene gives an error for each of the two that
-/// repeats the text. The material is steel in the consistent stress unit of the file's length unit.
-std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts);
+/// repeats the text. The material is the library's, with its numbers where the units of the file are not the scene's. Throws
+/// InputError where the library has none of that name.
+std::string starter_scene(const SketchReading& reading, const ImportOptions& options, const Detection& contacts,
+                          const StarterChoice& choice = {});
 
 }  // namespace abut

@@ -19,7 +19,7 @@ struct PictureSize {
 };
 PictureSize picture_size(const Box2& model);
 
-/// The verdict in one sentence, what there is in another; the box with warnings (report_verdict.cpp).
+/// The verdict in one sentence, what there is in another; the notes, and the box with warnings (report_verdict.cpp).
 std::string verdict_box(const Result& result);
 std::string warnings_box(const Result& result);
 

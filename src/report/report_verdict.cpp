@@ -51,8 +51,10 @@ std::string verdict_box(const Result& result) {
 }
 
 std::string warnings_box(const Result& result) {
-    if (result.warnings.empty()) return "";
-    std::string html = "<div class=\"warnings\"><b>" + counted(result.warnings.size(), "warning") + "</b>\n<ul>\n";
+    std::string html;
+    for (const std::string& note : result.notes) html += "<p class=\"facts\">" + escape_xml(note) + "</p>\n";
+    if (result.warnings.empty()) return html;
+    html += "<div class=\"warnings\"><b>" + counted(result.warnings.size(), "warning") + "</b>\n<ul>\n";
     for (const std::string& warning : result.warnings) html += "<li>" + escape_xml(warning) + "</li>\n";
     return html + "</ul></div>\n";
 }

@@ -231,6 +231,7 @@ struct Result {
     std::vector<Reaction> reactions;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;
+    std::vector<std::string> notes{};  ///< Scene::notes
     std::vector<Reason> reasons;
     std::vector<PassSummary> passes;  ///< in their order; the last one is the answer's
 

@@ -225,6 +225,7 @@ Json to_json(const Result& r) {
     j["reactions"] = list_of(r.reactions, reaction);
     j["probes"] = list_of(r.probes, probe);
     j["warnings"] = names(r.warnings);
+    j["notes"] = names(r.notes);
     if (failed) hide_what_was_not_reached(j, r);
     return j;
 }

@@ -89,6 +89,7 @@ std::string result_table(const Result& result) {
     text += reaction_rows(result, units);
     if (!failed) text += summary(result);
     if (result.unknowns > 0) text += effort(result);
+    for (const std::string& note : result.notes) text += "note: " + note + "\n";
     for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
     if (!failed) text += last_lines(result);
     return text;

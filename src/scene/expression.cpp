@@ -119,9 +119,13 @@ public:
 
     NodePointer parse() {
         NodePointer root = sum(0);
-        if (!at_end()) fail("expected an operator" + found(), "multiplication is written 2*x, powers x^2");
+        if (!at_end() && !may_be_unit()) fail("expected an operator" + found(), "multiplication is written 2*x, powers x^2");
         return root;
     }
+
+    /// What is left once the expression is read: nothing, or what may be a unit.
+    std::string rest() const { return text_.substr(at_); }
+    const std::vector<std::string>& names() const { return names_; }
 
 private:
     NodePointer sum(int depth) {
@@ -192,9 +196,23 @@ private:
         if (word == "pi") return constant(std::numbers::pi);
         if (word == "x" || word == "y") return coordinate(word, begin);
         const auto parameter = parameters_.find(word);
-        if (parameter != parameters_.end()) return constant(parameter->second);
+        if (parameter != parameters_.end()) {
+            names_.push_back(word);
+            return constant(parameter->second);
+        }
         at_ = begin;
         unknown_name(word);
+    }
+
+    /// A name that means nothing in expressions, a sign beyond ASCII (as in °), or 1/ (as in 1/K).
+    bool may_be_unit() const {
+        const std::string_view rest = std::string_view(text_).substr(at_);
+        const bool beyond_ascii = static_cast<unsigned char>(rest[0]) >= 0x80;
+        if (!is_letter(rest[0])) return beyond_ascii || rest.starts_with("1/") || rest.starts_with("1 /");
+        std::size_t end = 0;
+        while (end < rest.size() && (is_letter(rest[end]) || is_digit(rest[end]))) ++end;
+        const std::string word(rest.substr(0, end));
+        return word != "x" && word != "y" && word != "pi" && !find_function(word) && !parameters_.contains(word);
     }
 
     NodePointer coordinate(const std::string& word, std::size_t begin) {
@@ -287,6 +305,7 @@ private:
     const std::string& text_;
     const std::map<std::string, double>& parameters_;
     bool field_;
+    std::vector<std::string> names_;  // of parameters met
     std::size_t at_ = 0;
     int n_nodes_ = 0;
 };
@@ -307,12 +326,37 @@ double Expression::constant() const {
     return constant_;
 }
 
+Expression Expression::times(double factor) const {
+    if (!root_) return Expression(factor * constant_);
+    Node by, product;
+    by.value = factor;
+    product.kind = Node::Kind::function;
+    product.function = multiply;
+    product.arguments = {root_, std::make_shared<const Node>(std::move(by))};
+    Expression result;
+    result.root_ = std::make_shared<const Node>(std::move(product));
+    return result;
+}
+
+ExpressionWithUnit parse_expression_with_unit(const std::string& text, const std::map<std::string, double>& parameters,
+                                              bool field) {
+    Parser parser(text, parameters, field);
+    const NodePointer root = parser.parse();
+    ExpressionWithUnit parsed{Expression(root->value), parser.rest(), parser.names(), false};
+    if (root->kind != Node::Kind::constant) parsed.value.root_ = root;
+    const std::size_t begin = text.find_first_not_of(" \t+-"), end = text.find_last_not_of(" \t");
+    parsed.is_name = parsed.names.size() == 1 && text.compare(begin, end + 1 - begin, parsed.names[0]) == 0;
+    return parsed;
+}
+
 Expression parse_expression(const std::string& text, const std::map<std::string, double>& parameters, bool field) {
-    NodePointer root = Parser(text, parameters, field).parse();
-    if (root->kind == Node::Kind::constant) return Expression(root->value);
-    Expression expression;
-    expression.root_ = std::move(root);
-    return expression;
+    ExpressionWithUnit parsed = parse_expression_with_unit(text, parameters, field);
+    if (parsed.unit.empty()) return std::move(parsed.value);
+    const std::string column = std::to_string(text.size() - parsed.unit.size() + 1);
+    throw InputError("",
+                     "in the expression '" + shortened(text) + "', column " + column + ": expected an operator, found '" +
+                         parsed.unit[0] + "'",
+                     "multiplication is written 2*x, powers x^2");
 }
 
 }  // namespace abut

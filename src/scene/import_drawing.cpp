@@ -92,7 +92,8 @@ void read_section(SceneReading& reading, const JsonValue& section, ImportOptions
         const auto word = read_word(reading, *axis, {{"x", "y", "z"}, {}});
         if (word) options.section_axis = static_cast<int>(std::string("xyz").find(*word));
     }
-    if (const JsonValue* at = find_member(section, "at")) options.section_at = read_number(reading, *at);
+    if (const JsonValue* at = find_member(section, "at"))
+        options.section_at = read_number(reading, *at, dimension::none);  // in the file's unit
 }
 
 bool matches_block(const geometry::SketchEntity& entity, const std::string& name) {
@@ -164,7 +165,7 @@ const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, c
 
 ImportOptions read_import_options(SceneReading& reading, const JsonValue& object) {
     ImportOptions options;
-    options.tolerance = member_or(reading, object, "tolerance", 0.0, read_positive);
+    options.tolerance = member_or(reading, object, "tolerance", 0.0, read_positive, dimension::length);
     if (const JsonValue* parts_by = find_member(object, "parts_by")) {
         const auto word = read_word(reading, *parts_by, {parts_by_words(), {}});
         if (word) options.parts_by = parts_by_of(*word).value_or(options.parts_by);

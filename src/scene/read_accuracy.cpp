@@ -11,9 +11,9 @@ namespace {
 
 std::optional<Refinement> read_refinement(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"near", "radius", "cell_size"}, {}})) return std::nullopt;
-    const auto near = required_member(reading, value, "near", read_vector);
-    const auto radius = required_member(reading, value, "radius", read_positive);
-    const auto cell_size = required_member(reading, value, "cell_size", read_positive);
+    const auto near = required_member(reading, value, "near", read_vector, dimension::length);
+    const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
+    const auto cell_size = required_member(reading, value, "cell_size", read_positive, dimension::length);
     if (!near || !radius || !cell_size) return std::nullopt;
     return Refinement{*near, *radius, *cell_size};
 }
@@ -28,7 +28,7 @@ std::vector<Refinement> read_refinements(SceneReading& reading, const JsonValue&
 }
 
 std::optional<double> read_target(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> target = read_number(reading, value);
+    const std::optional<double> target = read_number(reading, value, dimension::none);
     if (!target || is_target(*target)) return target;
     report_problem(reading, value,
                    "a relative error to aim at is from " + number_text(least_target, 1) + " to " + number_text(most_target, 1),
@@ -57,7 +57,8 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     if (const JsonValue* degree = find_member(accuracy, "degree")) {
         result.degree = read_integer(reading, *degree, least_degree, most_degree).value_or(result.degree);
     }
-    if (const JsonValue* size = find_member(accuracy, "cell_size")) result.cell_size = read_positive(reading, *size);
+    if (const JsonValue* size = find_member(accuracy, "cell_size"))
+        result.cell_size = read_positive(reading, *size, dimension::length);
     if (const JsonValue* refine = find_member(accuracy, "refine")) result.refine = read_refinements(reading, *refine);
     result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
     result.dirichlet =

@@ -21,7 +21,7 @@ struct PartRule {
 };
 using PartRules = std::map<std::string, PartRule>;
 
-PartRule read_rule(SceneReading& reading, const JsonValue& value, const std::vector<Material>& materials) {
+PartRule read_rule(SceneReading& reading, const JsonValue& value, Scene& scene) {
     PartRule rule;
     rule.at = &value;
     if (value.kind == JsonValue::Kind::string) {
@@ -31,12 +31,13 @@ PartRule read_rule(SceneReading& reading, const JsonValue& value, const std::vec
     if (!check_object(reading, value, {{"name", "material", "thickness"}, {}})) return rule;
     if (const JsonValue* name = find_member(value, "name")) rule.name = read_new_part_name(reading, *name);
     if (const JsonValue* material = find_member(value, "material"))
-        rule.material = read_material_name(reading, *material, materials);
-    if (const JsonValue* thickness = find_member(value, "thickness")) rule.thickness = read_positive(reading, *thickness);
+        rule.material = read_material_name(reading, *material, scene);
+    if (const JsonValue* thickness = find_member(value, "thickness"))
+        rule.thickness = read_positive(reading, *thickness, dimension::length);
     return rule;
 }
 
-PartRules read_rules(SceneReading& reading, const JsonValue& assembly, const std::vector<Material>& materials) {
+PartRules read_rules(SceneReading& reading, const JsonValue& assembly, Scene& scene) {
     PartRules rules;
     const JsonValue* parts = find_member(assembly, "parts");
     if (!parts) return rules;
@@ -44,7 +45,7 @@ PartRules read_rules(SceneReading& reading, const JsonValue& assembly, const std
         report_problem(reading, *parts, "expected an object with a key for each layer, found " + described(*parts));
         return rules;
     }
-    for (const JsonValue& item : parts->items) rules[item.key] = read_rule(reading, item, materials);
+    for (const JsonValue& item : parts->items) rules[item.key] = read_rule(reading, item, scene);
     return rules;
 }
 
@@ -95,9 +96,9 @@ void check_rules_used(SceneReading& reading, const PartRules& rules, const std::
 }
 
 /// Material of all parts that have none of their own; -1 where the assembly names none or a wrong one.
-int default_material(SceneReading& reading, const JsonValue& assembly, const std::vector<Material>& materials) {
+int default_material(SceneReading& reading, const JsonValue& assembly, Scene& scene) {
     const JsonValue* name = find_member(assembly, "material");
-    return name ? read_material_name(reading, *name, materials).value_or(-1) : -1;
+    return name ? read_material_name(reading, *name, scene).value_or(-1) : -1;
 }
 
 }  // namespace
@@ -108,8 +109,8 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
         reading, assembly, {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "material", "parts"}, {}});
     const JsonValue* file = is_object ? required(reading, assembly, "file") : nullptr;
     const ImportOptions options = is_object ? read_import_options(reading, assembly) : ImportOptions{};
-    const int material = default_material(reading, assembly, scene.materials);
-    const PartRules rules = read_rules(reading, assembly, scene.materials);
+    const int material = default_material(reading, assembly, scene);
+    const PartRules rules = read_rules(reading, assembly, scene);
 
     const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;
     const auto wanted = [&](const geometry::SketchEntity& entity) {

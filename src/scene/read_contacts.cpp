@@ -24,7 +24,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value)
     const auto word = kind ? read_word(reading, *kind, {{"contact", "bonded", "ignore"}, {}}) : std::nullopt;
     if (word == "ignore") rule.kind = PairRule::Kind::ignore;
     if (word == "bonded") rule.kind = PairRule::Kind::bonded;
-    rule.interference = member_or(reading, value, "interference", 0.0, read_number);
+    rule.interference = member_or(reading, value, "interference", 0.0, read_number, dimension::length);
     if (const JsonValue* interference = find_member(value, "interference"); interference && word == "bonded")
         report_problem(reading, *interference, "bonded edges are held together as they are drawn: they have no interference",
                        "take it away, or make the pair a contact");
@@ -33,7 +33,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value)
 }
 
 void check_friction(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> friction = read_number(reading, value);
+    const std::optional<double> friction = read_number(reading, value, dimension::none);
     if (friction && *friction != 0) report_problem(reading, value, "'friction' is not supported yet", "only 0 is");
 }
 
@@ -42,8 +42,9 @@ std::optional<PenaltyOptions> read_penalty(SceneReading& reading, const JsonValu
     const JsonValue* formulation = find_member(contacts, "formulation");
     const bool is_penalty = formulation && read_word(reading, *formulation, {{"auto", "mortar", "penalty"}, {}}) == "penalty";
     PenaltyOptions options;
-    options.factor = member_or(reading, contacts, "penalty", options.factor, read_positive);
-    if (const JsonValue* length = find_member(contacts, "penalty_length")) options.length = read_positive(reading, *length);
+    options.factor = member_or(reading, contacts, "penalty", options.factor, read_positive, dimension::none);
+    if (const JsonValue* length = find_member(contacts, "penalty_length"))
+        options.length = read_positive(reading, *length, dimension::length);
     if (is_penalty) return options;
     for (const char* key : {"penalty", "penalty_length"})
         if (const JsonValue* member = find_member(contacts, key))
@@ -62,7 +63,7 @@ ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts) {
     options.detect = member_or(reading, contacts, "detect", options.detect, read_flag);
     const JsonValue* distance = find_member(contacts, "search_distance");
     const bool automatic = distance && distance->kind == JsonValue::Kind::string && distance->text == "auto";
-    if (distance && !automatic) options.search_distance = read_positive(reading, *distance);
+    if (distance && !automatic) options.search_distance = read_positive(reading, *distance, dimension::length);
     options.penalty = read_penalty(reading, contacts);
     if (const JsonValue* friction = find_member(contacts, "friction")) check_friction(reading, *friction);
     options.overlap = member_or(reading, contacts, "overlap", options.overlap, [](SceneReading& r, const JsonValue& v) {

@@ -47,11 +47,13 @@ std::optional<std::vector<T>> read_list(SceneReading& reading, const JsonValue& 
 }
 
 std::optional<std::vector<double>> read_numbers(SceneReading& reading, const JsonValue& value) {
-    return read_list<double>(reading, value, "numbers", read_number);
+    return read_list<double>(reading, value, "numbers",
+                             [](SceneReading& r, const JsonValue& v) { return read_number(r, v, dimension::none); });
 }
 
 std::optional<std::vector<Vec2>> read_points(SceneReading& reading, const JsonValue& value) {
-    return read_list<Vec2>(reading, value, "points", read_vector);
+    return read_list<Vec2>(reading, value, "points",
+                           [](SceneReading& r, const JsonValue& v) { return read_vector(r, v, dimension::length); });
 }
 
 std::optional<std::vector<double>> read_weights(SceneReading& reading, const JsonValue& spline) {
@@ -66,7 +68,7 @@ std::optional<int> read_degree(SceneReading& reading, const JsonValue& value) {
 }  // namespace
 
 std::optional<Vec2> read_radii(SceneReading& reading, const JsonValue& value) {
-    const auto radii = read_vector(reading, value);
+    const auto radii = read_vector(reading, value, dimension::length);
     if (!radii || (radii->x() > 0 && radii->y() > 0)) return radii;
     report_problem(reading, value, "both radii must be greater than 0");
     return std::nullopt;
@@ -74,11 +76,11 @@ std::optional<Vec2> read_radii(SceneReading& reading, const JsonValue& value) {
 
 std::vector<Curve> read_elliptic_arc(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"center", "radii", "angle", "start", "end"}, {}})) return {};
-    const auto center = required_member(reading, value, "center", read_vector),
+    const auto center = required_member(reading, value, "center", read_vector, dimension::length),
                radii = required_member(reading, value, "radii", read_radii);
-    const double angle = member_or(reading, value, "angle", 0.0, read_number);
-    const auto start = required_member(reading, value, "start", read_number),
-               end = required_member(reading, value, "end", read_number);
+    const double angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle);
+    const auto start = required_member(reading, value, "start", read_number, dimension::angle),
+               end = required_member(reading, value, "end", read_number, dimension::angle);
     if (!center || !radii || !start || !end) return {};
     const Vec2 axis = direction_at(angle);
     constexpr double degree = std::numbers::pi / 180;

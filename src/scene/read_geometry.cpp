@@ -16,8 +16,8 @@ using Reader = std::optional<Shape> (*)(SceneReading&, Imports&, const JsonValue
 
 std::optional<Shape> read_rectangle(SceneReading& reading, Imports&, const JsonValue& value) {
     if (!check_object(reading, value, {{"min", "max"}, {}})) return std::nullopt;
-    const auto min = required_member(reading, value, "min", read_vector),
-               max = required_member(reading, value, "max", read_vector);
+    const auto min = required_member(reading, value, "min", read_vector, dimension::length),
+               max = required_member(reading, value, "max", read_vector, dimension::length);
     if (!min || !max) return std::nullopt;
     if (min->x() < max->x() && min->y() < max->y()) return geometry::Rectangle{*min, *max};
     report_problem(reading, value, "the rectangle has no area",
@@ -27,26 +27,26 @@ std::optional<Shape> read_rectangle(SceneReading& reading, Imports&, const JsonV
 
 std::optional<Shape> read_circle(SceneReading& reading, Imports&, const JsonValue& value) {
     if (!check_object(reading, value, {{"center", "radius"}, {}})) return std::nullopt;
-    const auto center = required_member(reading, value, "center", read_vector);
-    const auto radius = required_member(reading, value, "radius", read_positive);
+    const auto center = required_member(reading, value, "center", read_vector, dimension::length);
+    const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
     if (!center || !radius) return std::nullopt;
     return geometry::Circle{*center, *radius};
 }
 
 std::optional<Shape> read_ellipse(SceneReading& reading, Imports&, const JsonValue& value) {
     if (!check_object(reading, value, {{"center", "radii", "angle"}, {}})) return std::nullopt;
-    const auto center = required_member(reading, value, "center", read_vector),
+    const auto center = required_member(reading, value, "center", read_vector, dimension::length),
                radii = required_member(reading, value, "radii", read_radii);
-    const double angle = member_or(reading, value, "angle", 0.0, read_number);
+    const double angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle);
     if (!center || !radii) return std::nullopt;
     return geometry::Ellipse{*center, *radii, angle};
 }
 
 std::optional<Shape> read_slot(SceneReading& reading, Imports&, const JsonValue& value) {
     if (!check_object(reading, value, {{"from", "to", "radius"}, {}})) return std::nullopt;
-    const auto from = required_member(reading, value, "from", read_vector),
-               to = required_member(reading, value, "to", read_vector);
-    const auto radius = required_member(reading, value, "radius", read_positive);
+    const auto from = required_member(reading, value, "from", read_vector, dimension::length),
+               to = required_member(reading, value, "to", read_vector, dimension::length);
+    const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
     if (!from || !to || !radius) return std::nullopt;
     if (*from != *to) return geometry::Slot{*from, *to, *radius};
     report_problem(reading, value, "the slot begins where it ends", "move 'from' or 'to', or write a 'circle'");
@@ -57,7 +57,7 @@ std::optional<Shape> read_polygon(SceneReading& reading, Imports&, const JsonVal
     if (!check_list(reading, value, 3, "points")) return std::nullopt;
     geometry::Polygon polygon;
     for (const JsonValue& item : value.items) {
-        if (const auto point = read_vector(reading, item)) polygon.points.push_back(*point);
+        if (const auto point = read_vector(reading, item, dimension::length)) polygon.points.push_back(*point);
     }
     if (polygon.points.size() != value.items.size()) return std::nullopt;
     return polygon;
@@ -65,7 +65,7 @@ std::optional<Shape> read_polygon(SceneReading& reading, Imports&, const JsonVal
 
 std::optional<Shape> read_half_plane(SceneReading& reading, Imports&, const JsonValue& value) {
     if (!check_object(reading, value, {{"point", "normal"}, {}})) return std::nullopt;
-    const auto point = required_member(reading, value, "point", read_vector);
+    const auto point = required_member(reading, value, "point", read_vector, dimension::length);
     const auto normal = required_member(reading, value, "normal", read_direction);
     if (!point || !normal) return std::nullopt;
     return geometry::HalfPlane{*point, *normal};
@@ -156,11 +156,11 @@ std::optional<CsgNode> read_place(SceneReading& reading, const JsonValue& place,
     const std::size_t before = reading.problems.size();
     geometry::Placed placed;
     placed.of.push_back(std::move(child));
-    placed.scale = member_or(reading, place, "scale", 1.0, read_positive);
+    placed.scale = member_or(reading, place, "scale", 1.0, read_positive, dimension::none);
     placed.mirror = member_or(reading, place, "mirror", geometry::Mirror::none, read_mirror);
-    placed.rotate = member_or(reading, place, "rotate", 0.0, read_number);
-    placed.translate = member_or(reading, place, "translate", Vec2(0, 0), read_vector);
-    placed.about = member_or(reading, place, "about", Vec2(0, 0), read_vector);
+    placed.rotate = member_or(reading, place, "rotate", 0.0, read_number, dimension::angle);
+    placed.translate = member_or(reading, place, "translate", Vec2(0, 0), read_vector, dimension::length);
+    placed.about = member_or(reading, place, "about", Vec2(0, 0), read_vector, dimension::length);
     if (reading.problems.size() > before) return std::nullopt;
     return CsgNode{std::move(placed), "", place.pointer};
 }

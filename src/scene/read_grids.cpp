@@ -14,7 +14,7 @@ std::vector<double> read_knots(SceneReading& reading, const JsonValue& value) {
     std::vector<double> knots;
     if (!check_list(reading, value, 2, "knots")) return knots;
     for (const JsonValue& item : value.items) {
-        const std::optional<double> knot = read_number(reading, item);
+        const std::optional<double> knot = read_number(reading, item, dimension::length);
         if (!knot) continue;
         if (!knots.empty() && *knot <= knots.back()) {
             report_problem(reading, item, "the knots are not in ascending order", "each must be greater than the one before");
@@ -59,8 +59,8 @@ GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
     if (const JsonValue* y = find_member(value, "y")) grid.y = read_knots(reading, *y);
     if (const JsonValue* cells = find_member(value, "cells"))
         grid.cells = read_integers(reading, *cells, 1, most_cells).value_or(grid.cells);
-    grid.offset = member_or(reading, value, "offset", grid.offset, read_vector);
-    grid.angle = member_or(reading, value, "angle", 0.0, read_number) * std::numbers::pi / 180;
+    grid.offset = member_or(reading, value, "offset", grid.offset, read_vector, dimension::length);
+    grid.angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle) * std::numbers::pi / 180;
     if (const JsonValue* degree = find_member(value, "degree"))
         grid.degree = read_integers(reading, *degree, least_degree, most_degree);
     return grid;

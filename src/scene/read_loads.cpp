@@ -9,28 +9,29 @@ namespace abut {
 namespace {
 
 /// A total force: its components do not vary.
-std::optional<std::array<Expression, 2>> read_total(SceneReading& reading, const JsonValue& value) {
-    const std::optional<Vec2> force = read_vector(reading, value);
+std::optional<std::array<Expression, 2>> read_total(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    const std::optional<Vec2> force = read_vector(reading, value, dimension);
     if (!force) return std::nullopt;
     return std::array<Expression, 2>{Expression(force->x()), Expression(force->y())};
 }
 
 /// One field: a pressure, a temperature.
-std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const JsonValue& value) {
-    const std::optional<Expression> field = read_field(reading, value);
+std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    const std::optional<Expression> field = read_field(reading, value, dimension);
     if (!field) return std::nullopt;
     return std::array<Expression, 2>{*field, Expression()};
 }
 
 /// A spin: checked here, its numbers are read by read_spin_numbers.
-std::optional<std::array<Expression, 2>> read_spin(SceneReading& reading, const JsonValue& value) {
+std::optional<std::array<Expression, 2>> read_spin(SceneReading& reading, const JsonValue& value, const Dimension&) {
     if (!check_object(reading, value, {{"about", "omega"}, {}})) return std::nullopt;
     return std::array<Expression, 2>{};
 }
 
 void read_spin_numbers(SceneReading& reading, const JsonValue& value, Load& load) {
-    load.omega = required_member(reading, value, "omega", read_number).value_or(0);
-    load.about = member_or(reading, value, "about", Vec2(0, 0), read_vector);  // whether it has to be there: read_scene
+    load.omega = required_member(reading, value, "omega", read_number, dimension::angular_speed).value_or(0);
+    load.about = member_or(reading, value, "about", Vec2(0, 0), read_vector,
+                           dimension::length);  // whether it has to be there: read_scene
 }
 
 /// The part of a body force, where "*" stands for all parts.
@@ -43,18 +44,19 @@ std::optional<std::string> read_part_or_all(SceneReading& reading, const JsonVal
 struct LoadKind {
     const char* key;
     Load::Kind kind;
-    std::optional<std::array<Expression, 2>> (*read)(SceneReading&, const JsonValue&);
+    std::optional<std::array<Expression, 2>> (*read)(SceneReading&, const JsonValue&, const Dimension&);
+    Dimension dimension;
     enum class Acts { on_edges, on_part, on_part_or_all, everywhere } acts;
 };
 constexpr LoadKind load_kinds[] = {
-    {"pressure", Load::Kind::pressure, read_one, LoadKind::Acts::on_edges},
-    {"traction", Load::Kind::traction, read_vector_field, LoadKind::Acts::on_edges},
-    {"force", Load::Kind::edge_force, read_total, LoadKind::Acts::on_edges},
-    {"force", Load::Kind::part_force, read_total, LoadKind::Acts::on_part},
-    {"body_force", Load::Kind::body_force, read_vector_field, LoadKind::Acts::on_part_or_all},
-    {"gravity", Load::Kind::gravity, read_total, LoadKind::Acts::everywhere},
-    {"spin", Load::Kind::spin, read_spin, LoadKind::Acts::on_part},
-    {"temperature", Load::Kind::temperature, read_one, LoadKind::Acts::on_part},
+    {"pressure", Load::Kind::pressure, read_one, dimension::stress, LoadKind::Acts::on_edges},
+    {"traction", Load::Kind::traction, read_vector_field, dimension::stress, LoadKind::Acts::on_edges},
+    {"force", Load::Kind::edge_force, read_total, dimension::force, LoadKind::Acts::on_edges},
+    {"force", Load::Kind::part_force, read_total, dimension::force, LoadKind::Acts::on_part},
+    {"body_force", Load::Kind::body_force, read_vector_field, dimension::body_force, LoadKind::Acts::on_part_or_all},
+    {"gravity", Load::Kind::gravity, read_total, dimension::acceleration, LoadKind::Acts::everywhere},
+    {"spin", Load::Kind::spin, read_spin, dimension::angular_speed, LoadKind::Acts::on_part},
+    {"temperature", Load::Kind::temperature, read_one, dimension::temperature, LoadKind::Acts::on_part},
 };
 
 /// "force" means one thing with "on" and another with "part".
@@ -93,7 +95,7 @@ std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     Load load;
     load.kind = kind.kind;
     load.where = value.pointer;
-    load.value = kind.read(reading, *what).value_or(std::array<Expression, 2>{});
+    load.value = kind.read(reading, *what, kind.dimension).value_or(std::array<Expression, 2>{});
     if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
     read_target(reading, value, kind, load);
     if (reading.problems.size() > before) return std::nullopt;

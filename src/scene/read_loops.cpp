@@ -39,8 +39,8 @@ double turn(double a, double b, bool ccw) {
 
 Curves read_line(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"from", "to"}, {}})) return {};
-    const auto from = required_member(reading, value, "from", read_vector),
-               to = required_member(reading, value, "to", read_vector);
+    const auto from = required_member(reading, value, "from", read_vector, dimension::length),
+               to = required_member(reading, value, "to", read_vector, dimension::length);
     if (!from || !to) return {};
     if (*from != *to) return {Segment{*from, *to}};
     report_problem(reading, value, "the line begins where it ends");
@@ -48,7 +48,7 @@ Curves read_line(SceneReading& reading, const JsonValue& value) {
 }
 
 Curves arc_about_center(SceneReading& reading, const JsonValue& value, const Vec2& from, const Vec2& to) {
-    const auto center = required_member(reading, value, "center", read_vector);
+    const auto center = required_member(reading, value, "center", read_vector, dimension::length);
     const bool ccw = member_or(reading, value, "ccw", true, read_flag);
     if (!center) return {};
     const double r0 = (from - *center).norm(), r1 = (to - *center).norm();
@@ -69,7 +69,7 @@ Curves arc_about_center(SceneReading& reading, const JsonValue& value, const Vec
 }
 
 Curves arc_through(SceneReading& reading, const JsonValue& value, const Vec2& from, const Vec2& to) {
-    const auto via = required_member(reading, value, "via", read_vector);
+    const auto via = required_member(reading, value, "via", read_vector, dimension::length);
     if (!via) return {};
     // Centre c relative to `from`: 2 c.a = a.a and 2 c.b = b.b for a = via - from, b = to - from.
     const Vec2 a = *via - from, b = to - from;
@@ -91,8 +91,8 @@ Curves read_arc(SceneReading& reading, const JsonValue& value) {
                              : std::vector<std::string>{"from", "to", "center", "ccw", "via"},
                      {}};
     if (!check_object(reading, value, keys)) return {};
-    const auto from = required_member(reading, value, "from", read_vector),
-               to = required_member(reading, value, "to", read_vector);
+    const auto from = required_member(reading, value, "from", read_vector, dimension::length),
+               to = required_member(reading, value, "to", read_vector, dimension::length);
     if (!from || !to) return {};
     return through ? arc_through(reading, value, *from, *to) : arc_about_center(reading, value, *from, *to);
 }

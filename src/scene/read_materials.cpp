@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "src/io/nearest_name.hpp"
+#include "src/io/number_text.hpp"
+#include "src/scene/material_library.hpp"
 
 namespace abut {
 
@@ -33,24 +35,70 @@ void check_poisson(SceneReading& reading, const JsonValue& value, double nu, Ana
                           : "Poisson's ratio must be greater than -1 and less than 0.5 in plane strain and around an axis");
 }
 
-std::optional<double> read_not_negative(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> number = read_number(reading, value);
+std::optional<double> read_density(SceneReading& reading, const JsonValue& value) {
+    const std::optional<double> number = read_number(reading, value, dimension::density);
     if (number && *number < 0) report_problem(reading, value, "'" + value.key + "' must not be negative");
     return number;
 }
 
-Material read_material(SceneReading& reading, const JsonValue& value, Analysis analysis) {
+Material material_of(SceneReading& reading, const JsonValue& value, Analysis analysis) {
     Material material;
     material.name = value.key;
-    if (!check_object(reading, value, {{"E", "nu", "density", "expansion", "yield"}, {}})) return material;
-    material.E = required_member(reading, value, "E", read_positive).value_or(1);
-    material.nu = required_member(reading, value, "nu", read_number).value_or(0);
+    material.E = required_member(reading, value, "E", read_positive, dimension::stress).value_or(1);
+    material.nu = required_member(reading, value, "nu", read_number, dimension::none).value_or(0);
     if (const JsonValue* nu = find_member(value, "nu")) check_poisson(reading, *nu, material.nu, analysis);
-    material.density = member_or(reading, value, "density", 0.0, read_not_negative);
+    material.density = member_or(reading, value, "density", 0.0, read_density);
     material.has_density = find_member(value, "density") != nullptr;
-    if (const JsonValue* expansion = find_member(value, "expansion")) material.expansion = read_number(reading, *expansion);
-    if (const JsonValue* yield = find_member(value, "yield")) material.yield = read_positive(reading, *yield);
+    if (const JsonValue* expansion = find_member(value, "expansion"))
+        material.expansion = read_number(reading, *expansion, dimension::expansion);
+    if (const JsonValue* yield = find_member(value, "yield"))
+        material.yield = read_positive(reading, *yield, dimension::stress);
     return material;
+}
+
+Material read_material(SceneReading& reading, const JsonValue& value, Analysis analysis) {
+    if (check_object(reading, value, {{"E", "nu", "density", "expansion", "yield"}, {}}))
+        return material_of(reading, value, analysis);
+    Material wrong;
+    wrong.name = value.key;
+    return wrong;
+}
+
+/// Near names of the scene first, then those of the library.
+std::string material_hint(const std::string& name, std::vector<std::string> known) {
+    const std::string hint = nearest_name_hint(name, known);
+    if (hint.starts_with("did you mean")) return hint;
+    for (std::string& of_library : library_material_names()) known.push_back(std::move(of_library));
+    return nearest_name_hint(name, known);
+}
+
+/// "steel: E = 210 GPa (EN 1993-1-1), nu = 0.3 (typical), ...".
+std::string library_note(const std::string& name, const JsonValue& material) {
+    std::string text, source;
+    const JsonValue* sources = find_member(material, "sources");
+    for (const JsonValue& from : sources->items) {
+        const JsonValue& value = *find_member(material, from.key);
+        const std::string number = value.kind == JsonValue::Kind::string ? value.text : number_text(value.number, 6);
+        // One source of several values is said once, behind the last of them.
+        if (!text.empty()) text += (from.text == source ? "" : " (" + source + ")") + std::string(", ");
+        text += from.key + " = " + number;
+        source = from.text;
+    }
+    return "material " + name + " from the library, " + find_member(material, "about")->text + ": " + text + " (" + source +
+           ")";
+}
+
+/// The library's material becomes one of the scene's, in its units.
+std::optional<int> take_from_library(SceneReading& reading, const JsonValue& at, Scene& scene) {
+    if (!knows_stress(reading.units)) {
+        report_problem(
+            reading, at, "the scene defines no material '" + at.text + "', and the library's needs units to be converted into",
+            R"(give the scene its "units", for instance {"length": "mm", "force": "N"}, or the material under 'materials')");
+        return std::nullopt;
+    }
+    scene.materials.push_back(material_from_library(at.text, reading.units));
+    scene.notes.push_back(library_note(at.text, *library_material(at.text)));
+    return static_cast<int>(scene.materials.size()) - 1;
 }
 
 }  // namespace
@@ -69,11 +117,13 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
                            "give the parameter another name");
         } else if (const auto given = reading.replaced.find(item.key); given != reading.replaced.end()) {
             reading.parameters[item.key] = given->second;
-        } else if (const std::optional<double> number = read_number(reading, item)) {
+        } else if (const std::optional<double> number = read_parameter(reading, item)) {
             reading.parameters[item.key] = *number;
         } else {
-            // Already reported; a value keeps those that refer to it from being reported too.
+            // Already reported; a value keeps those that refer to it from being reported too, and edges of parts that this
+            // value does not make.
             reading.parameters[item.key] = 1;
+            reading.all_parts_named = false;
         }
     }
 }
@@ -101,17 +151,56 @@ std::vector<Material> read_materials(SceneReading& reading, const JsonValue& mat
     return result;
 }
 
-std::optional<int> read_material_name(SceneReading& reading, const JsonValue& value, const std::vector<Material>& materials) {
+std::optional<int> read_material_name(SceneReading& reading, const JsonValue& value, Scene& scene) {
     const std::optional<std::string> name = read_text(reading, value);
     if (!name) return std::nullopt;
     std::vector<std::string> known;
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        if (materials[i].name == *name) return static_cast<int>(i);
-        if (!materials[i].rigid) known.push_back(materials[i].name);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (scene.materials[i].name == *name) return static_cast<int>(i);
+        if (!scene.materials[i].rigid) known.push_back(scene.materials[i].name);
     }
-    report_problem(reading, value, "there is no material '" + shortened(*name) + "'",
-                   known.empty() ? "the scene has no 'materials'" : nearest_name_hint(*name, known));
+    if (library_material(*name)) return take_from_library(reading, value, scene);
+    report_problem(reading, value, "there is no material '" + shortened(*name) + "'", material_hint(*name, known));
     return std::nullopt;
+}
+
+void drop_unused_rigid(Scene& scene) {
+    const auto rigid = std::find_if(scene.materials.begin(), scene.materials.end(), [](const Material& m) { return m.rigid; });
+    const int index = static_cast<int>(rigid - scene.materials.begin());
+    const auto is_of_it = [&](const ScenePart& part) { return part.material == index; };
+    if (std::any_of(scene.parts.begin(), scene.parts.end(), is_of_it)) return;
+    scene.materials.erase(rigid);
+    for (ScenePart& part : scene.parts) part.material -= part.material > index ? 1 : 0;
+}
+
+bool knows_stress(const SceneUnits& units) {
+    try {
+        unit_factor("Pa", dimension::stress, units);
+        return true;
+    } catch (const InputError&) { return false; }
+}
+
+Material material_from_library(const std::string& name, const SceneUnits& units) {
+    const JsonValue* entry = library_material(name);
+    if (!entry)
+        throw InputError("", "the library has no material '" + shortened(name) + "'",
+                         nearest_name_hint(name, library_material_names()));
+    SceneReading reading{};
+    reading.units = units;
+    Material material = material_of(reading, *entry, Analysis::plane_stress);
+    if (!reading.problems.empty()) throw InputError(std::move(reading.problems));
+    material.name = name;
+    return material;
+}
+
+std::string implausible_stiffness(const Material& material, const SceneUnits& units) {
+    constexpr double softest = 1e5, stiffest = 1.2e12;  // Pa: soft rubber, diamond
+    if (material.rigid || !knows_stress(units)) return "";
+    const double pascals = material.E / unit_factor("Pa", dimension::stress, units);
+    if (pascals >= softest && pascals <= stiffest) return "";
+    return "material " + material.name + ": E = " + number_text(material.E, 6) + " is " + number_text(1e-9 * pascals, 4) +
+           " GPa in the scene's units (" + units.length + ", " + units.force +
+           "), and materials have 0.0001 to 1200 GPa: check E, or write it with its unit (\"210 GPa\")";
 }
 
 }  // namespace abut

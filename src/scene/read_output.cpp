@@ -10,7 +10,7 @@ namespace {
 std::optional<Probe> read_probe(SceneReading& reading, const JsonValue& value) {
     if (!check_object(reading, value, {{"part", "at"}, {}})) return std::nullopt;
     const auto part = required_member(reading, value, "part", read_part_name);
-    const auto at = required_member(reading, value, "at", read_vector);
+    const auto at = required_member(reading, value, "at", read_vector, dimension::length);
     if (!part || !at) return std::nullopt;
     return Probe{*part, *at, value.pointer};
 }
@@ -25,6 +25,16 @@ std::vector<std::string> read_formats(SceneReading& reading, const JsonValue& va
     return formats;
 }
 
+std::optional<Expectation> read_expectation(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"quantity", "value", "tolerance", "source"}, {}})) return std::nullopt;
+    const auto quantity = required_member(reading, value, "quantity", read_text);
+    const auto known = required_member(reading, value, "value", read_of_any_dimension);
+    const auto tolerance = required_member(reading, value, "tolerance", read_positive, dimension::none);
+    const std::string source = member_or(reading, value, "source", std::string(), read_text);
+    if (!quantity || !known || !tolerance) return std::nullopt;
+    return Expectation{*quantity, *known, *tolerance, source, value.pointer};
+}
+
 }  // namespace
 
 Output read_output(SceneReading& reading, const JsonValue& output) {
@@ -35,6 +45,15 @@ Output read_output(SceneReading& reading, const JsonValue& output) {
     if (!probes || !check_list(reading, *probes, 0, "probes")) return result;
     for (const JsonValue& item : probes->items) {
         if (const auto probe = read_probe(reading, item)) result.probes.push_back(*probe);
+    }
+    return result;
+}
+
+std::vector<Expectation> read_expectations(SceneReading& reading, const JsonValue& expect) {
+    std::vector<Expectation> result;
+    if (!check_list(reading, expect, 0, "known answers")) return result;
+    for (const JsonValue& item : expect.items) {
+        if (const auto expectation = read_expectation(reading, item)) result.push_back(*expectation);
     }
     return result;
 }

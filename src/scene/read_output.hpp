@@ -8,4 +8,7 @@ namespace abut {
 /// Reads the value of "output".
 Output read_output(SceneReading& reading, const JsonValue& output);
 
+/// Reads "expect", the answers that are known.
+std::vector<Expectation> read_expectations(SceneReading& reading, const JsonValue& expect);
+
 }  // namespace abut

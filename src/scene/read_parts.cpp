@@ -66,8 +66,8 @@ void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, 
         reading.all_parts_named = false;
 
     const JsonValue* material_name = required(reading, value, "material");
-    const auto material = material_name ? read_material_name(reading, *material_name, scene.materials) : std::nullopt;
-    thickness = member_or(reading, value, "thickness", thickness, read_positive);
+    const auto material = material_name ? read_material_name(reading, *material_name, scene) : std::nullopt;
+    thickness = member_or(reading, value, "thickness", thickness, read_positive, dimension::length);
     const std::optional<geometry::CsgNode> tree = read_tree(reading, imports, value);
     std::optional<geometry::CsgResult> result = tree ? evaluated(reading, value, *tree) : std::nullopt;
     if (!name || !result) return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a scene top down. Order matters twice: parameters come before all numbers, parts before all that names parts.
+// Reads a scene top down. Order matters: units come before parameters, these before all other numbers, parts before all that
+// names parts.
 #include "src/scene/read_scene.hpp"
 
 #include <algorithm>
@@ -35,8 +36,8 @@ void read_version(SceneReading& reading) {
 
 void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
     if (!check_object(reading, units, {{"length", "force"}, {}})) return;
-    scene.length_unit = member_or(reading, units, "length", std::string(), read_text);
-    scene.force_unit = member_or(reading, units, "force", std::string(), read_text);
+    scene.length_unit = reading.units.length = member_or(reading, units, "length", std::string(), read_text);
+    scene.force_unit = reading.units.force = member_or(reading, units, "force", std::string(), read_text);
 }
 
 void read_general(SceneReading& reading, Scene& scene) {
@@ -46,7 +47,6 @@ void read_general(SceneReading& reading, Scene& scene) {
     if (title && title->kind != JsonValue::Kind::string)
         report_problem(reading, *title, "expected a text, found " + described(*title));
     if (title) scene.title = title->text;
-    if (const JsonValue* units = find_member(root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* analysis = find_member(root, "analysis")) {
         const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain", "axisymmetric"}, {}});
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
@@ -68,7 +68,7 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     }
     Imports imports;
     imports.length_unit = scene.length_unit;
-    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive);
+    const double thickness = member_or(reading, root, "thickness", 1.0, read_positive, dimension::length);
     if (parts) read_parts(reading, imports, *parts, thickness, scene);
     if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
     scene.imports = std::move(imports.records);
@@ -81,6 +81,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
     if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
+    if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
 }
 
 /// Thicknesses have no meaning around an axis; the full circle takes their place.
@@ -99,6 +100,16 @@ void check_thickness(SceneReading& reading, Scene& scene) {
     if (const JsonValue* rules = assembly ? find_member(*assembly, "parts") : nullptr)
         for (const JsonValue& rule : rules->items) refuse(rule);
     for (ScenePart& part : scene.parts) part.thickness = full_circle;
+}
+
+/// A slip in the units of E is no error: the scene may mean it.
+void check_stiffness(const SceneReading& reading, Scene& scene) {
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const auto is_of_it = [&](const ScenePart& part) { return part.material == static_cast<int>(m); };
+        if (std::none_of(scene.parts.begin(), scene.parts.end(), is_of_it)) continue;
+        if (const std::string doubt = implausible_stiffness(scene.materials[m], reading.units); !doubt.empty())
+            scene.warnings.push_back(doubt);
+    }
 }
 
 /// A plane part spins about a point, a part around an axis about that.
@@ -160,15 +171,16 @@ void check_replaced(SceneReading& reading) {
 }
 
 Scene scene_of(JsonDocument document, const std::map<std::string, double>& replaced, const std::string& given_file = {}) {
-    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced,
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}, true, replaced, {}, {},
                          given_file};
     Scene scene;
     scene.file = document.file;
     const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials",
-                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output"},
+                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);
+    if (const JsonValue* units = find_member(reading.root, "units")) read_units(reading, *units, scene);
     if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
     check_replaced(reading);
     read_general(reading, scene);
@@ -177,8 +189,8 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     }
     scene.materials.push_back(built_in_rigid());
     read_all_parts(reading, scene);
-    const auto is_rigid = [&](const ScenePart& part) { return part.material + 1 == static_cast<int>(scene.materials.size()); };
-    if (std::none_of(scene.parts.begin(), scene.parts.end(), is_rigid)) scene.materials.pop_back();
+    drop_unused_rigid(scene);
+    check_stiffness(reading, scene);
     check_thickness(reading, scene);
     read_sections(reading, scene);
     // Edges can be looked up only where every part has its geometry.

@@ -10,7 +10,7 @@ namespace abut {
 namespace {
 
 std::optional<double> read_half_angle(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> angle = read_number(reading, value);
+    const std::optional<double> angle = read_number(reading, value, dimension::angle);
     if (!angle || (*angle >= 0 && *angle <= 180)) return angle;
     report_problem(reading, value, "'within' must lie between 0 and 180 degrees");
     return std::nullopt;
@@ -21,7 +21,8 @@ std::optional<std::array<Vec2, 2>> read_box(SceneReading& reading, const JsonVal
         report_problem(reading, value, "expected two corners [[x0, y0], [x1, y1]], found " + described(value));
         return std::nullopt;
     }
-    const std::optional<Vec2> a = read_vector(reading, value.items[0]), b = read_vector(reading, value.items[1]);
+    const std::optional<Vec2> a = read_vector(reading, value.items[0], dimension::length),
+                              b = read_vector(reading, value.items[1], dimension::length);
     if (!a || !b) return std::nullopt;
     return std::array<Vec2, 2>{a->cwiseMin(*b), a->cwiseMax(*b)};
 }
@@ -56,7 +57,7 @@ std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& va
     const auto part = required_member(reading, value, "part", read_part_name);
     const JsonValue* way = exactly_one(reading, value, {"near", "box", "facing"});
     if (part) selector.part = *part;
-    if (way && way->key == "near") selector.near = read_vector(reading, *way);
+    if (way && way->key == "near") selector.near = read_vector(reading, *way, dimension::length);
     if (way && way->key == "box") selector.box = read_box(reading, *way);
     if (way && way->key == "facing") selector.facing = read_direction(reading, *way);
     const JsonValue* within = find_member(value, "within");

@@ -28,8 +28,8 @@ void read_displacement(SceneReading& reading, const JsonValue& value, Support& s
     const JsonValue* y = find_member(value, "y");
     support.x = x != nullptr;
     support.y = y != nullptr;
-    if (x) support.value[0] = read_field(reading, *x).value_or(Expression());
-    if (y) support.value[1] = read_field(reading, *y).value_or(Expression());
+    if (x) support.value[0] = read_field(reading, *x, dimension::length).value_or(Expression());
+    if (y) support.value[1] = read_field(reading, *y, dimension::length).value_or(Expression());
     if (!x && !y) report_problem(reading, value, "no component is prescribed", "give 'x', 'y' or both");
 }
 
@@ -40,8 +40,8 @@ void read_symmetry(SceneReading& reading, const JsonValue& value, Support& suppo
 }
 
 /// A component of a rigid motion: null leaves it free.
-std::optional<double> read_rigid_component(SceneReading& reading, const JsonValue& value) {
-    return value.kind == Kind::null ? std::nullopt : read_number(reading, value);
+std::optional<double> read_rigid_component(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    return value.kind == Kind::null ? std::nullopt : read_number(reading, value, dimension);
 }
 
 void read_rigid(SceneReading& reading, const JsonValue& value, Support& support) {
@@ -50,14 +50,14 @@ void read_rigid(SceneReading& reading, const JsonValue& value, Support& support)
     const std::size_t before = reading.problems.size();
     const JsonValue* translation = find_member(value, "translation");
     if (translation && translation->kind == Kind::array && translation->items.size() == 2) {
-        support.rigid_x = read_rigid_component(reading, translation->items[0]);
-        support.rigid_y = read_rigid_component(reading, translation->items[1]);
+        support.rigid_x = read_rigid_component(reading, translation->items[0], dimension::length);
+        support.rigid_y = read_rigid_component(reading, translation->items[1], dimension::length);
     } else if (translation && translation->kind != Kind::null) {
         report_problem(reading, *translation, "expected two numbers [tx, ty], found " + described(*translation),
                        "null leaves a component free");
     }
     const JsonValue* rotation = find_member(value, "rotation");
-    if (rotation) support.rigid_rotation = read_rigid_component(reading, *rotation);
+    if (rotation) support.rigid_rotation = read_rigid_component(reading, *rotation, dimension::angle);
     if (support.rigid_rotation) *support.rigid_rotation *= std::numbers::pi / 180;
     const bool all_free = !support.rigid_x && !support.rigid_y && !support.rigid_rotation;
     if (all_free && reading.problems.size() == before)
@@ -65,7 +65,7 @@ void read_rigid(SceneReading& reading, const JsonValue& value, Support& support)
 }
 
 std::optional<double> read_stiffness(SceneReading& reading, const JsonValue& value) {
-    const auto k = read_number(reading, value);
+    const auto k = read_number(reading, value, dimension::foundation);
     if (k && *k < 0) report_problem(reading, value, "a spring's stiffness must not be negative", "0 leaves the direction free");
     return k;
 }
@@ -89,7 +89,7 @@ void read_points(SceneReading& reading, const JsonValue& value, const JsonValue&
     support.kind = Support::Kind::points;
     if (!check_list(reading, value, 1, "points [x, y]")) return;
     for (const JsonValue& item : value.items)
-        if (const auto p = read_vector(reading, item)) support.at.push_back(*p);
+        if (const auto p = read_vector(reading, item, dimension::length)) support.at.push_back(*p);
 }
 
 /// What the support acts on: a part, or edges.

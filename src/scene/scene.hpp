@@ -158,6 +158,15 @@ struct Output {
     std::vector<std::string> formats{"json", "csv", "html"};
 };
 
+/// A number of the answer that is known: a benchmark.
+struct Expectation {
+    std::string quantity;  ///< path into result.json: "contacts[0].max_pressure.value", or a JSON pointer
+    double value = 0;      ///< in the scene's units
+    double tolerance = 0;  ///< on the error relative to the value, or on the error itself where the value is 0
+    std::string source;    ///< where the value comes from; may be empty
+    std::string where;     ///< JSON pointer
+};
+
 /// What the import of a drawing found, repaired and left out (for the report and for `inspect`).
 struct ImportRecord {
     std::string file, format, unit;
@@ -180,8 +189,10 @@ struct Scene {
     ContactOptions contacts;
     Accuracy accuracy;
     Output output;
+    std::vector<Expectation> expect;
     std::vector<ImportRecord> imports;
     std::vector<std::string> warnings;
+    std::vector<std::string> notes{};  ///< what was taken from elsewhere: materials of the library
 };
 
 /// A part by its number, and its shape.

@@ -22,20 +22,51 @@ std::string quoted_list(const std::vector<std::string>& words) {
     return text;
 }
 
-/// Parses an expression; a fault of it is reported at the place of the value.
-std::optional<Expression> read_expression(SceneReading& reading, const JsonValue& value, bool field) {
-    if (value.kind == Kind::number) return Expression(value.number);
+/// Parses an expression; a fault of it, or of its unit, is reported at the place of the value. factor_of gives what the
+/// expression's unit stands for in the scene, or throws InputError.
+template <class FactorOf>
+std::optional<ExpressionWithUnit> read_expression(SceneReading& reading, const JsonValue& value, bool field,
+                                                  FactorOf factor_of) {
+    if (value.kind == Kind::number) return ExpressionWithUnit{Expression(value.number), "", {}, false};
     if (value.kind != Kind::string) {
         report_problem(reading, value, "expected a number, found " + described(value),
                        "write a number or an expression like \"2*R+gap\"");
         return std::nullopt;
     }
     try {
-        return parse_expression(value.text, reading.parameters, field);
+        ExpressionWithUnit parsed = parse_expression_with_unit(value.text, reading.parameters, field);
+        if (parsed.unit.empty()) return parsed;
+        for (const std::string& name : parsed.names)
+            if (reading.dimensions.contains(name))
+                throw InputError("", "'" + shortened(value.text) + "' ends in a unit, and so does its parameter '" + name + "'",
+                                 "take one of the two away: parameters with a unit are in the scene's units already");
+        parsed.value = parsed.value.times(factor_of(parsed.unit));
+        if (!std::isfinite(parsed.value.constant()))
+            throw InputError("", "'" + shortened(value.text) + "' is too large to be represented", "");
+        return parsed;
     } catch (const InputError& error) {
         for (const Problem& problem : error.problems()) report_problem(reading, value, problem.what, problem.hint);
         return std::nullopt;
     }
+}
+
+/// An expression of this dimension.
+std::optional<Expression> read_quantity(SceneReading& reading, const JsonValue& value, const Dimension& dimension, bool field) {
+    const auto parsed = read_expression(reading, value, field,
+                                        [&](const std::string& unit) { return unit_factor(unit, dimension, reading.units); });
+    if (!parsed) return std::nullopt;
+    if (!parsed->is_name) return parsed->value;
+    const auto known = reading.dimensions.find(parsed->names[0]);
+    if (known == reading.dimensions.end() || !known->second || *known->second == dimension) return parsed->value;
+    report_problem(reading, value, "the parameter '" + known->first + "' is " + dimension_text(*known->second),
+                   "what is needed here is " + dimension_text(dimension));
+    return std::nullopt;
+}
+
+std::optional<ExpressionWithUnit> read_any(SceneReading& reading, const JsonValue& value, std::optional<Dimension>& dimension) {
+    return read_expression(reading, value, false, [&](const std::string& unit) {
+        return unit_factor_of_any(unit, reading.units, dimension.emplace());
+    });
 }
 
 bool check_pair(SceneReading& reading, const JsonValue& value) {
@@ -100,20 +131,37 @@ const JsonValue* exactly_one(SceneReading& reading, const JsonValue& object, con
     return found;
 }
 
-std::optional<double> read_number(SceneReading& reading, const JsonValue& value) {
-    const std::optional<Expression> expression = read_expression(reading, value, false);
+std::optional<double> read_number(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    const std::optional<Expression> expression = read_quantity(reading, value, dimension, false);
     return expression ? std::optional(expression->constant()) : std::nullopt;
 }
 
-std::optional<double> read_positive(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> number = read_number(reading, value);
+std::optional<double> read_of_any_dimension(SceneReading& reading, const JsonValue& value) {
+    std::optional<Dimension> dimension;
+    const auto parsed = read_any(reading, value, dimension);
+    return parsed ? std::optional(parsed->value.constant()) : std::nullopt;
+}
+
+std::optional<double> read_parameter(SceneReading& reading, const JsonValue& value) {
+    std::optional<Dimension> dimension;
+    const auto parsed = read_any(reading, value, dimension);
+    if (!parsed) return std::nullopt;
+    bool of_quantities = dimension.has_value();
+    for (const std::string& name : parsed->names) of_quantities |= reading.dimensions.contains(name);
+    if (parsed->is_name && of_quantities) dimension = reading.dimensions.at(parsed->names[0]);
+    if (of_quantities) reading.dimensions[value.key] = dimension;
+    return parsed->value.constant();
+}
+
+std::optional<double> read_positive(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    const std::optional<double> number = read_number(reading, value, dimension);
     if (!number || *number > 0) return number;
     report_problem(reading, value, (value.key.empty() ? "this" : "'" + value.key + "'") + " must be greater than 0");
     return std::nullopt;
 }
 
 std::optional<int> read_integer(SceneReading& reading, const JsonValue& value, int least, int most) {
-    const std::optional<double> number = read_number(reading, value);
+    const std::optional<double> number = read_number(reading, value, dimension::none);
     if (!number) return std::nullopt;
     if (*number >= least && *number <= most && *number == std::floor(*number)) return static_cast<int>(*number);
     report_problem(reading, value, "expected a whole number from " + std::to_string(least) + " to " + std::to_string(most));
@@ -145,27 +193,30 @@ std::optional<std::string> read_word(SceneReading& reading, const JsonValue& val
     return std::nullopt;
 }
 
-std::optional<Vec2> read_vector(SceneReading& reading, const JsonValue& value) {
+std::optional<Vec2> read_vector(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
     if (!check_pair(reading, value)) return std::nullopt;
-    const std::optional<double> x = read_number(reading, value.items[0]), y = read_number(reading, value.items[1]);
+    const std::optional<double> x = read_number(reading, value.items[0], dimension),
+                                y = read_number(reading, value.items[1], dimension);
     if (!x || !y) return std::nullopt;
     return Vec2(*x, *y);
 }
 
 std::optional<Vec2> read_direction(SceneReading& reading, const JsonValue& value) {
-    const std::optional<Vec2> vector = read_vector(reading, value);
+    const std::optional<Vec2> vector = read_vector(reading, value, dimension::none);
     if (!vector || !vector->isZero(0)) return vector;
     report_problem(reading, value, "a direction cannot be [0, 0]");
     return std::nullopt;
 }
 
-std::optional<Expression> read_field(SceneReading& reading, const JsonValue& value) {
-    return read_expression(reading, value, true);
+std::optional<Expression> read_field(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
+    return read_quantity(reading, value, dimension, true);
 }
 
-std::optional<std::array<Expression, 2>> read_vector_field(SceneReading& reading, const JsonValue& value) {
+std::optional<std::array<Expression, 2>> read_vector_field(SceneReading& reading, const JsonValue& value,
+                                                           const Dimension& dimension) {
     if (!check_pair(reading, value)) return std::nullopt;
-    const std::optional<Expression> x = read_field(reading, value.items[0]), y = read_field(reading, value.items[1]);
+    const std::optional<Expression> x = read_field(reading, value.items[0], dimension),
+                                    y = read_field(reading, value.items[1], dimension);
     if (!x || !y) return std::nullopt;
     return std::array<Expression, 2>{*x, *y};
 }

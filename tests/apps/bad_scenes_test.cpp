@@ -49,7 +49,7 @@ std::vector<BadScene> bad_scenes() {
         {"bad_json", "{\n  \"abut\": 1,\n  \"title\" \"no colon\"\n}\n", {"scene.json:3", "':'"}},
         {"empty_file", "", {"scene.json:1"}},
         {"unknown_key", with(&S::more, ",\n  \"titel\": \"Block\"").text(), {"scene.json:9 /titel", "did you mean 'title'"}},
-        {"missing_material", with(&S::used_material, "brass").text(), {"/parts/0/material", "brass", "steel"}},
+        {"missing_material", with(&S::used_material, "stel").text(), {"/parts/0/material", "stel", "steel"}},
         {"unknown_part",
          with(&S::supports, R"([{"on": "blok/bottom", "fix": ["x", "y"]}])").text(),
          {"/supports/0/on", "blok", "block"}},

@@ -18,7 +18,7 @@ abut=$prefix/moved/bin/abut
 share=$prefix/moved/share
 cd "$prefix" || exit 1
 
-for file in scenes/vise.json sketches/pin_bracket_r14.dxf batch/loads.csv schema/scene.schema.json verification/bar.json README.md; do
+for file in scenes/vise.json sketches/pin_bracket_r14.dxf materials/materials.json batch/loads.csv schema/scene.schema.json verification/bar.json README.md; do
     [[ -f $share/abut/$file ]] || fail "share/abut/$file is not installed"
 done
 "$abut" --version | grep -q '^abut [0-9]' || fail "it does not run"

@@ -42,6 +42,7 @@ WRONG = {
     "a load at a point, which is not supported yet": block(loads=[{"part": "block", "at": [0, 0], "force": [0, 1]}]),
     "a format that is not supported yet": block(output={"formats": ["vtu"]}),
     "a schema that is no text": block(**{"$schema": 1}),
+    "a known answer without a tolerance": block(expect=[{"quantity": "reactions[0].force[1]", "value": 1}]),
     "a name with a slash": block(parts=[block()["parts"][0] | {"name": "a/b"}]),
 }
 

@@ -87,7 +87,8 @@ const char* const every_object =
   "loads": [{"part": "a", "spin": {"about": [0, 0], "omega": 1}}],
   "contacts": {"pairs": [{"between": ["a/*", "b/*"]}]},
   "accuracy": {"refine": [{"near": [0, 0], "radius": 1, "cell_size": 1}], "grids": {"a": {"cells": [2, 2]}}},
-  "output": {"probes": [{"part": "a", "at": [0, 0]}]}})";
+  "output": {"probes": [{"part": "a", "at": [0, 0]}]},
+  "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1}]})";
 
 /// The keys that the reader knows in the object at this place.
 Strings keys_of_the_reader(const std::string& place) {

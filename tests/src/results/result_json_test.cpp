@@ -29,7 +29,7 @@ TEST(ResultJson, HasTheKeysOfTheContractInItsOrder) {
     EXPECT_EQ(keys(j), (Names{"abut",     "title",         "status",      "build",          "verdict",  "reasons",
                               "unknowns", "degree",        "multipliers", "cells",          "solver",   "timing",
                               "effects",  "strain_energy", "equilibrium", "error_estimate", "accuracy", "parts",
-                              "contacts", "mobility",      "reactions",   "probes",         "warnings"}));
+                              "contacts", "mobility",      "reactions",   "probes",         "warnings", "notes"}));
     EXPECT_EQ(keys(j["solver"]), (Names{"grids", "factorizations", "contact_iterations", "condition_estimate", "converged",
                                         "groups", "contact_problems"}));
     EXPECT_EQ(keys(j["effects"][0]), (Names{"name", "on", "why", "parts", "pairs", "seconds", "share", "items"}));
