@@ -68,9 +68,12 @@ bool tell_expectations(const Scene& scene, const Result& result, const Arguments
     if (!rows.empty() && !has(arguments, "--json") && !has(arguments, "--quiet"))
         print_text("\nexpected:\n" + verify_table(rows));
     bool all_pass = true;
+    std::string said;
     for (const VerifyRow& row : rows) {
         if (row.pass) continue;
         all_pass = false;
+        if (!row.failure.empty() && row.failure == said) continue;
+        said = row.failure;
         std::cout.flush();
         const std::string what =
             row.failure.empty() ? row.quantity + " is " + number_text(row.value, 6) + ", not " + number_text(row.reference, 6)

@@ -47,7 +47,12 @@ std::vector<VerifyRow> verified(const std::vector<VerifyProblem>& problems, cons
 
 /// Folders and files of scenes among the names are taken out of the list.
 std::vector<std::string> take_paths(std::vector<std::string>& names) {
-    const auto is_path = [](const std::string& name) { return std::filesystem::exists(name); };
+    const auto is_path = [](const std::string& name) {
+        if (std::filesystem::exists(name)) return true;
+        if (name.ends_with(".json") || name.find('/') != std::string::npos)
+            throw InputError(name, "there is no such file or folder", "");
+        return false;
+    };
     std::vector<std::string> paths;
     std::copy_if(names.begin(), names.end(), std::back_inserter(paths), is_path);
     std::erase_if(names, is_path);

@@ -88,6 +88,14 @@ void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Resu
     tell(values_of(findings), "neutral", result);
 }
 
+/// Parts that CHOLMOD was asked for and has no factor of.
+void note_own_factors(const Scene& scene, const Outcome& out, Result& result) {
+    for (const PartOnGrid& g : out.solved.grids)
+        if (g.input.by_cholmod && g.input.is_projected)
+            result.notes.push_back("part " + scene.parts[at(g.part)].name +
+                                   ": factorised by abut itself, since its volume strain is projected");
+}
+
 void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, int threads,
                   Stopwatches& seconds, Result& result) {
     const SolvedAssembly& solved = out.solved;
@@ -109,6 +117,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
+    note_own_factors(scene, out, result);
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
     warn_of_self_contact(result);

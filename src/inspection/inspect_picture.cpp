@@ -263,7 +263,7 @@ std::string style() {
 
 namespace {
 
-/// What the pointer meets: each edge once more, wide and unseen, on top of all.
+/// What is marked where the pointer is near: each edge once more, wide and unseen, on top of all.
 std::string edge_targets(const Inspection& inspection, const View& view) {
     std::string svg;
     for (const ScenePart& part : inspection.scene.parts)
@@ -303,9 +303,8 @@ constexpr const char* page_head = R"(<!DOCTYPE html>
 body { margin: 0; font: 15px Helvetica, Arial, 'Liberation Sans', sans-serif; }
 #said { margin: 0; position: sticky; top: 0; padding: 8px 14px; background: #f3f3f3; border-bottom: 1px solid #ccc; min-height: 1.3em; }
 svg { display: block; }
-[data-edge] { cursor: pointer; }
-.target { fill: none; stroke: #0a58ca; stroke-width: 12; stroke-linecap: round; stroke-opacity: 0; pointer-events: stroke; }
-[data-edge]:hover .target { stroke-opacity: .35; }
+.target { fill: none; stroke: #0a58ca; stroke-width: 12; stroke-linecap: round; stroke-opacity: 0; pointer-events: none; }
+.near .target { stroke-opacity: .35; }
 </style>
 </head>
 <body>
@@ -327,13 +326,36 @@ function copy(text) {
   };
   return navigator.clipboard ? navigator.clipboard.writeText(text).catch(selected) : selected();
 }
-for (const edge of document.querySelectorAll("[data-edge]")) {
-  const name = edge.dataset.edge;
-  edge.addEventListener("mouseenter", () => { said.textContent = name + ": " + edge.dataset.about; });
-  edge.addEventListener("click", () => {
-    copy(name).then(() => { said.textContent = "copied: " + name; }, () => { said.textContent = "not copied, the browser forbids it: " + name; });
-  });
+// Each edge as points a pixel or two apart: the pointer takes the nearest edge, and where several lie on each other all of them.
+const svg = document.querySelector("svg");
+const edges = [...document.querySelectorAll("[data-edge]")].map(edge => {
+  const path = edge.querySelector("path"), length = path.getTotalLength(), n = Math.max(2, Math.min(600, Math.ceil(length / 2)));
+  return {edge, points: Array.from({length: n + 1}, (_, i) => path.getPointAtLength(length * i / n))};
+});
+function distance(points, p) {
+  let least = Infinity;
+  for (let i = 0; i + 1 < points.length; ++i) {
+    const a = points[i], u = points[i + 1].x - a.x, v = points[i + 1].y - a.y, w = u * u + v * v;
+    const t = w > 0 ? Math.max(0, Math.min(1, ((p.x - a.x) * u + (p.y - a.y) * v) / w)) : 0;
+    least = Math.min(least, Math.hypot(a.x + t * u - p.x, a.y + t * v - p.y));
+  }
+  return least;
 }
+function nearest(event) {
+  const p = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+  const all = edges.map(e => ({edge: e.edge, away: distance(e.points, p)})), least = Math.min(...all.map(e => e.away));
+  return least > 12 ? [] : all.filter(e => e.away < least + 0.5).map(e => e.edge);
+}
+svg.addEventListener("mousemove", event => {
+  const near = nearest(event);
+  for (const e of edges) e.edge.classList.toggle("near", near.includes(e.edge));
+  svg.style.cursor = near.length ? "pointer" : "";
+  if (near.length) said.textContent = near.map(e => e.dataset.edge + ": " + e.dataset.about).join("; ");
+});
+svg.addEventListener("click", event => {
+  const names = nearest(event).map(e => e.dataset.edge).join(", ");
+  if (names) copy(names).then(() => { said.textContent = "copied: " + names; }, () => { said.textContent = "not copied, the browser forbids it: " + names; });
+});
 </script>
 </body>
 </html>

@@ -24,11 +24,12 @@ struct UsualForce {
 };
 constexpr UsualForce usual_forces[] = {{"mm", "N"}, {"m", "N"}, {"cm", "N"}, {"um", "uN"}, {"in", "lbf"}, {"ft", "lbf"}};
 
-/// Of millimetres where the file states no unit, or one without an entry.
+/// Of millimetres where the file states no unit.
 SceneUnits units_for(const std::string& length_unit) {
+    if (length_unit.empty()) return {usual_forces[0].length, usual_forces[0].force};
     for (const UsualForce& usual : usual_forces)
         if (length_unit == usual.length) return {usual.length, usual.force};
-    return {usual_forces[0].length, usual_forces[0].force};
+    return {length_unit, usual_forces[0].force};
 }
 
 std::string quoted(const std::string& text) {

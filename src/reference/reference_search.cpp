@@ -52,7 +52,8 @@ Path without_free_names(Path path) {
     return path;
 }
 
-/// How well words mean an entry: 0 by its whole path, 1 by the end, 2 by some words; nothing where they do not.
+/// How well words mean an entry: 0 by its whole path, 1 by the end (a single word always), 2 by some words; nothing where they
+/// do not.
 std::optional<std::size_t> rank_of(const Path& words, const std::string& page, const ReferenceEntry& entry) {
     std::optional<std::size_t> best;
     const auto take = [&](std::size_t rank) { best = std::min(best.value_or(rank), rank); };
@@ -61,7 +62,7 @@ std::optional<std::size_t> rank_of(const Path& words, const std::string& page, c
     for (const Path& path : {full, is_free ? full : without_free_names(full)}) {
         Path whole = path;
         whole.insert(whole.begin(), page);
-        if (is_path(words, path) || is_path(words, whole)) take(0);
+        if (is_path(words, path) || is_path(words, whole)) take(words.size() == 1 ? 1 : 0);
         if (!is_free && is_end(words, whole)) take(1);
         if (!is_free && is_within(words, whole)) take(2);
     }

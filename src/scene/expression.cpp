@@ -18,6 +18,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/io/utf8.hpp"
 
 namespace abut {
 
@@ -286,7 +287,11 @@ private:
         if (!take(c)) fail(std::string("expected '") + c + "'" + found(), "");
     }
 
-    std::string found() { return at_end() ? ", but the expression ends" : std::string(", found '") + text_[at_] + "'"; }
+    std::string found() {
+        if (at_end()) return ", but the expression ends";
+        const std::size_t n = std::max<std::size_t>(1, utf8_length(text_, at_));
+        return ", found '" + text_.substr(at_, n) + "'";
+    }
 
     [[noreturn]] void unknown_name(const std::string& word) {
         std::vector<std::string> known;
@@ -294,7 +299,9 @@ private:
         known.emplace_back("pi");
         for (const FunctionEntry& entry : functions) known.emplace_back(entry.name);
         if (field_) known.insert(known.end(), {"x", "y"});
-        fail("unknown name '" + word + "'", nearest_name_hint(word, known));
+        const bool is_unit = at_ > 1 && text_[at_ - 1] == '/';
+        fail("unknown name '" + word + "'",
+             nearest_name_hint(word, known) + (is_unit ? "; a unit is parted from its number: 12e-6 1/K" : ""));
     }
 
     [[noreturn]] void fail(const std::string& what, const std::string& hint) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "src/io/nearest_name.hpp"
+#include "src/io/number_text.hpp"
 #include "src/scene/read_drawing.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene_words.hpp"
@@ -80,9 +81,10 @@ ImportRecord import_record(const Drawing& drawing, double factor, std::vector<ge
 namespace {
 
 std::string key_of(const std::string& name, const ImportOptions& options) {
-    std::string key = name + "|" + std::to_string(options.section_axis) + "|" + std::to_string(options.tolerance) + "|" +
-                      std::to_string(options.recognise_arcs);
-    return options.section_at ? key + "|" + std::to_string(*options.section_at) : key;
+    constexpr int all_digits = 17;
+    std::string key = name + "|" + std::to_string(options.section_axis) + "|" + number_text(options.tolerance, all_digits) +
+                      "|" + std::to_string(options.recognise_arcs);
+    return options.section_at ? key + "|" + number_text(*options.section_at, all_digits) : key;
 }
 
 /// {"axis": "z", "at": 0}; both may be left out.
@@ -150,7 +152,9 @@ const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, c
     const auto known = imports.drawings.find(key);
     if (known != imports.drawings.end()) return &known->second;
     try {
-        ImportedDrawing import{read_drawing(path_of(reading, *name), options), 1};
+        ImportOptions of_scene = options;
+        of_scene.length_unit = imports.length_unit;
+        ImportedDrawing import{read_drawing(path_of(reading, *name), of_scene), 1};
         const std::optional<double> factor = factor_to_scene(reading, imports, import.drawing, file);
         if (!factor) return nullptr;
         import.factor = *factor;

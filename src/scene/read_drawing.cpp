@@ -41,6 +41,13 @@ geometry::SectionPlane plane_of(const geometry::MeshFile& mesh, const ImportOpti
     return plane;
 }
 
+/// Meshes are cut before they are converted to the scene's unit.
+double tolerance_in_file(const geometry::MeshFile& mesh, const ImportOptions& options) {
+    const std::string& unit = options.units.empty() ? mesh.unit : options.units;
+    const double factor = geometry::unit_factor(options.length_unit, unit);
+    return factor > 0 ? options.tolerance * factor : options.tolerance;
+}
+
 }  // namespace
 
 bool is_importable(const std::string& path) {
@@ -55,8 +62,8 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
     geometry::Drawing drawing;
     if (geometry::is_mesh_file(path)) {
         const geometry::MeshFile mesh = geometry::read_mesh_file(path);
-        geometry::Section section =
-            geometry::cut(mesh, plane_of(mesh, options), geometry::SectionOptions{options.tolerance, options.recognise_arcs});
+        geometry::Section section = geometry::cut(
+            mesh, plane_of(mesh, options), geometry::SectionOptions{tolerance_in_file(mesh, options), options.recognise_arcs});
         drawing = std::move(section.drawing);
         drawing.repairs = std::move(section.repairs);
     } else if (is_dxf_file(path)) {

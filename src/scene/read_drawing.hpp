@@ -12,8 +12,9 @@ namespace abut {
 
 /// What a scene's keys, or a command's options, say about an import.
 struct ImportOptions {
-    double tolerance = 0;  ///< joining and recognising, 0: the default
-    std::string units;     ///< overrides or supplies the file's unit; empty: the file's own
+    double tolerance = 0;     ///< joining and recognising, 0: the default
+    std::string length_unit;  ///< of the tolerance; empty: the file's
+    std::string units;        ///< overrides or supplies the file's unit; empty: the file's own
     geometry::PartsBy parts_by = geometry::PartsBy::automatic;
     int section_axis = -1;             ///< 0 x, 1 y, 2 z; -1: the thinnest direction
     std::optional<double> section_at;  ///< unset: the middle

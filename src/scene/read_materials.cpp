@@ -115,10 +115,9 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
         } else if (is_taken(item.key)) {
             report_problem(reading, item, "'" + item.key + "' has a meaning in expressions already",
                            "give the parameter another name");
-        } else if (const auto given = reading.replaced.find(item.key); given != reading.replaced.end()) {
-            reading.parameters[item.key] = given->second;
         } else if (const std::optional<double> number = read_parameter(reading, item)) {
-            reading.parameters[item.key] = *number;
+            const auto given = reading.replaced.find(item.key);  // in the scene's units, of the same dimension
+            reading.parameters[item.key] = given != reading.replaced.end() ? given->second : *number;
         } else {
             // Already reported; a value keeps those that refer to it from being reported too, and edges of parts that this
             // value does not make.

@@ -51,7 +51,7 @@ Output read_output(SceneReading& reading, const JsonValue& output) {
 
 std::vector<Expectation> read_expectations(SceneReading& reading, const JsonValue& expect) {
     std::vector<Expectation> result;
-    if (!check_list(reading, expect, 0, "known answers")) return result;
+    if (!check_list(reading, expect, 1, "known answers")) return result;
     for (const JsonValue& item : expect.items) {
         if (const auto expectation = read_expectation(reading, item)) result.push_back(*expectation);
     }

@@ -52,10 +52,6 @@ void read_general(SceneReading& reading, Scene& scene) {
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
         if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
-    if (const JsonValue* symmetry = find_member(root, "symmetry"))
-        report_problem(reading, *symmetry,
-                       "every part is solved as drawn: no half of a symmetric scene is solved alone any more",
-                       "leave \"symmetry\" out; the answer is the same");
 }
 
 void read_all_parts(SceneReading& reading, Scene& scene) {
@@ -161,6 +157,15 @@ void check_replaced(SceneReading& reading) {
                            nearest_name_hint(name, known));
 }
 
+/// A key of former scenes.
+void refuse_symmetry(SceneReading& reading) {
+    const JsonValue* symmetry = reading.root.kind == JsonValue::Kind::object ? find_member(reading.root, "symmetry") : nullptr;
+    if (!symmetry) return;
+    report_problem(reading, *symmetry, "every part is solved as drawn: no half of a symmetric scene is solved alone any more",
+                   "leave \"symmetry\" out; the answer is the same");
+    std::erase_if(reading.root.items, [](const JsonValue& item) { return item.key == "symmetry"; });
+}
+
 [[noreturn]] void throw_problems(std::vector<Problem> problems) {
     const std::size_t n = problems.size();
     if (n > reported_problems) {
@@ -175,8 +180,9 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
                          given_file};
     Scene scene;
     scene.file = document.file;
-    const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "symmetry", "parameters", "materials",
-                      "parts", "assembly", "supports", "loads", "contacts", "accuracy", "output", "expect"},
+    refuse_symmetry(reading);
+    const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "parameters", "materials", "parts",
+                      "assembly", "supports", "loads", "contacts", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

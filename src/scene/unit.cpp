@@ -15,6 +15,7 @@ namespace {
 
 constexpr Dimension mass{-1, 1, 2};
 constexpr long double degree_in_rad = std::numbers::pi_v<long double> / 180;
+constexpr long double survey_foot = 1200.0L / 3937;
 constexpr long double inch = 0.0254L, pound = 0.45359237L, pound_force = pound * 9.80665L;
 
 struct NamedUnit {
@@ -23,14 +24,26 @@ struct NamedUnit {
     long double size;
 };
 constexpr NamedUnit named_units[] = {
+    {"nm", dimension::length, 1e-9L},
     {"um", dimension::length, 1e-6L},
     {"µm", dimension::length, 1e-6L},
     {"mm", dimension::length, 1e-3L},
     {"cm", dimension::length, 1e-2L},
     {"dm", dimension::length, 1e-1L},
     {"m", dimension::length, 1},
+    {"dam", dimension::length, 10},
+    {"hm", dimension::length, 100},
+    {"km", dimension::length, 1e3L},
+    {"uin", dimension::length, 1e-6L * inch},
+    {"mil", dimension::length, 1e-3L * inch},
     {"in", dimension::length, inch},
     {"ft", dimension::length, 12 * inch},
+    {"yd", dimension::length, 36 * inch},
+    {"mi", dimension::length, 63360 * inch},
+    {"in_us", dimension::length, survey_foot / 12},
+    {"ft_us", dimension::length, survey_foot},
+    {"yd_us", dimension::length, 3 * survey_foot},
+    {"mi_us", dimension::length, 5280 * survey_foot},
     {"uN", dimension::force, 1e-6L},
     {"mN", dimension::force, 1e-3L},
     {"N", dimension::force, 1},
@@ -71,8 +84,11 @@ const NamedUnit& known_unit(const std::string& symbol) {
     if (const NamedUnit* unit = find_unit(symbol)) return *unit;
     std::vector<std::string> known;
     for (const NamedUnit& unit : named_units) known.emplace_back(unit.symbol);
+    std::string hint = nearest_name_hint(symbol, known);
+    hint = hint.starts_with("did you mean") ? hint.substr(0, hint.find('?') + 1) : "units are like mm, kN, GPa, kg/m^3, 1/K;";
+    const bool is_celsius = symbol == "C" || symbol == "°C";
     throw InputError("", "unknown unit '" + shortened(symbol) + "'",
-                     "did you mean '" + nearest_name(symbol, known) + "'? a product is written 2*x");
+                     is_celsius ? "temperatures are rises, in K" : hint + " a product is written 2*x");
 }
 
 void append_factor(Unit& unit, const NamedUnit& by, int power) {
@@ -88,9 +104,9 @@ void append_factor(Unit& unit, const NamedUnit& by, int power) {
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
-/// Letters, and the bytes of signs beyond ASCII (°, µ).
+/// Letters, the bytes of signs beyond ASCII (°, µ), and _ (ft_us).
 bool is_symbol(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80 || c == '_';
 }
 
 /// What is left of a unit's text, from the left.

@@ -67,15 +67,30 @@ VerifyRow row_of(const Expectation& expected, const Result& result, const Result
     std::string failure = result.status == "ok" ? "" : "the analysis failed: " + result.message;
     const double value =
         failure.empty() ? number_at(json, expected.quantity, failure) : std::numeric_limits<double>::quiet_NaN();
-    const std::string what = expected.source.empty() ? expected.quantity : expected.quantity + " (" + expected.source + ")";
+    std::string what = expected.source.empty() ? expected.quantity : expected.quantity + " (" + expected.source + ")";
+    std::replace_if(
+        what.begin(), what.end(), [](unsigned char c) { return c < ' '; }, ' ');  // a row is a line
     VerifyRow row = compared({what, {}, expected.value, expected.tolerance, expected.value == 0 ? 1.0 : 0.0}, value);
     row.unknowns = result.unknowns + result.multipliers;
     row.failure = failure;
     return row;
 }
 
+/// What cannot be read may have some: verify_scene says what is wrong with it.
 bool has_expectations(const fs::path& file) {
-    return find_member(read_json(file.string()).root, "expect") != nullptr;
+    try {
+        return find_member(read_json(file.string()).root, "expect") != nullptr;
+    } catch (const InputError&) { return true; }
+}
+
+VerifyRow row_of_unreadable(const std::string& file, const InputError& error) {
+    VerifyRow row;
+    row.name = file;
+    row.quantity = "expect";
+    row.value = row.reference = row.relative_error = std::numeric_limits<double>::quiet_NaN();
+    const std::size_t n = error.problems().size();
+    row.failure = one_line(error.problems().front()) + (n > 1 ? " (and " + std::to_string(n - 1) + " more)" : "");
+    return row;
 }
 
 }  // namespace
@@ -85,14 +100,17 @@ std::vector<VerifyRow> compared_with_expectations(const Scene& scene, const Resu
     if (scene.expect.empty()) return rows;
     const ResultJson json = ResultJson::parse(result_json(result));
     for (const Expectation& expected : scene.expect) rows.push_back(row_of(expected, result, json));
-    for (VerifyRow& row : rows) row.name = fs::path(scene.file).stem().string();
+    for (VerifyRow& row : rows) row.name = scene.file;
     return rows;
 }
 
 std::vector<VerifyRow> verify_scene(const std::string& file) {
     const auto begin = std::chrono::steady_clock::now();
-    const Scene scene = read_scene(file);
-    std::vector<VerifyRow> rows = compared_with_expectations(scene, analyze(scene, {}));
+    std::vector<VerifyRow> rows;
+    try {
+        const Scene scene = read_scene(file);
+        rows = compared_with_expectations(scene, analyze(scene, {}));
+    } catch (const InputError& error) { rows = {row_of_unreadable(file, error)}; }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (VerifyRow& row : rows) row.seconds = seconds;
     return rows;

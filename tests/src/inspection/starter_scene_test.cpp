@@ -10,6 +10,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/read_sketch.hpp"
+#include "src/scene/unit.hpp"
 #include "tests/geometry/dxf/dxf_text.hpp"
 #include "tests/src/io/temporary_folder.hpp"
 
@@ -123,11 +124,13 @@ TEST(StarterScene, StatesUnitsAsTheyAreMeant) {
     options.units = "m";
     EXPECT_TRUE(has(starter(without, options), R"({"length": "m", "force": "N"},)"));
     for (const std::string& file : {with, without}) {  // whatever is stated, the scene's parts have the file's numbers
-        for (const char* unit : {"", "in", "mm", "ft"}) {
+        for (const std::string unit : {"", "in", "mm", "ft", "dm", "yd"}) {
             options.units = unit;
             const Scene scene = read_scene(folder.write("scene.json", filled_in(starter(file, options))));
             ASSERT_EQ(scene.parts.size(), 2u);
             EXPECT_NEAR(area(scene.parts[0].part), 400, 1e-9) << file << " in " << unit;
+            const SceneUnits units{!unit.empty() ? unit : file == with ? "in" : "mm", scene.force_unit};
+            EXPECT_NEAR(scene.materials[0].E / unit_factor("Pa", dimension::stress, units), 210e9, 1) << file << " in " << unit;
         }
     }
 }

@@ -164,6 +164,7 @@ TEST(BadInput, part_names_and_parameters) {
     expect_one_problem(
         {"\"abut\": 1,", "\"abut\": 1, \"symmetry\": \"auto\",",
          "s.json:1 /symmetry: every part is solved as drawn: no half of a symmetric scene is solved alone any more"});
+    expect_one_problem({"\"abut\": 1,", "\"abut\": 1, \"simmetry\": 1,", "s.json:1 /simmetry: unknown key 'simmetry'"});
     expect_one_problem({"\"R\": 1", "\"R\": 1, \"2a\": 3", "s.json:2 /parameters/2a: '2a' cannot name a parameter"});
 }
 

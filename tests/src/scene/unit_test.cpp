@@ -4,11 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <numbers>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/sketch/sketch.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
+#include "tests/src/io/temporary_folder.hpp"
 
 namespace abut::unit_test {
 
@@ -55,6 +58,27 @@ TEST(Unit, converts_into_the_units_of_the_scene) {
     EXPECT_DOUBLE_EQ(unit_factor("rad", dimension::angle, mm_N), 180 / std::numbers::pi);
     EXPECT_EQ(unit_factor("°", dimension::angle, mm_N), 1);
     EXPECT_DOUBLE_EQ(unit_factor("rpm", dimension::angular_speed, mm_N), std::numbers::pi / 30);
+}
+
+// The lengths that drawings may state.
+TEST(Unit, knows_every_length_unit_of_drawings) {
+    for (const char* name : {"nm", "um", "mm", "cm", "dm", "m", "dam", "hm", "km", "uin", "mil", "in", "ft", "yd", "mi",
+                             "in_us", "ft_us", "yd_us", "mi_us"})
+        EXPECT_DOUBLE_EQ(unit_factor(name, dimension::length, mm_N), geometry::unit_factor(name, "mm")) << name;
+}
+
+// A table of abut batch gives numbers in the scene's units; what the parameter is stays the template's to say.
+TEST(Unit, of_a_parameter_stays_when_its_value_is_replaced) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.json", scene_text(R"("parameters": {"F": "5 N"}, "thickness": "F",)"));
+    for (const std::map<std::string, double>& given : {std::map<std::string, double>{}, {{"F", 5.0}}}) {
+        try {
+            read_scene(scene, given);
+            ADD_FAILURE() << "a force for a thickness";
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("'F' is a force"), std::string::npos) << error.what();
+        }
+    }
 }
 
 // Mass is force time^2 per length: t with mm and N, kg with m and N, 386.09 lb with in and lbf.
