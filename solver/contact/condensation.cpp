@@ -126,7 +126,7 @@ ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, doubl
         add_modes(parts[i], rows.by_part[i], offset[i], qp);
         add_share(shares[i], qp);
     }
-    qp.compliance.diagonal().head(rows.softness.size()) += rows.softness;
+    if (rows.softness.size() > 0) qp.compliance.diagonal().head(rows.softness.size()) += rows.softness;
     return qp;
 }
 
