@@ -4,9 +4,11 @@
 
 #include <cctype>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/sketch/sketch.hpp"
 #include "src/io/nearest_name.hpp"
 
 namespace abut {
@@ -15,7 +17,6 @@ namespace {
 
 constexpr Dimension mass{-1, 1, 2};
 constexpr long double degree_in_rad = std::numbers::pi_v<long double> / 180;
-constexpr long double survey_foot = 1200.0L / 3937;
 constexpr long double inch = 0.0254L, pound = 0.45359237L, pound_force = pound * 9.80665L;
 
 struct NamedUnit {
@@ -24,26 +25,14 @@ struct NamedUnit {
     long double size;
 };
 constexpr NamedUnit named_units[] = {
-    {"nm", dimension::length, 1e-9L},
     {"um", dimension::length, 1e-6L},
     {"µm", dimension::length, 1e-6L},
     {"mm", dimension::length, 1e-3L},
     {"cm", dimension::length, 1e-2L},
     {"dm", dimension::length, 1e-1L},
     {"m", dimension::length, 1},
-    {"dam", dimension::length, 10},
-    {"hm", dimension::length, 100},
-    {"km", dimension::length, 1e3L},
-    {"uin", dimension::length, 1e-6L * inch},
-    {"mil", dimension::length, 1e-3L * inch},
     {"in", dimension::length, inch},
     {"ft", dimension::length, 12 * inch},
-    {"yd", dimension::length, 36 * inch},
-    {"mi", dimension::length, 63360 * inch},
-    {"in_us", dimension::length, survey_foot / 12},
-    {"ft_us", dimension::length, survey_foot},
-    {"yd_us", dimension::length, 3 * survey_foot},
-    {"mi_us", dimension::length, 5280 * survey_foot},
     {"uN", dimension::force, 1e-6L},
     {"mN", dimension::force, 1e-3L},
     {"N", dimension::force, 1},
@@ -74,14 +63,16 @@ constexpr NamedUnit named_units[] = {
     {"rpm", dimension::angular_speed, 6 * degree_in_rad},
 };
 
-const NamedUnit* find_unit(const std::string& symbol) {
+/// The other lengths are those that drawings may state.
+std::optional<NamedUnit> find_unit(const std::string& symbol) {
     for (const NamedUnit& unit : named_units)
-        if (symbol == unit.symbol) return &unit;
-    return nullptr;
+        if (symbol == unit.symbol) return unit;
+    const double metres = geometry::unit_factor(symbol, "m");
+    return metres > 0 ? std::optional(NamedUnit{"", dimension::length, metres}) : std::nullopt;
 }
 
-const NamedUnit& known_unit(const std::string& symbol) {
-    if (const NamedUnit* unit = find_unit(symbol)) return *unit;
+NamedUnit known_unit(const std::string& symbol) {
+    if (const std::optional<NamedUnit> unit = find_unit(symbol)) return *unit;
     std::vector<std::string> known;
     for (const NamedUnit& unit : named_units) known.emplace_back(unit.symbol);
     std::string hint = nearest_name_hint(symbol, known);
@@ -167,11 +158,11 @@ constexpr NamedDimension named_dimensions[] = {
 };
 
 /// The scene's own unit of length or force.
-const NamedUnit& scene_unit(const std::string& symbol, const Dimension& dimension, const char* what, const std::string& text) {
+NamedUnit scene_unit(const std::string& symbol, const Dimension& dimension, const char* what, const std::string& text) {
     if (symbol.empty())
         throw InputError("", "'" + shortened(text) + "' needs to know which unit of " + what + " the scene's numbers are in",
                          R"(give the scene its "units", for instance {"length": "mm", "force": "N"})");
-    const NamedUnit* unit = find_unit(symbol);
+    const std::optional<NamedUnit> unit = find_unit(symbol);
     if (unit && unit->dimension == dimension) return *unit;
     throw InputError(
         "", "'" + shortened(text) + "' cannot be converted into the scene's unit of " + what + ", '" + shortened(symbol) + "'",
@@ -198,7 +189,7 @@ Unit parse_unit(const std::string& text) {
         sign = -1;
     }
     for (;;) {
-        const NamedUnit& next = known_unit(rest.symbol());
+        const NamedUnit next = known_unit(rest.symbol());
         append_factor(unit, next, sign * rest.power());
         if (rest.at_end()) return unit;
         sign = rest.take('/') ? -1 : 1;
