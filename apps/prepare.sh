@@ -10,7 +10,7 @@ build_packages=(
     "libopenblas-pthread-dev|libopenblas-serial-dev|libopenblas-openmp-dev"
 )
 test_packages=(libgtest-dev libbenchmark-dev)
-sources=(base geometry solver src apps data/materials CMakeLists.txt CMakePresets.json)
+sources=(geometry solver src apps data/materials CMakeLists.txt CMakePresets.json)
 
 fail() {
     printf '%s: %s\n' "$program" "$1" >&2

@@ -13,7 +13,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

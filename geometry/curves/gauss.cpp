@@ -6,7 +6,7 @@
 #include <mutex>
 #include <numbers>
 
-#include "base/ensure.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "geometry/curves/numbers.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

@@ -6,11 +6,11 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/ensure.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/cardinal_spline.hpp"
 #include "geometry/implicit/field_shape.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "base/ensure.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/r_functions.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

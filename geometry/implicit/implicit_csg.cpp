@@ -2,10 +2,10 @@
 // The R-function of a geometry tree.
 #include <variant>
 
-#include "base/ensure.hpp"
 #include "geometry/csg/primitives.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/trimmed_edge.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

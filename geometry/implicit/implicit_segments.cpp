@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of boundaries given by their edges.
 
-#include "base/ensure.hpp"
 #include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/field_shape.hpp"
 #include "geometry/implicit/trimmed_edge.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

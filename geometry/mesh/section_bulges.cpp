@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/index.hpp"
 #include "geometry/brep/edge_tree.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "geometry/proximity/facing.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

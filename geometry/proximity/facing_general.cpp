@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/curve_polish.hpp"
 #include "geometry/curves/piece_pairs.hpp"
 #include "geometry/proximity/facing_carry.hpp"
 #include "geometry/proximity/facing_search.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "base/ensure.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/gauss_portions.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
 #include "geometry/brep/message_text.hpp"
 #include "geometry/sketch/arc_fit.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

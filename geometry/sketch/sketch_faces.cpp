@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

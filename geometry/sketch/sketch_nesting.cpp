@@ -9,10 +9,10 @@
 #include <memory>
 #include <numeric>
 
-#include "base/index.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 

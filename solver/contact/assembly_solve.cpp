@@ -9,12 +9,12 @@
 #include <optional>
 #include <utility>
 
-#include "base/ensure.hpp"
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/neutral_motions.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

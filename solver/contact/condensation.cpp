@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <span>
 
-#include "base/ensure.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

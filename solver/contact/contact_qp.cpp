@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "base/ensure.hpp"
 #include "solver/contact/active_set.hpp"
 #include "solver/contact/interior_point.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/nonnegative.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

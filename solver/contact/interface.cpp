@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/ensure.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

@@ -5,7 +5,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "base/ensure.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

@@ -10,8 +10,6 @@
 #include <utility>
 #include <variant>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "solver/linear_algebra/banded_factor.hpp"
 #include "solver/linear_algebra/condition.hpp"
 #include "solver/linear_algebra/frontal_factor.hpp"
@@ -19,6 +17,8 @@
 #include "solver/linear_algebra/schur_complement.hpp"
 #include "solver/linear_algebra/signed_factor.hpp"
 #include "solver/linear_algebra/supernodal_factor.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <atomic>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/front_tasks.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/ensure.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

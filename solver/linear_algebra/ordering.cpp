@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/blas.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/supernodes.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/blas.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

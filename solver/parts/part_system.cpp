@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/ensure.hpp"
 #include "solver/parts/free_motions.hpp"
 #include "solver/parts/hold_axis.hpp"
 #include "solver/parts/pins.hpp"
@@ -15,6 +14,7 @@
 #include "solver/terms/dilatation.hpp"
 #include "solver/terms/free_strain.hpp"
 #include "solver/terms/stress.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

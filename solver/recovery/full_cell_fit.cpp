@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

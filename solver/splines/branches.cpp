@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

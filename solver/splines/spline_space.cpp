@@ -8,9 +8,9 @@
 #include <span>
 #include <utility>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "solver/splines/branches.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "base/ensure.hpp"
 #include "solver/assembly/ring.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

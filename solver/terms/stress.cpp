@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/terms/stress.hpp"
 
-#include "base/ensure.hpp"
 #include "solver/assembly/ring.hpp"
 #include "solver/splines/local_spline.hpp"
 #include "solver/terms/dilatation.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 

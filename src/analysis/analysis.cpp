@@ -5,7 +5,6 @@
 #include <chrono>
 #include <map>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/accuracy_results.hpp"
@@ -23,6 +22,7 @@
 #include "src/answers/motion_text.hpp"
 #include "src/answers/part_results.hpp"
 #include "src/answers/probes.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"

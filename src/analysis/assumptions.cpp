@@ -6,10 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "src/answers/field_results.hpp"
+#include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"

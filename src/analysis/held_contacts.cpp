@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/part_reach.hpp"
 #include "src/plan/support_components.hpp"
 #include "src/scene/scene.hpp"

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/stress.hpp"
 #include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/grid_design.hpp"
 
 namespace abut {

@@ -6,8 +6,8 @@
 #include <limits>
 #include <optional>
 
-#include "base/index.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {

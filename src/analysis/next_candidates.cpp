@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {

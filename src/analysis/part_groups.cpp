@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "base/index.hpp"
 #include "solver/contact/independent_groups.hpp"
+#include "src/base/index.hpp"
 #include "src/plan/plan.hpp"
 
 namespace abut {

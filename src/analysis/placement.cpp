@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 
 namespace abut {

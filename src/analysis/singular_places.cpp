@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 

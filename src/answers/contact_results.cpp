@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/solution/contact_measures.hpp"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "solver/parts/rigid_body.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 
 namespace abut {

@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "solver/splines/local_spline.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 

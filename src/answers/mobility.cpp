@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "base/index.hpp"
 #include "src/answers/motion_text.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/plan/support_components.hpp"
 

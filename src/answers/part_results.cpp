@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/cut_quality.hpp"
 
 namespace abut {

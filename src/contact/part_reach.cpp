@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
 #include "geometry/brep/extent.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 

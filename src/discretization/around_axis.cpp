@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/discretization/around_axis.hpp"
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/plan/axisymmetric.hpp"
 
 namespace abut {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/free_strain.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/plan/loads.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/discretize.hpp"
 
 namespace abut {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/discretization/rigid_part.hpp"
 
-#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/io/number_text.hpp"

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <set>
 
-#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/transformed_gauss.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "base/index.hpp"
 #include "solver/assembly/ring.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/plan/support_components.hpp"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/index.hpp"
 #include "geometry/implicit/r_functions.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 

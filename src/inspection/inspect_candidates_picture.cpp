@@ -5,7 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/inspection/inspect_stages.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/report_svg.hpp"

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "base/index.hpp"
 #include "src/analysis/grading.hpp"
+#include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/scene/accuracy_goal.hpp"
 

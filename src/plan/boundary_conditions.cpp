@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/loads.hpp"
 

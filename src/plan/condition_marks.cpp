@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 #include "src/plan/loads.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"

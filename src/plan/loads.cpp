@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 

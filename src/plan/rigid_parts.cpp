@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/part_reach.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/loads.hpp"

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "base/ensure.hpp"
-#include "base/index.hpp"
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/dilatation.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/load_vector.hpp"
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/rigid_part.hpp"

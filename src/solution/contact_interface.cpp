@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/index.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "src/base/index.hpp"
 #include "src/scene/scene.hpp"
 #include "src/solution/contact_pairing.hpp"
 #include "src/solution/penalty_interface.hpp"

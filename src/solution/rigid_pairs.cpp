@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/index.hpp"
+#include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 
 namespace abut {

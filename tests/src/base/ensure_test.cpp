@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base/ensure.hpp"
+#include "src/base/ensure.hpp"
 
 #include <gtest/gtest.h>
 
