@@ -12,7 +12,7 @@ TEST(Ensure, SaysWhatDoesNotHoldAndWhere) {
         ENSURE(sides == 3, "a triangle has three sides");
         FAIL();
     } catch (const std::logic_error& error) {
-        const std::string place = std::string("tests/base/ensure_test.cpp:") + std::to_string(__LINE__ - 3) + ")";
+        const std::string place = std::string("tests/src/base/ensure_test.cpp:") + std::to_string(__LINE__ - 3) + ")";
         const std::string text = error.what(), beginning = "a triangle has three sides (sides == 3, ";
         EXPECT_EQ(text, beginning + place);
     }
