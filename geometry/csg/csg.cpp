@@ -11,6 +11,7 @@
 #include "geometry/csg/boolean.hpp"
 #include "geometry/csg/carriers.hpp"
 #include "geometry/csg/csg_names.hpp"
+#include "geometry/csg/exact_outline.hpp"
 #include "geometry/csg/merge_pieces.hpp"
 #include "geometry/csg/pinches.hpp"
 #include "geometry/csg/primitives.hpp"
@@ -76,6 +77,12 @@ Part placed_import(const Imported& imported, const Primitive& primitive) {
         edge.source = primitive.name + "/" + edge.source;
     }
     return part;
+}
+
+/// An import has been looked at where it was read (sketch.cpp), a Boolean is exact before it is rounded.
+void check_outline(const CsgNode& tree, CsgResult& result) {
+    const std::optional<OutlineFault> fault = exact_fault(result.part);
+    if (fault) result.problems.push_back({tree.where, fault->what, fault->hint, fault->at});
 }
 
 /// A disc that holds all bounded primitives and all crossings of half planes' lines, enlarged.
@@ -162,6 +169,7 @@ CsgResult evaluate(const CsgNode& tree) {
             result.part = placed_import(imported_leaf(tree), primitive);
         else
             result.part = named_part(sources, boundary_of_primitive(primitive, sources));
+        if (!primitive.imported) check_outline(tree, result);
         return result;
     }
 

@@ -17,6 +17,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -271,28 +272,19 @@ CGAL::Orientation orientation(int turn) {
 }
 
 /// The curve in what CGAL hands over, a point or a curve: CGAL 5 in boost's variant, CGAL 6 in the standard's.
-template <class... T>
-const MonotoneCurve* curve_in(const boost::variant<T...>& made) {
-    return boost::get<MonotoneCurve>(&made);
+template <class Made>
+const MonotoneCurve* curve_in(const Made& made) {
+    if constexpr (std::is_same_v<Made, std::variant<EdgeTraits::Point_2, MonotoneCurve>>)
+        return std::get_if<MonotoneCurve>(&made);
+    else
+        return boost::get<MonotoneCurve>(&made);
 }
-template <class... T>
-const MonotoneCurve* curve_in(const std::variant<T...>& made) {
-    return std::get_if<MonotoneCurve>(&made);
-}
-
-struct TakeCurves {
-    std::vector<MonotoneCurve>* pieces;
-
-    template <class Made>
-    void operator()(const Made& made) const {
-        if (const MonotoneCurve* piece = curve_in(made)) pieces->push_back(*piece);
-    }
-};
 
 void add_monotone_pieces(const PlaneTraits::Curve_2& curve, int source, std::vector<MonotoneCurve>& pieces) {
-    const EdgeTraits traits;
-    traits.make_x_monotone_2_object()(EdgeTraits::Curve_2(curve, source),
-                                      boost::make_function_output_iterator(TakeCurves{&pieces}));
+    const auto take = [&](const auto& made) {
+        if (const MonotoneCurve* piece = curve_in(made)) pieces.push_back(*piece);
+    };
+    EdgeTraits().make_x_monotone_2_object()(EdgeTraits::Curve_2(curve, source), boost::make_function_output_iterator(take));
 }
 
 void add_edge(const ExactEdge& edge, const OneRoot& from, const OneRoot& to, std::vector<MonotoneCurve>& pieces) {
@@ -519,30 +511,10 @@ int turn_of(const MonotoneCurve& curve) {
     return curve.orientation() == CGAL::COUNTERCLOCKWISE ? 1 : -1;
 }
 
-/// Does the curve run the way of the source that it is a portion of?
-bool runs_along(const MonotoneCurve& curve, const SourcePortion& portion, const Vec2& from, const Vec2& to) {
-    const int turn = turn_of(curve);
-    return turn == 0 || portion.turn == 0 ? (to - from).dot(portion.way) > 0 : turn == portion.turn;
-}
-
-RawPiece raw_piece(const MonotoneCurve& curve, const std::vector<SourcePortion>& portions) {
-    RawPiece piece;
-    piece.from = rounded(curve.source());
-    piece.to = rounded(curve.target());
-    piece.source = curve.data();
-    if (piece.source == bridge_source || piece.source == far_source) return piece;
-    const SourcePortion& portion = portions[static_cast<std::size_t>(curve.data())];
-    piece.source = portion.source;
-    piece.t0 = portion.t0;
-    piece.t1 = portion.t1;
-    piece.along = runs_along(curve, portion, piece.from, piece.to);
-    return piece;
-}
-
 std::vector<RawPiece> raw_loop(const Polygon2& polygon, const std::vector<SourcePortion>& portions, VertexNumbers& vertices) {
     std::vector<RawPiece> loop;
     for (auto curve = polygon.curves_begin(); curve != polygon.curves_end(); ++curve) {
-        loop.push_back(raw_piece(*curve, portions));
+        loop.push_back(raw_piece(portions, curve->data(), rounded(curve->source()), rounded(curve->target()), turn_of(*curve)));
         loop.back().from_vertex = vertices.emplace(curve->source(), static_cast<int>(vertices.size())).first->second;
     }
     return loop;

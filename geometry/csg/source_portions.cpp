@@ -32,4 +32,18 @@ SourcePortions number_portions(const std::vector<PlacedSource>& sources, const C
     return result;
 }
 
+RawPiece raw_piece(const std::vector<SourcePortion>& portions, int number, const Vec2& from, const Vec2& to, int turn) {
+    RawPiece piece;
+    piece.from = from;
+    piece.to = to;
+    piece.source = number;
+    if (number == bridge_source || number == far_source) return piece;
+    const SourcePortion& portion = portions[static_cast<std::size_t>(number)];
+    piece.source = portion.source;
+    piece.t0 = portion.t0;
+    piece.t1 = portion.t1;
+    piece.along = turn == 0 || portion.turn == 0 ? (to - from).dot(portion.way) > 0 : turn == portion.turn;
+    return piece;
+}
+
 }  // namespace abut::geometry

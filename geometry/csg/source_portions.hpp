@@ -5,6 +5,7 @@
 
 #include "geometry/csg/boolean.hpp"
 #include "geometry/csg/carriers.hpp"
+#include "geometry/csg/merge_pieces.hpp"
 
 namespace abut::geometry {
 
@@ -24,5 +25,9 @@ struct SourcePortions {
 };
 /// Numbers the portions of all sources.
 SourcePortions number_portions(const std::vector<PlacedSource>& sources, const Carriers& carriers);
+
+/// The piece of a Boolean's boundary that lies on the portion of this number (or on bridge_source, or far_source). turn: 0
+/// line, +1 or -1 arc, from `from` to `to`.
+RawPiece raw_piece(const std::vector<SourcePortion>& portions, int number, const Vec2& from, const Vec2& to, int turn);
 
 }  // namespace abut::geometry

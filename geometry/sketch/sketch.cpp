@@ -6,6 +6,7 @@
 //   nothing
 //      to do with the others of their group here.
 //   3. The outlines of a group are nested into parts (sketch_nesting), which are named (sketch_names).
+//   4. Exact arithmetic has the last word on every part (csg/exact_outline).
 #include "geometry/sketch/sketch.hpp"
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <limits>
 #include <set>
 
+#include "geometry/brep/message_text.hpp"
+#include "geometry/csg/exact_outline.hpp"
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
@@ -213,15 +216,23 @@ SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options
     return with_reason(std::move(by_loop), why);
 }
 
+SketchParts checked(SketchParts sketch) {
+    for (const Part& part : sketch.parts)
+        if (const std::optional<OutlineFault> fault = exact_fault(part))
+            sketch.problems.push_back(
+                {"part " + part.name + ": " + fault->what + " near " + place_text(fault->at), fault->at, "", 0, fault->hint});
+    return sketch;
+}
+
 }  // namespace
 
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
-    if (options.parts_by == PartsBy::automatic) return automatic_parts(drawing, options);
-    return with_reason(sketch_by(drawing, options, options.parts_by), "asked for");
+    if (options.parts_by == PartsBy::automatic) return checked(automatic_parts(drawing, options));
+    return checked(with_reason(sketch_by(drawing, options, options.parts_by), "asked for"));
 }
 
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
-    return with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for");
+    return checked(with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for"));
 }
 
 }  // namespace abut::geometry
