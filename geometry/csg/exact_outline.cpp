@@ -37,13 +37,14 @@ Vec2 rounded(const Traits::Point_2& p) {
     return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
 }
 
-/// The monotone piece in what CGAL hands over, a point or a curve: CGAL 5 in boost's variant, CGAL 6 in the standard's.
+/// The monotone piece in what CGAL hands over of an arc that is longer than a point: CGAL 5 wraps it in boost's variant, CGAL 6
+/// does not.
 template <class Made>
-const MonotoneCurve* curve_in(const Made& made) {
-    if constexpr (std::is_same_v<Made, std::variant<Traits::Point_2, MonotoneCurve>>)
-        return std::get_if<MonotoneCurve>(&made);
+const MonotoneCurve& curve_in(const Made& made) {
+    if constexpr (std::is_same_v<Made, MonotoneCurve>)
+        return made;
     else
-        return boost::get<MonotoneCurve>(&made);
+        return boost::get<MonotoneCurve>(made);
 }
 
 /// Appends the line or arc from `from` over the middle of `curve` to `to`.
@@ -54,7 +55,7 @@ void append(const Curve& curve, const Vec2& from, const Vec2& to, std::vector<Mo
         return;
     }
     const auto take = [&](const auto& made) {
-        if (const MonotoneCurve* piece = curve_in(made)) outline.push_back(*piece);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(made)>, Traits::Point_2>) outline.push_back(curve_in(made));
     };
     Traits().make_x_monotone_2_object()(Traits::Curve_2(begin, middle, end), boost::make_function_output_iterator(take));
 }
