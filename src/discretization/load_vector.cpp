@@ -19,16 +19,16 @@ using geometry::BoundaryPoint;
 
 void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const PartOnGrid& g,
                    PartLoad& result) {
-    const double total = selected_area(scene, portions);
     std::vector<solver::TractionPoint> points;
     double magnitude = 0;
     const auto is_here = [&](const EdgePortion& portion) { return portion.part == g.part; };
     if (std::none_of(portions.begin(), portions.end(), is_here)) return;
     MeteredCall call(result.uses, effect_of(load));
+    const EdgeTraction spread = edge_traction(scene, load, portions);
     for (const EdgePortion& portion : portions) {
         if (!is_here(portion)) continue;
         for (const BoundaryPoint& p : boundary_points(g, portion)) {
-            const Vec2 t = traction_at(load, g.frame.to_global(p.x), g.frame.vector_to_global(p.normal), total);
+            const Vec2 t = traction_at(load, spread, g.frame.to_global(p.x), g.frame.vector_to_global(p.normal));
             points.push_back({p.element, p.x, p.weight, g.frame.vector_to_local(t)});
             magnitude += p.weight * g.input.thickness * t.norm();
         }
@@ -44,9 +44,10 @@ void add_volume_load(const Scene& scene, const Load& load, const PartOnGrid& g, 
     const double volume = g.input.axis ? solver::measure(g.input) : g.area;
     double largest = 0;
     MeteredCall call(result.uses, effect_of(load));
+    const PartMeasure measure = part_measure(scene.parts[at(g.part)].part, load, volume);
     const auto at_point = [&](const Vec2& local) -> Vec2 {
         call.count(1);
-        const Vec2 force = volume_force(scene, load, g.part, volume, g.frame.to_global(local));
+        const Vec2 force = volume_force(scene, load, g.part, measure, g.frame.to_global(local));
         largest = std::max(largest, force.norm());
         return g.frame.vector_to_local(force);
     };

@@ -29,6 +29,19 @@ void append_wrong_gravity(const Scene& scene, std::vector<Problem>& problems) {
                                 "its x component must be 0; y runs along the axis"});
 }
 
+void append_wrong_loads(const Scene& scene, std::vector<Problem>& problems) {
+    for (const Load& load : scene.loads) {
+        const bool is_moment = load.kind == Load::Kind::edge_moment || load.kind == Load::Kind::part_moment;
+        if (is_moment || load.at || load.kind == Load::Kind::bearing)
+            problems.push_back({load.where,
+                                std::string(is_moment ? "a moment"
+                                            : load.at ? "a force off its edges"
+                                                      : "the force of a pin") +
+                                    " in the plane of the section is not axisymmetric",
+                                "load by \"pressure\", \"traction\" or \"force\""});
+    }
+}
+
 void append_wrong_supports(const Scene& scene, std::vector<Problem>& problems) {
     for (const Support& s : scene.supports) {
         if (s.kind == Support::Kind::rigid && (s.rigid_x || s.rigid_rotation))
@@ -79,6 +92,7 @@ bool is_on_axis(const Scene& scene, const EdgePortion& p) {
 void append_axisymmetric_problems(const Scene& scene, const ResolvedConditions& conditions, std::vector<Problem>& problems) {
     if (scene.analysis != Analysis::axisymmetric) return;
     append_parts_across(scene, problems);
+    append_wrong_loads(scene, problems);
     append_wrong_gravity(scene, problems);
     append_wrong_supports(scene, problems);
     append_conditions_on_axis(scene, conditions, problems);

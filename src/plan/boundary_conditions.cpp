@@ -76,7 +76,14 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
         }
     };
     for (const Support& s : scene.supports) r.supports.push_back(resolve(s.on));
-    for (const Load& l : scene.loads) r.loads.push_back(resolve(l.on));
+    for (const Load& l : scene.loads) {
+        r.loads.push_back(resolve(l.on));
+        if (l.kind != Load::Kind::bearing || r.loads.back().empty()) continue;
+        r.loads.back() = pressed_portions(scene, l, r.loads.back());
+        if (r.loads.back().empty())
+            problems.push_back({l.where, "these edges cannot carry the force of a pin: none of them, or too little, faces it",
+                                "give the edges of the hole, or load by \"force\""});
+    }
     append_contradictions(scene, r.supports, problems);
     append_wrong_points(scene, problems);
     append_axisymmetric_problems(scene, r, problems);

@@ -56,7 +56,10 @@ std::vector<LoadMark> load_marks(const Scene& scene, const ResolvedConditions& c
     };
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
         const Load& load = scene.loads[i];
-        along_portions(scene, conditions.loads[i], [&](const Vec2& x, const Vec2& n) { add(x, traction_at(load, x, n, 1)); });
+        const EdgeTraction spread = edge_traction(scene, load, conditions.loads[i]);
+        along_portions(scene, conditions.loads[i],
+                       [&](const Vec2& x, const Vec2& n) { add(x, traction_at(load, spread, x, n)); });
+        if (load.at) add(*load.at, {load.value[0].constant(), load.value[1].constant()});
         if (is_edge_load(load) || load.kind == Load::Kind::temperature) continue;
         for (std::size_t p = 0; p < scene.parts.size(); ++p)
             if (acts_on_volume_of(scene, load, static_cast<int>(p))) {

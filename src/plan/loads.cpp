@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/plan/loads.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "geometry/curves/gauss.hpp"
 #include "src/base/index.hpp"
@@ -10,53 +10,64 @@ namespace abut {
 
 namespace {
 
-/// Integral of the radius along a curve: the area that it sweeps around the axis, over 2 pi.
-double length_times_radius(const geometry::Curve& curve, double t0, double t1) {
+/// Integral of the squared distance from c over a part, by Green's theorem: of div F = |x - c|^2, F = |x - c|^2 (x - c) / 4.
+double polar_moment(const geometry::Part& part, const Vec2& c) {
     constexpr int pieces = 16, points = 8;  // exact to rounding for arcs
     const geometry::GaussRule& rule = geometry::gauss_rule(points);
     double sum = 0;
-    for (int k = 0; k < pieces; ++k)
-        for (std::size_t q = 0; q < rule.points.size(); ++q) {
-            const double h = (t1 - t0) / pieces, t = t0 + h * (k + rule.points[q]);
-            sum += std::abs(h) * rule.weights[q] * point(curve, t).x() * derivative(curve, t).norm();
-        }
+    for (const geometry::Edge& edge : part.edges)
+        for (int k = 0; k < pieces; ++k)
+            for (std::size_t q = 0; q < rule.points.size(); ++q) {
+                const double t = (k + rule.points[q]) / pieces;
+                const Vec2 arm = point(edge.curve, t) - c, d = derivative(edge.curve, t);
+                sum += rule.weights[q] / pieces * arm.squaredNorm() / 4 * (arm.x() * d.y() - arm.y() * d.x());
+            }
     return sum;
 }
 
 }  // namespace
 
-double selected_area(const Scene& scene, const std::vector<EdgePortion>& portions) {
-    double sum = 0;
-    for (const EdgePortion& p : portions) {
-        const ScenePart& part = scene.parts[at(p.part)];
-        const geometry::Curve& curve = part.part.edges[at(p.edge)].curve;
-        sum += part.thickness *
-               (scene.analysis == Analysis::axisymmetric ? length_times_radius(curve, p.t0, p.t1) : length(curve, p.t0, p.t1));
-    }
-    return sum;
+PartMeasure part_measure(const geometry::Part& part, const Load& load, double volume) {
+    if (load.kind != Load::Kind::part_moment) return {volume};
+    const Vec2 c = centroid(part);
+    return {volume, c, polar_moment(part, c)};
 }
 
-Vec2 volume_force(const Scene& scene, const Load& load, int part, double volume, const Vec2& x) {
+Vec2 volume_force(const Scene& scene, const Load& load, int part, const PartMeasure& measure, const Vec2& x) {
     const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
     const ScenePart& own = scene.parts[at(part)];
     if (load.kind == Load::Kind::spin) {
         const Vec2 arm = scene.analysis == Analysis::axisymmetric ? Vec2(x.x(), 0) : Vec2(x - load.about);
         return scene.materials[at(own.material)].density * load.omega * load.omega * arm;
     }
-    if (load.kind == Load::Kind::part_force) return value / (volume * own.thickness);
+    if (load.kind == Load::Kind::part_force) return value / (measure.volume * own.thickness);
+    if (load.kind == Load::Kind::part_moment) {
+        const Vec2 arm = x - measure.center;
+        return value.x() / (measure.polar_moment * own.thickness) * Vec2(-arm.y(), arm.x());
+    }
     if (load.kind == Load::Kind::gravity) return value * scene.materials[at(own.material)].density;
     return value;
 }
 
-Vec2 traction_at(const Load& load, const Vec2& x, const Vec2& normal, double total_area) {
+Vec2 traction_at(const Load& load, const EdgeTraction& spread, const Vec2& x, const Vec2& normal) {
     const Vec2 value(load.value[0](x.x(), x.y()), load.value[1](x.x(), x.y()));
     if (load.kind == Load::Kind::pressure) return -value.x() * normal;
-    if (load.kind == Load::Kind::edge_force) return value / total_area;
-    return value;
+    if (load.kind == Load::Kind::traction) return value;
+    const Vec2 arm = x - spread.center;
+    return spread.even + spread.turning * Vec2(-arm.y(), arm.x()) - std::max(0.0, -normal.dot(spread.pressing)) * normal;
 }
 
 bool is_edge_load(const Load& load) {
-    return load.kind == Load::Kind::pressure || load.kind == Load::Kind::traction || load.kind == Load::Kind::edge_force;
+    switch (load.kind) {
+        case Load::Kind::pressure:
+        case Load::Kind::traction:
+        case Load::Kind::edge_force:
+        case Load::Kind::edge_moment:
+        case Load::Kind::bearing:
+            return true;
+        default:
+            return false;
+    }
 }
 
 std::string effect_of(const Load& load) {

@@ -5,6 +5,7 @@
 
 #include "src/io/number_text.hpp"
 #include "src/plan/axisymmetric.hpp"
+#include "src/plan/loads.hpp"
 #include "src/plan/rigid_parts.hpp"
 
 namespace abut {
@@ -63,8 +64,7 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                                           [](const PairRule& r) { return r.interference != 0; });
     const bool bonded = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
                                     [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; });
-    const bool edges = has_load(scene, Load::Kind::pressure) || has_load(scene, Load::Kind::traction) ||
-                       has_load(scene, Load::Kind::edge_force);
+    const bool edges = std::any_of(scene.loads.begin(), scene.loads.end(), is_edge_load);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
     const std::string rigid = why_any_rigid(scene);
     std::vector<Effect> effects{
@@ -75,9 +75,11 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                scene.analysis == Analysis::axisymmetric
                    ? "not around an axis"
                    : "no material \"rigid\", and no part stiffer than its neighbours by 1e6 that its own loads do not deform"),
-        effect("edge loads", edges, "pressure, traction or force on edges", "no load on an edge"),
-        effect("body force", has_load(scene, Load::Kind::body_force) || has_load(scene, Load::Kind::part_force),
-               "a force per volume or on a whole part", "no body force"),
+        effect("edge loads", edges, "a pressure, traction, force or moment on edges", "no load on an edge"),
+        effect("body force",
+               has_load(scene, Load::Kind::body_force) || has_load(scene, Load::Kind::part_force) ||
+                   has_load(scene, Load::Kind::part_moment),
+               "a force per volume, or a force or moment on a whole part", "no body force"),
         effect("gravity", has_load(scene, Load::Kind::gravity), "gravity is given", "no gravity"),
         effect("rigid supports", has_support(scene, Support::Kind::rigid), "a part is held by its mean motion",
                "no rigid support"),

@@ -15,6 +15,14 @@ std::optional<std::array<Expression, 2>> read_total(SceneReading& reading, const
     return std::array<Expression, 2>{Expression(force->x()), Expression(force->y())};
 }
 
+/// A total moment.
+std::optional<std::array<Expression, 2>> read_number_alone(SceneReading& reading, const JsonValue& value,
+                                                           const Dimension& dimension) {
+    const std::optional<double> number = read_number(reading, value, dimension);
+    if (!number) return std::nullopt;
+    return std::array<Expression, 2>{Expression(*number), Expression()};
+}
+
 /// One field: a pressure, a temperature.
 std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const JsonValue& value, const Dimension& dimension) {
     const std::optional<Expression> field = read_field(reading, value, dimension);
@@ -52,6 +60,9 @@ constexpr LoadKind load_kinds[] = {
     {"pressure", Load::Kind::pressure, read_one, dimension::stress, LoadKind::Acts::on_edges},
     {"traction", Load::Kind::traction, read_vector_field, dimension::stress, LoadKind::Acts::on_edges},
     {"force", Load::Kind::edge_force, read_total, dimension::force, LoadKind::Acts::on_edges},
+    {"moment", Load::Kind::edge_moment, read_number_alone, dimension::moment, LoadKind::Acts::on_edges},
+    {"moment", Load::Kind::part_moment, read_number_alone, dimension::moment, LoadKind::Acts::on_part},
+    {"bearing", Load::Kind::bearing, read_total, dimension::force, LoadKind::Acts::on_edges},
     {"force", Load::Kind::part_force, read_total, dimension::force, LoadKind::Acts::on_part},
     {"body_force", Load::Kind::body_force, read_vector_field, dimension::body_force, LoadKind::Acts::on_part_or_all},
     {"gravity", Load::Kind::gravity, read_total, dimension::acceleration, LoadKind::Acts::everywhere},
@@ -59,7 +70,7 @@ constexpr LoadKind load_kinds[] = {
     {"temperature", Load::Kind::temperature, read_one, dimension::temperature, LoadKind::Acts::on_part},
 };
 
-/// "force" means one thing with "on" and another with "part".
+/// "force" and "moment" mean one thing with "on" and another with "part".
 const LoadKind& kind_of(const std::string& key, bool has_part) {
     const LoadKind* found = nullptr;
     for (const LoadKind& kind : load_kinds) {
@@ -86,10 +97,12 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
 
 std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    const Words keys{{"on", "pressure", "traction", "force", "part", "body_force", "gravity", "spin", "temperature"}, {"at"}};
+    const Words keys{{"on", "pressure", "traction", "force", "at", "moment", "bearing", "part", "body_force", "gravity", "spin",
+                      "temperature"},
+                     {}};
     if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
-    const JsonValue* what =
-        exactly_one(reading, value, {"pressure", "traction", "force", "body_force", "gravity", "spin", "temperature"});
+    const JsonValue* what = exactly_one(
+        reading, value, {"pressure", "traction", "force", "moment", "bearing", "body_force", "gravity", "spin", "temperature"});
     if (!what) return std::nullopt;
     const LoadKind& kind = kind_of(what->key, find_member(value, "part") != nullptr);
     Load load;
@@ -98,6 +111,12 @@ std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     load.value = kind.read(reading, *what, kind.dimension).value_or(std::array<Expression, 2>{});
     if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
     read_target(reading, value, kind, load);
+    if (const JsonValue* at = find_member(value, "at")) {
+        if (kind.kind == Load::Kind::edge_force)
+            load.at = read_vector(reading, *at, dimension::length);
+        else
+            report_problem(reading, *at, "'at' goes with 'force' on edges ('on') alone", "take it away");
+    }
     if (reading.problems.size() > before) return std::nullopt;
     return load;
 }

@@ -71,11 +71,24 @@ struct Support {
 
 /// A load; which members are read depends on the kind.
 struct Load {
-    enum class Kind { pressure, traction, edge_force, part_force, body_force, gravity, spin, temperature };
+    enum class Kind {
+        pressure,
+        traction,
+        edge_force,
+        edge_moment,
+        bearing,
+        part_force,
+        part_moment,
+        body_force,
+        gravity,
+        spin,
+        temperature
+    };
     Kind kind = Kind::pressure;
     Selection on;
-    std::string part;                 ///< part_force, spin, temperature; body_force ("*": all)
-    std::array<Expression, 2> value;  ///< pressure, temperature (rise): value[0]; the others x and y
+    std::string part;                 ///< part_force, part_moment, spin, temperature; body_force ("*": all)
+    std::array<Expression, 2> value;  ///< pressure, moments, temperature (rise): value[0]; the others x and y
+    std::optional<Vec2> at;           ///< edge_force: a point of its line of action, if not through the middle of the edges
     Vec2 about{0, 0};                 ///< spin: the axis' place
     double omega = 0;                 ///< spin: angle per time
     std::string where;

@@ -146,6 +146,7 @@ constexpr NamedDimension named_dimensions[] = {
     {dimension::none, "a plain number"},
     {dimension::length, "a length (mm, m, in)"},
     {dimension::force, "a force (N, kN, lbf)"},
+    {dimension::moment, "a moment (N mm, N m, lbf in)"},
     {dimension::stress, "a stress (MPa, GPa, N/mm^2)"},
     {dimension::body_force, "a force per volume or a stress per displacement (N/mm^3, N/m^3)"},
     {dimension::density, "a density (kg/m^3, g/cm^3, t/mm^3)"},

@@ -16,6 +16,7 @@ namespace dimension {
 inline constexpr Dimension none{};
 inline constexpr Dimension length{1};
 inline constexpr Dimension force{0, 1};
+inline constexpr Dimension moment{1, 1};
 inline constexpr Dimension stress{-2, 1};
 inline constexpr Dimension foundation{-3, 1};  ///< stress per displacement
 inline constexpr Dimension body_force{-3, 1};
