@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangle meshes of plate-like parts, as 3D exports hold them.
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "geometry/brep/repair.hpp"
+#include "geometry/mesh/section_plane.hpp"
 #include "geometry/sketch/sketch.hpp"
 
 namespace abut::geometry {
-
-using Vec3 = Eigen::Vector3d;
 
 /// One body in the file's coordinates: instances are expanded, transforms applied, coincident vertices joined. Cavities belong
 /// to the body around them.

@@ -29,7 +29,7 @@ const std::map<std::string, std::vector<std::string>> forbidden_layers{
 /// has none.
 const std::map<std::string, std::vector<std::string>> rooms{
     {"geometry",
-     {"curves", "brep", "csg", "sketch", "dxf", "foreign", "mesh", "cells", "quadrature", "proximity", "interfaces",
+     {"curves", "brep", "csg", "sketch", "dxf", "foreign", "mesh", "step", "cells", "quadrature", "proximity", "interfaces",
       "implicit"}},
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
