@@ -45,10 +45,10 @@ inline constexpr double largest_mesh_coordinate = 1e12;
 
 /// Can a file of this name be a mesh (by its ending)?
 bool is_mesh_file(const std::string& path);
-/// Reads a mesh file, through assimp; 3MF through lib3mf (names, units, instances). Every closed shell becomes a body; what of
-/// an object does not close is one body. Throws InputError where nothing can be read: missing, empty or damaged files,
-/// coordinates that are no numbers, no triangles, more of them than the limits. Coordinates are those of the file rounded to
-/// single precision.
+/// Reads a mesh file, through assimp; 3MF through lib3mf (names, units, instances); either in a process of its own (foreign/).
+/// Every closed shell becomes a body; what of an object does not close is one body. Throws InputError where nothing can be
+/// read: missing, empty or damaged files, coordinates that are no numbers, no triangles, more of them than the limits, and
+/// where the library breaks down at the file. Coordinates are those of the file rounded to single precision.
 MeshFile read_mesh_file(const std::string& path);
 
 }  // namespace abut::geometry
