@@ -159,7 +159,8 @@ CommandSpec batch_spec() {
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
     spec.options.push_back({"--quiet", "", "print nothing but errors"});
     spec.notes =
-        "SOURCE is a folder of scenes, drawings and meshes; a list of files (.txt); or a table (.csv, .jsonl) with the "
+        "SOURCE is a folder of scenes, drawings, STEP files and meshes; a list of files (.txt); or a table (.csv, .jsonl) with "
+        "the "
         "columns\n"
         "\"file\", \"name\" and the scene's parameters. Drawings without a template are searched for contacts. The same "
         "command again\n"

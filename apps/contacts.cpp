@@ -46,7 +46,7 @@ int report_differences(const Detection& detection, const std::string& expectatio
 CommandSpec contacts_spec() {
     CommandSpec spec{"contacts",
                      "FILE",
-                     "Finds the pairs of parts that touch, overlap or nearly touch in a scene, drawing or mesh.",
+                     "Finds the pairs of parts that touch, overlap or nearly touch in a scene, drawing, mesh or STEP file.",
                      {},
                      {}};
     spec.options = {{"--distance", "D", "largest gap of a pair (default: 2 % of the smaller part's diagonal)"},

@@ -21,7 +21,8 @@ void check_no_drawing_options(const Arguments& arguments) {
     std::vector<Problem> problems;
     for (const OptionSpec& option : drawing_option_specs()) {
         if (!has(arguments, option.name)) continue;
-        problems.push_back({arguments.operand, "option " + option.name + " is for drawings and meshes, and this is a scene",
+        problems.push_back({arguments.operand,
+                            "option " + option.name + " is for drawings, solids and meshes, and this is a scene",
                             "set it in the scene instead, and leave the option out"});
     }
     if (!problems.empty()) throw InputError(std::move(problems));
@@ -42,19 +43,19 @@ void read_section(const std::string& text, ImportOptions& options) {
     const std::size_t index = std::string("xyz").find(axis);
     if (axis.size() != 1 || index == std::string::npos || (equals != std::string::npos && !at))
         throw InputError("--section", "'" + shortened(text) + "' is no plane", "write an axis, or an axis and a place: z=5");
-    options.section_axis = static_cast<int>(index);
-    options.section_at = at;
+    options.section.axis = static_cast<int>(index);
+    options.section.at = at;
 }
 
 }  // namespace
 
 std::vector<OptionSpec> drawing_option_specs() {
-    return {
-        {"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
-        {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
-        {"--parts-by", "WAY", "what separates the parts: " + listed(parts_by_words()) + " (default: auto)"},
-        {"--section", "PLANE", "where a mesh is cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"},
-        {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
+    return {{"--units", "UNIT", "the file's length unit: " + listed(known_units) + " (default: as the file states)"},
+            {"--tolerance", "T", "largest gap between end points that is closed (default: 2e-5 of the part's diagonal)"},
+            {"--parts-by", "WAY", "what separates the parts: " + listed(parts_by_words()) + " (default: auto)"},
+            {"--section", "PLANE",
+             "where solids or a mesh are cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"},
+            {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
 }
 
 ImportOptions drawing_options(const Arguments& arguments) {

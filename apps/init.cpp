@@ -27,7 +27,7 @@ void write_new_scene(const fs::path& file, const std::string& text) {
 }  // namespace
 
 CommandSpec init_spec() {
-    CommandSpec spec{"init", "FILE", "Writes a starter scene for a drawing or mesh to standard output.", {}, {}};
+    CommandSpec spec{"init", "FILE", "Writes a starter scene for a drawing, mesh or STEP file to standard output.", {}, {}};
     spec.options = drawing_option_specs();
     spec.options.push_back({"-o", "SCENE", "write the scene to this file, which must not be there yet"});
     spec.options.push_back(
@@ -39,7 +39,7 @@ CommandSpec init_spec() {
 
 int init_command(const Arguments& arguments) {
     if (kind_of_file(arguments.operand) == FileKind::scene)
-        throw InputError(arguments.operand, "this is a scene already", "give a drawing or a mesh");
+        throw InputError(arguments.operand, "this is a scene already", "give a drawing, a mesh or a STEP file");
     const fs::path file = value_or(arguments, "-o", "");
     StarterChoice choice;
     choice.material = value_or(arguments, "--material", choice.material);

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# cpack -G DEB: a package of what `cmake --install` installs. What the program is linked with is found by dpkg-shlibdeps; the
-# libraries that it loads when it reads a mesh (geometry/CMakeLists.txt) are not, so their packages are named here.
+# cpack -G DEB: a package of what `cmake --install` installs. What the programs are linked with is found by dpkg-shlibdeps.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME abut)
 set(CPACK_PACKAGE_CONTACT "The authors of abut <abut@localhost>")
@@ -10,17 +9,4 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-find_program(DPKG_QUERY dpkg-query)
-mark_as_advanced(DPKG_QUERY)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS)
-foreach(library ASSIMP LIB3MF)
-  if(DPKG_QUERY)
-    get_filename_component(file ${${library}_LIBRARY} REALPATH)
-    execute_process(COMMAND ${DPKG_QUERY} --search ${file} OUTPUT_VARIABLE owner OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-    if(owner MATCHES "^([^:]+):")
-      list(APPEND CPACK_DEBIAN_PACKAGE_DEPENDS ${CMAKE_MATCH_1})
-    endif()
-  endif()
-endforeach()
-list(JOIN CPACK_DEBIAN_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
 include(CPack)

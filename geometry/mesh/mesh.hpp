@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangle meshes of plate-like parts, as 3D exports hold them.
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <string>
 #include <vector>
 
 #include "geometry/brep/repair.hpp"
+#include "geometry/mesh/section_plane.hpp"
 #include "geometry/sketch/sketch.hpp"
 
 namespace abut::geometry {
-
-using Vec3 = Eigen::Vector3d;
 
 /// One body in the file's coordinates: instances are expanded, transforms applied, coincident vertices joined. Cavities belong
 /// to the body around them.
@@ -47,10 +45,10 @@ inline constexpr double largest_mesh_coordinate = 1e12;
 
 /// Can a file of this name be a mesh (by its ending)?
 bool is_mesh_file(const std::string& path);
-/// Reads a mesh file, through assimp; 3MF through lib3mf (names, units, instances). Every closed shell becomes a body; what of
-/// an object does not close is one body. Throws InputError where nothing can be read: missing, empty or damaged files,
-/// coordinates that are no numbers, no triangles, more of them than the limits. Coordinates are those of the file rounded to
-/// single precision.
+/// Reads a mesh file, through assimp; 3MF through lib3mf (names, units, instances); either in a process of its own (foreign/).
+/// Every closed shell becomes a body; what of an object does not close is one body. Throws InputError where nothing can be
+/// read: missing, empty or damaged files, coordinates that are no numbers, no triangles, more of them than the limits, and
+/// where the library breaks down at the file. Coordinates are those of the file rounded to single precision.
 MeshFile read_mesh_file(const std::string& path);
 
 }  // namespace abut::geometry

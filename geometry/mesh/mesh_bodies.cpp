@@ -105,24 +105,11 @@ void MeshBodies::check(const Mesh& object) const {
                                  "export the file again");
 }
 
-std::string MeshBodies::name_for(const std::string& base, bool is_one_of_several) {
-    std::string name;
-    do {
-        if (base.empty()) {
-            name = "shell" + std::to_string(++n_unnamed_);
-            continue;
-        }
-        const int k = n_of_name_[base]++;
-        name = k == 0 && !is_one_of_several ? base : base + "#" + std::to_string(k);
-    } while (!names_.insert(name).second);
-    return name;
-}
-
 void MeshBodies::add_body(Mesh mesh, const std::string& base, bool is_one_of_several) {
     if (file_.bodies.size() >= most_bodies)
         throw InputError(file_.file, "the file holds more than " + std::to_string(most_bodies) + " bodies",
                          "export only the parts that matter");
-    mesh.name = name_for(base, is_one_of_several);
+    mesh.name = names_.next(base, is_one_of_several);
     ++file_.counts["body"].read;
     ++file_.counts["body"].used;
     file_.bodies.push_back(std::move(mesh));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the objects of a mesh file to its bodies, for the readers of formats and for those that hold no file.
 #pragma once
-#include <map>
-#include <set>
 #include <string>
 
+#include "geometry/mesh/body_names.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace abut::geometry {
@@ -32,12 +31,9 @@ public:
 private:
     void check(const Mesh& object) const;
     void add_body(Mesh mesh, const std::string& base, bool is_one_of_several);
-    std::string name_for(const std::string& base, bool is_one_of_several);
 
     MeshFile file_;
-    std::map<std::string, int> n_of_name_;
-    std::set<std::string> names_;
-    int n_unnamed_ = 0;
+    BodyNames names_{"shell"};
     std::size_t n_triangles_ = 0;
 };
 

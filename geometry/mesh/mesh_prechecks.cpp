@@ -4,28 +4,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
 #include "geometry/brep/input_error.hpp"
-#include "geometry/mesh/mesh_collada.hpp"
-#include "geometry/mesh/mesh_ply.hpp"
+#include "geometry/foreign/readable_file.hpp"
 
 namespace abut::geometry {
 
 namespace {
-
-std::uintmax_t checked_size(const std::string& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) throw InputError(path, "there is no such file");
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    if (error || !std::ifstream(path)) throw InputError(path, "the file cannot be opened");
-    if (size == 0) throw InputError(path, "the file is empty");
-    if (size > most_mesh_bytes)
-        throw InputError(path, "the file is larger than " + std::to_string(most_mesh_bytes >> 20) + " MB",
-                         "export it with a coarser mesh, or fewer parts");
-    return size;
-}
 
 /// A binary STL that was cut off would be taken for text, and fail there with a message that misleads. Text begins with
 /// "solid"; so do some binary files, which hold zeros soon.
@@ -63,11 +49,9 @@ void check_beginning(const std::string& path, const std::string& format) {
 }  // namespace
 
 void check_mesh_file(const std::string& path, const std::string& format) {
-    const std::uintmax_t size = checked_size(path);
+    const std::uintmax_t size = checked_size(path, most_mesh_bytes, "export it with a coarser mesh, or fewer parts");
     if (format == "STL") check_stl(path, size);
-    if (format == "PLY") check_ply(path, size);
     if (format == "glTF" || format == "COLLADA") check_beginning(path, format);
-    if (format == "COLLADA") check_collada(path, size);
 }
 
 }  // namespace abut::geometry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is looked at in a mesh file before a library reads it: damage that libraries tell badly, or hang on.
+// What is looked at in a mesh file before a library reads it: damage that libraries tell badly.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -10,8 +10,7 @@ namespace abut::geometry {
 inline constexpr std::uintmax_t most_mesh_bytes = 512u << 20;
 
 /// Checks a mesh file for damage; `format` as in MeshFile. Throws InputError where the file is missing, unreadable, empty or
-/// too large; a binary STL that is shorter than it states; PLY and COLLADA that are damaged (mesh_ply.hpp, mesh_collada.hpp);
-/// glTF that does not begin as such. Cost: a pass over the bytes of PLY and COLLADA files, else constant.
+/// too large; a binary STL that is shorter than it states; glTF and COLLADA that do not begin as such.
 void check_mesh_file(const std::string& path, const std::string& format);
 
 }  // namespace abut::geometry

@@ -12,19 +12,9 @@ namespace abut::geometry {
 
 namespace {
 
-struct Box3 {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
-    Vec3 size() const { return (high - low).cwiseMax(0); }
-};
-
-Box3 box_of(const std::vector<Mesh>& bodies) {
+Box3 box_of(const Mesh& body) {
     Box3 box;
-    for (const Mesh& body : bodies)
-        for (const Vec3& v : body.vertices) {
-            box.low = box.low.cwiseMin(v);
-            box.high = box.high.cwiseMax(v);
-        }
+    for (const Vec3& v : body.vertices) box.add(v);
     return box;
 }
 
@@ -38,24 +28,11 @@ bool is_sound(const Mesh& body) {
     return true;
 }
 
-const char* axis_name(int axis) {
-    return axis == 0 ? "x" : axis == 1 ? "y" : "z";
-}
-
-std::string text_of(const SectionPlane& plane) {
-    return std::string(axis_name(plane.axis)) + " = " + number_text(plane.at);
-}
-
 // ---- planes that run along faces ----
 
-struct Interval {
-    double low, high;
-    bool operator<(const Interval& other) const { return low < other.low; }
-};
-
 /// Heights of the faces that are parallel to the plane, within the band.
-std::vector<Interval> flat_faces(const std::vector<const Mesh*>& bodies, int axis, double band) {
-    std::vector<Interval> flat;
+std::vector<HeightRange> flat_faces(const std::vector<const Mesh*>& bodies, int axis, double band) {
+    std::vector<HeightRange> flat;
     for (const Mesh* body : bodies)
         for (const std::array<int, 3>& t : body->triangles) {
             const auto h = [&](std::size_t k) { return body->vertices[static_cast<std::size_t>(t[k])][axis]; };
@@ -65,36 +42,14 @@ std::vector<Interval> flat_faces(const std::vector<const Mesh*>& bodies, int axi
     return flat;
 }
 
-bool runs_along(const std::vector<Interval>& faces, double at, double band) {
-    return std::any_of(faces.begin(), faces.end(),
-                       [&](const Interval& face) { return face.high >= at - band && face.low <= at + band; });
-}
-
-int n_met(const std::vector<const Mesh*>& bodies, const SectionPlane& plane) {
-    int n = 0;
-    for (const Mesh* body : bodies) {
-        bool above = false, below = false;
-        for (const Vec3& v : body->vertices) (v[plane.axis] >= plane.at ? above : below) = true;
-        if (above && below) ++n;
-    }
-    return n;
-}
-
-/// The nearest plane off all faces; of the two sides that which meets more bodies, else the upper one.
+/// The nearest plane off all faces.
 SectionPlane off_faces(const std::vector<const Mesh*>& bodies, const SectionPlane& plane, double size) {
-    const double band = face_band_fraction * size;
-    const std::vector<Interval> faces = flat_faces(bodies, plane.axis, band);
-    if (!runs_along(faces, plane.at, band)) return plane;
-    SectionPlane best = plane;
-    int most = 0;
-    for (int k = 1; k <= most_nudges && most == 0; ++k)
-        for (double sign : {1.0, -1.0}) {
-            const SectionPlane moved{plane.axis, plane.at + sign * k * nudge_fraction * size};
-            if (runs_along(faces, moved.at, band)) continue;
-            const int n = n_met(bodies, moved);
-            if (n > most) best = moved, most = n;
-        }
-    return best;
+    std::vector<HeightRange> heights;
+    for (const Mesh* body : bodies) {
+        const Box3 box = box_of(*body);
+        heights.push_back({box.low[plane.axis], box.high[plane.axis]});
+    }
+    return off_faces(flat_faces(bodies, plane.axis, face_band_fraction * size), heights, plane, size);
 }
 
 // ---- one body ----
@@ -225,26 +180,21 @@ std::vector<const Mesh*> sound_bodies(const MeshFile& mesh, std::vector<SketchPr
 
 }  // namespace
 
+SectionPlane plane_of(const SectionChoice& choice, const std::vector<Mesh>& bodies) {
+    Box3 box;
+    for (const Mesh& body : bodies) box.add(box_of(body));
+    return plane_of(choice, box);
+}
+
 SectionPlane default_plane(const std::vector<Mesh>& bodies) {
-    const Box3 box = box_of(bodies);
-    const Vec3 size = box.size();
-    if (!size.allFinite() || !box.low.allFinite()) return {};
-    int axis = 2;
-    const double rounding = face_band_fraction * size.norm();
-    for (int other : {1, 0})
-        if (size[other] < size[axis] - rounding) axis = other;
-    return {axis, 0.5 * (box.low[axis] + box.high[axis])};
+    return plane_of({}, bodies);
 }
 
 Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOptions& options) {
     Section section{empty_drawing(mesh), plane, mesh.repairs};
     const std::vector<const Mesh*> bodies = sound_bodies(mesh, section.drawing.problems);
     Box3 box;
-    for (const Mesh* body : bodies) {
-        const Box3 own = box_of({*body});
-        box.low = box.low.cwiseMin(own.low);
-        box.high = box.high.cwiseMax(own.high);
-    }
+    for (const Mesh* body : bodies) box.add(box_of(*body));
     if (bodies.empty() || !box.size().allFinite()) return section;
     section.plane = off_faces(bodies, plane, box.size().norm());
     if (section.plane.at != plane.at)

@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Meshes cut by a plane, and the cut recovered as lines and arcs.
 #pragma once
-#include <optional>
-
 #include "geometry/mesh/mesh.hpp"
+#include "geometry/mesh/section_plane.hpp"
 
 namespace abut::geometry {
-
-/// The plane coordinate `axis` (0 x, 1 y, 2 z) = at. In it z gives (x, y), x gives (y, z), y gives (x, z).
-struct SectionPlane {
-    int axis = 2;
-    double at = 0;
-};
 
 /// Default tolerance of lines and arcs, as a fraction of the diagonal of a body's section: vertices of facets lie on the true
 /// circle but for the rounding of single precision and of six digits in text. Never below least_arc_fraction.
 inline constexpr double arc_fraction = 1e-5;
 inline constexpr double least_arc_fraction = 1e-6;
-/// A face whose vertices are all closer to the plane than this fraction of the diagonal of all bodies lies in it.
-inline constexpr double face_band_fraction = 1e-6;
-/// One step off such faces, as a fraction of the diagonal of all bodies; steps are tried on both sides in turn.
-inline constexpr double nudge_fraction = 1e-5;
-inline constexpr int most_nudges = 64;
 
-/// The plane that is cut at where none is given: the middle of the thinnest direction of all bodies together; of directions
-/// equally thin z, else y.
+/// The plane of a choice (section_plane.hpp) for these bodies.
+SectionPlane plane_of(const SectionChoice& choice, const std::vector<Mesh>& bodies);
+/// The plane that is cut at where none is given.
 SectionPlane default_plane(const std::vector<Mesh>& bodies);
 
 /// Bodies cut by a plane, as a drawing.

@@ -42,12 +42,7 @@ private:
     double height(int i) const { return body_.vertices[static_cast<size_t>(i)][plane_.axis] - plane_.at; }
     bool is_above(int i) const { return height(i) >= 0; }
 
-    Vec2 in_plane(int i) const {
-        const Vec3& v = body_.vertices[static_cast<size_t>(i)];
-        if (plane_.axis == 0) return {v.y(), v.z()};
-        if (plane_.axis == 1) return {v.x(), v.z()};
-        return {v.x(), v.y()};
-    }
+    Vec2 in_plane(int i) const { return geometry::in_plane(body_.vertices[static_cast<size_t>(i)], plane_.axis); }
 
     /// The same point bit for bit from both triangles of the edge.
     int node(int a, int b) {

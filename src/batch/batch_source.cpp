@@ -26,9 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 /// CAD files that nothing here reads. Someone who put them into the folder expects an answer, if only that they cannot be read.
-const std::set<std::string> foreign_cad{".step",   ".stp",  ".iges", ".igs",     ".dwg", ".sldprt",
-                                        ".sldasm", ".ipt",  ".iam",  ".catpart", ".x_t", ".x_b",
-                                        ".sat",    ".brep", ".prt",  ".fcstd",   ".dgn", ".catproduct"};
+const std::set<std::string> foreign_cad{".iges", ".igs", ".dwg", ".sldprt", ".sldasm", ".ipt",   ".iam", ".catpart",
+                                        ".x_t",  ".x_b", ".sat", ".brep",   ".prt",    ".fcstd", ".dgn", ".catproduct"};
 
 constexpr std::size_t longest_name = 160;  // bytes; file systems take 255, and "~2" may be added
 constexpr std::size_t row_digits = 4;      // of the number in a job's name: names sort like rows up to 9999 of them
@@ -177,7 +176,7 @@ BatchSource from_file(const std::string& path) {
     if (ending == ".txt" || ending == ".list" || ending == ".lst") return from_list(path);
     if (ending != ".json" && !is_importable(path))
         throw InputError(path, "this is nothing that a batch can be made of",
-                         "give a folder, a list of files (.txt), a table (.csv, .jsonl), a scene, a drawing or a mesh");
+                         "give a folder, a list of files (.txt), a table (.csv, .jsonl), a scene, a drawing, solids or a mesh");
     BatchSource source;
     source.jobs.push_back({folder_name(fs::path(path).filename().string()), path, {}, ""});
     return source;

@@ -51,7 +51,7 @@ std::vector<std::string> notes_of(const SketchReading& reading) {
     if (!drawing.replaced_unit.empty())
         notes.push_back("the file states " + drawing.replaced_unit + "; its numbers are taken as " + drawing.unit +
                         ", as asked for");
-    if (!reading.sketch.parts.empty() && !geometry::is_mesh_file(drawing.file))
+    if (!reading.sketch.parts.empty() && !is_solid_file(drawing.file))
         notes.push_back("parts by " + parts_by_name(reading.sketch.parts_by) + ": " + reading.sketch.why);
     return notes;
 }

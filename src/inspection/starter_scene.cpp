@@ -136,8 +136,8 @@ void write_import(std::ostream& out, const SketchReading& reading, const ImportO
     if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
     if (!options.recognise_arcs) out << "    \"recognise_arcs\": false,\n";
     nlohmann::ordered_json section;
-    if (options.section_axis >= 0) section["axis"] = axes[options.section_axis];
-    if (options.section_at) section["at"] = *options.section_at;
+    if (options.section.axis >= 0) section["axis"] = axes[options.section.axis];
+    if (options.section.at) section["at"] = *options.section.at;
     if (!section.empty()) out << "    \"section\": " << section.dump() << ",\n";
 }
 

@@ -82,9 +82,9 @@ namespace {
 
 std::string key_of(const std::string& name, const ImportOptions& options) {
     constexpr int all_digits = 17;
-    std::string key = name + "|" + std::to_string(options.section_axis) + "|" + number_text(options.tolerance, all_digits) +
+    std::string key = name + "|" + std::to_string(options.section.axis) + "|" + number_text(options.tolerance, all_digits) +
                       "|" + std::to_string(options.recognise_arcs);
-    return options.section_at ? key + "|" + number_text(*options.section_at, all_digits) : key;
+    return options.section.at ? key + "|" + number_text(*options.section.at, all_digits) : key;
 }
 
 /// {"axis": "z", "at": 0}; both may be left out.
@@ -92,10 +92,10 @@ void read_section(SceneReading& reading, const JsonValue& section, ImportOptions
     if (!check_object(reading, section, {{"axis", "at"}, {}})) return;
     if (const JsonValue* axis = find_member(section, "axis")) {
         const auto word = read_word(reading, *axis, {{"x", "y", "z"}, {}});
-        if (word) options.section_axis = static_cast<int>(std::string("xyz").find(*word));
+        if (word) options.section.axis = static_cast<int>(std::string("xyz").find(*word));
     }
     if (const JsonValue* at = find_member(section, "at"))
-        options.section_at = read_number(reading, *at, dimension::none);  // in the file's unit
+        options.section.at = read_number(reading, *at, dimension::none);  // in the file's unit
 }
 
 bool matches_block(const geometry::SketchEntity& entity, const std::string& name) {
@@ -187,8 +187,7 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
     geometry::SketchOptions sketch_options;
     sketch_options.tolerance = options.tolerance;
     sketch_options.parts_by = options.parts_by;
-    sketch_options.recognise_arcs =
-        options.recognise_arcs && !geometry::is_mesh_file(drawing.file);  // the section has done that
+    sketch_options.recognise_arcs = options.recognise_arcs && !is_solid_file(drawing.file);  // the section has done that
     geometry::SketchParts sketch = geometry::parts_of(drawing, sketch_options);
     const std::size_t before = reading.problems.size();
     for (const auto& problem : drawing.problems) report_sketch_problem(reading, at, drawing, problem);
@@ -214,8 +213,10 @@ std::optional<geometry::Part> import_part(SceneReading& reading, Imports& import
     return the_only_part(reading, node, std::move(sketch), "'layer' or 'block'");
 }
 
-std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node) {
-    if (!check_object(reading, node, {{"file", "node", "section", "tolerance", "recognise_arcs"}, {}})) return std::nullopt;
+std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies) {
+    Words keys{{"file", "node", "section", "tolerance"}, {}};
+    if (bodies == BodiesOf::mesh) keys.known.emplace_back("recognise_arcs");
+    if (!check_object(reading, node, keys)) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);
     const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;

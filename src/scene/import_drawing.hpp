@@ -27,12 +27,13 @@ struct Imports {
     std::vector<ImportRecord> records;
 };
 
-/// Reads the drawing or mesh that `file` (a text, relative to the scene's folder) names; nothing where it cannot be read
-/// (reported there). tolerance and section of the options matter for meshes only.
+/// Reads the drawing, solids or mesh that `file` (a text, relative to the scene's folder) names; nothing where it cannot be
+/// read (reported there). Section of the options matters for solids and meshes, tolerance for meshes only.
 const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
                                       const ImportOptions& options);
 
-/// Reads the keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf` or `mesh` node, those that are there.
+/// Reads the keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf`, `mesh` or `step` node, those that are
+/// there.
 ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
 
 /// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.
@@ -40,10 +41,13 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
                                                   const JsonValue& at, const ImportOptions& options,
                                                   const std::function<bool(const geometry::SketchEntity&)>& wanted);
 
-/// The one part that a `dxf` node (import_part) or a `mesh` node (import_body) stands for; nothing where there is none
-/// (reported).
+/// What bodies are made of: triangles, which have facets to recognise, or exact faces.
+enum class BodiesOf { mesh, step };
+
+/// The one part that a `dxf` node (import_part), or a `mesh` or `step` node (import_body) stands for; nothing where there is
+/// none (reported).
 std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node);
-std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node);
+std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies);
 
 /// The layers that have entities, in order of first appearance.
 std::vector<std::string> layers_of(const geometry::Drawing& drawing);

@@ -7,6 +7,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "geometry/dxf/dxf.hpp"
+#include "geometry/step/step.hpp"
 
 namespace abut {
 
@@ -20,27 +21,6 @@ bool is_dxf_file(const std::string& path) {
     return extension == ".dxf";
 }
 
-geometry::SectionPlane plane_of(const geometry::MeshFile& mesh, const ImportOptions& options) {
-    if (options.section_axis < 0) {
-        geometry::SectionPlane plane = geometry::default_plane(mesh.bodies);
-        if (options.section_at) plane.at = *options.section_at;
-        return plane;
-    }
-    geometry::SectionPlane plane{options.section_axis, 0};
-    if (options.section_at) {
-        plane.at = *options.section_at;
-        return plane;
-    }
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const geometry::Mesh& body : mesh.bodies)
-        for (const geometry::Vec3& v : body.vertices) {
-            low = std::min(low, v[plane.axis]);
-            high = std::max(high, v[plane.axis]);
-        }
-    plane.at = 0.5 * (low + high);
-    return plane;
-}
-
 /// Meshes are cut before they are converted to the scene's unit.
 double tolerance_in_file(const geometry::MeshFile& mesh, const ImportOptions& options) {
     const std::string& unit = options.units.empty() ? mesh.unit : options.units;
@@ -50,22 +30,29 @@ double tolerance_in_file(const geometry::MeshFile& mesh, const ImportOptions& op
 
 }  // namespace
 
+bool is_solid_file(const std::string& path) {
+    return geometry::is_mesh_file(path) || geometry::is_step_file(path);
+}
+
 bool is_importable(const std::string& path) {
-    return is_dxf_file(path) || geometry::is_mesh_file(path);
+    return is_dxf_file(path) || is_solid_file(path);
 }
 
 std::string importable_kinds() {
-    return "a drawing (.dxf) or a mesh (.stl, .obj, .3mf, .ply, .gltf, .glb, .dae)";
+    return "a drawing (.dxf), solids (.step, .stp) or a mesh (.stl, .obj, .3mf, .ply, .gltf, .glb, .dae)";
 }
 
 geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options) {
     geometry::Drawing drawing;
     if (geometry::is_mesh_file(path)) {
         const geometry::MeshFile mesh = geometry::read_mesh_file(path);
-        geometry::Section section = geometry::cut(
-            mesh, plane_of(mesh, options), geometry::SectionOptions{tolerance_in_file(mesh, options), options.recognise_arcs});
+        geometry::Section section =
+            geometry::cut(mesh, geometry::plane_of(options.section, mesh.bodies),
+                          geometry::SectionOptions{tolerance_in_file(mesh, options), options.recognise_arcs});
         drawing = std::move(section.drawing);
         drawing.repairs = std::move(section.repairs);
+    } else if (geometry::is_step_file(path)) {
+        drawing = geometry::read_step_file(path, options.section);
     } else if (is_dxf_file(path)) {
         drawing = geometry::read_dxf(path);
     } else {

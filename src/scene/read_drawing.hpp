@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that parts can be imported from, whatever their format: drawings (DXF) and meshes (STL, OBJ, 3MF, ...), which are cut
-// by a plane into one.
+// Files that parts can be imported from, whatever their format: drawings (DXF), and solids (STEP) and meshes (STL, OBJ, 3MF,
+// ...), which are cut by a plane into one.
 #pragma once
 #include <optional>
 #include <string>
@@ -16,24 +16,25 @@ struct ImportOptions {
     std::string length_unit;  ///< of the tolerance; empty: the file's
     std::string units;        ///< overrides or supplies the file's unit; empty: the file's own
     geometry::PartsBy parts_by = geometry::PartsBy::automatic;
-    int section_axis = -1;             ///< 0 x, 1 y, 2 z; -1: the thinnest direction
-    std::optional<double> section_at;  ///< unset: the middle
-    bool recognise_arcs = true;        ///< facets and splines that are arcs, or stand for a curve, become arcs
+    geometry::SectionChoice section;  ///< its place in the file's unit
+    bool recognise_arcs = true;       ///< facets and splines that are arcs, or stand for a curve, become arcs
 };
 
+/// Are there bodies in space in the file, by its ending? Their section has its lines and arcs already.
+bool is_solid_file(const std::string& path);
 /// Is the file one that read_drawing takes, by its ending?
 bool is_importable(const std::string& path);
-/// A text for messages: "a drawing (.dxf) or a mesh (.stl, ...)".
+/// A text for messages: "a drawing (.dxf), solids (.step, ...) or a mesh (.stl, ...)".
 std::string importable_kinds();
 
-/// Reads a drawing, or a mesh as one. Throws InputError where nothing can be read; problems of single entities or bodies are in
-/// the drawing.
+/// Reads a drawing, or the section of solids or a mesh as one. Throws InputError where nothing can be read; problems of single
+/// entities or bodies are in the drawing.
 geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options);
 
 /// The word of scenes for a way to tell parts apart: "layer", "block", "loop", "color"; "auto" for automatic.
 std::string parts_by_name(geometry::PartsBy parts_by);
-/// The way that a word of scenes means; "node" stands for a mesh's bodies, which are its drawing's layers. Unset for other
-/// words.
+/// The way that a word of scenes means; "node" stands for bodies in space, which are the layers of their drawing. Unset for
+/// other words.
 std::optional<geometry::PartsBy> parts_by_of(const std::string& name);
 
 }  // namespace abut

@@ -107,8 +107,9 @@ std::optional<Shape> read_dxf_node(SceneReading& reading, Imports& imports, cons
     return geometry::Imported{std::move(*part)};
 }
 
-std::optional<Shape> read_mesh_node(SceneReading& reading, Imports& imports, const JsonValue& value) {
-    auto part = import_body(reading, imports, value);
+template <BodiesOf bodies>
+std::optional<Shape> read_body_node(SceneReading& reading, Imports& imports, const JsonValue& value) {
+    auto part = import_body(reading, imports, value, bodies);
     if (!part) return std::nullopt;
     return geometry::Imported{std::move(*part)};
 }
@@ -130,7 +131,8 @@ constexpr NodeKind node_kinds[] = {
     {"place", read_placed},
     {"loops", read_loops_node},
     {"dxf", read_dxf_node},
-    {"mesh", read_mesh_node},
+    {"mesh", read_body_node<BodiesOf::mesh>},
+    {"step", read_body_node<BodiesOf::step>},
 };
 
 std::optional<geometry::Mirror> read_mirror(SceneReading& reading, const JsonValue& value) {

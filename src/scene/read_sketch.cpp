@@ -30,7 +30,7 @@ SketchReading read_sketch(const std::string& path, const ImportOptions& options)
     geometry::SketchOptions sketch_options;
     sketch_options.tolerance = options.tolerance;
     sketch_options.parts_by = options.parts_by;
-    sketch_options.recognise_arcs = options.recognise_arcs && !geometry::is_mesh_file(path);  // the section has done that
+    sketch_options.recognise_arcs = options.recognise_arcs && !is_solid_file(path);  // the section has done that
     reading.sketch = geometry::parts_of(reading.drawing, sketch_options);
     check_any_parts(reading);
     reading.scene.file = path;

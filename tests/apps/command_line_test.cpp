@@ -85,10 +85,12 @@ TEST_F(CommandLine, RefusesFilesThatAreNotThereOrOfAnotherKind) {
         expect_refused(run, 1);
         expect_words(joined(run.errors), {"missing.json"});
     }
-    write("part.step", "ISO-10303-21;");
-    const Outcome run = abut({"contacts", "part.step"});
+    write("part.iges", "S      1");
+    const Outcome run = abut({"contacts", "part.iges"});
     expect_refused(run, 1);
-    expect_words(joined(run.errors), {"part.step", ".json", ".dxf"});
+    expect_words(joined(run.errors), {"part.iges", ".json", ".dxf", ".step"});
+    write("part.step", "ISO-10303-21;");
+    expect_refused(abut({"contacts", "part.step"}), 1);
     write("empty.dxf", "");
     expect_refused(abut({"contacts", "empty.dxf"}), 1);
 }

@@ -15,7 +15,7 @@ fail() {
 "$1" -G DEB --config "$2/CPackConfig.cmake" -B "$folder" >"$folder/log" 2>&1 || fail "$(tail -n 5 "$folder/log")"
 package=$(echo "$folder"/abut_*.deb)
 dpkg -c "$package" >"$folder/list" || fail "there is no package"
-for file in bin/abut share/abut/scenes/vise.json share/abut/schema/scene.schema.json share/abut/verification/bar.json share/man/man1/abut.1 \
+for file in bin/abut libexec/abut/abut-read-mesh share/abut/scenes/vise.json share/abut/schema/scene.schema.json share/abut/verification/bar.json share/man/man1/abut.1 \
     share/abut/materials/materials.json share/bash-completion/completions/abut share/zsh/vendor-completions/_abut \
     share/fish/vendor_completions.d/abut.fish share/doc/abut/LICENSE; do
     grep -q " ./usr/$file\$" "$folder/list" || fail "usr/$file is not in the package"
@@ -26,4 +26,5 @@ for library in libc6 libstdc++6 libassimp5 lib3mf1; do
 done
 dpkg -x "$package" "$folder/root" || fail "it cannot be unpacked"
 "$folder/root/usr/bin/abut" verify E6 >/dev/null || fail "the packed program does not find its scenes"
+"$folder/root/usr/bin/abut" inspect "$folder/root/usr/share/abut/sketches/l_bracket.stl" >/dev/null || fail "the packed program does not read a mesh"
 echo "passed"

@@ -23,6 +23,12 @@ for file in scenes/vise.json sketches/pin_bracket_r14.dxf materials/materials.js
 done
 "$abut" --version | grep -q '^abut [0-9]' || fail "it does not run"
 "$abut" verify E6 >/dev/null || fail "verify does not find its scenes"
+"$abut" inspect "$share/abut/sketches/l_bracket.stl" >/dev/null || fail "it does not read a mesh"
+reader=$prefix/moved/libexec/abut/abut-read-mesh
+mv "$reader" "$reader.moved"
+printf '#!/bin/sh\nexit 1\n' >"$reader" && chmod +x "$reader"
+"$abut" inspect "$share/abut/sketches/l_bracket.stl" >/dev/null 2>&1 && fail "it reads a mesh by a reader from elsewhere"
+mv "$reader.moved" "$reader"
 "$abut" help loads.force | grep -q '^scene.loads\[\].force' || fail "help does not find the schemas"
 grep -q '^\.TH ABUT 1' "$share/man/man1/abut.1" || fail "the man page is not installed"
 echo '{' >"$share/abut/verification/bar.json"

@@ -29,7 +29,8 @@ const std::map<std::string, std::vector<std::string>> forbidden_layers{
 /// has none.
 const std::map<std::string, std::vector<std::string>> rooms{
     {"geometry",
-     {"curves", "brep", "csg", "sketch", "dxf", "mesh", "cells", "quadrature", "proximity", "interfaces", "implicit"}},
+     {"curves", "brep", "csg", "sketch", "dxf", "foreign", "mesh", "step", "cells", "quadrature", "proximity", "interfaces",
+      "implicit"}},
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
      {"base", "io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "report",

@@ -146,8 +146,8 @@ TEST(StarterScene, KeepsTheOptionsThatTheFileWasReadWith) {
     EXPECT_EQ(read_scene(folder.write("scene.json", filled_in(starter(drawing, options)))).parts.size(), 2u);
 
     ImportOptions lengthwise;
-    lengthwise.section_axis = 1;
-    lengthwise.section_at = 5;
+    lengthwise.section.axis = 1;
+    lengthwise.section.at = 5;
     const Scene scene = read_scene(folder.write("scene.json", filled_in(starter(mesh, lengthwise))));
     ASSERT_EQ(scene.parts.size(), 1u);
     EXPECT_NEAR(area(scene.parts[0].part), 40 * 4, 1e-9);
