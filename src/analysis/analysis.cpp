@@ -27,6 +27,8 @@
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/dissertation_method.hpp"
+#include "src/solution/assembled_condition.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/rigid_pairs.hpp"
 
@@ -184,6 +186,7 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
+    if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
     } else {
