@@ -133,17 +133,21 @@ std::string basis_name(solver::Basis basis) {
 PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
     PlotPanel panel{"degree " + std::to_string(degree), {}, "not factorised:"};
     for (const NamedCurve& c : curves) {
-        if (c.degree != degree || c.hold != Hold::nitsche) continue;
-        if (c.basis == solver::Basis::web)
+        if (c.degree != degree || (c.hold != Hold::nitsche && c.hold != Hold::dissertation)) continue;
+        if (c.hold == Hold::dissertation)
+            panel.series.push_back(
+                binned(c.curve, &PartAnswer::unscaled_condition, "normalized, held by weights", "#2a8f4f", true));
+        else if (c.basis == solver::Basis::web)
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "extended (web), scaled", "#1348b0", true));
         else if (c.basis == solver::Basis::normalized)
-            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "normalized", "#d98200", true));
+            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "normalized, Nitsche", "#d98200", true));
         else {
-            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "plain", "#d3102b", true));
+            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "plain, Nitsche", "#d3102b", true));
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "plain or normalized, scaled", "#777777", false));
         }
         const double share = static_cast<double>(c.curve.failures()) / static_cast<double>(c.curve.answers.size());
-        panel.note += (panel.series.size() > 1 ? ", " : " ") + basis_name(c.basis) + " " + number_text(100 * share, 2) + " %";
+        panel.note += (panel.series.size() > 1 ? ", " : " ") + basis_name(c.basis) +
+                      (c.hold == Hold::dissertation ? " with weights " : " ") + number_text(100 * share, 2) + " %";
     }
     return panel;
 }
