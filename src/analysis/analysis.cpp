@@ -24,8 +24,10 @@
 #include "src/answers/probes.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
+#include "src/contact/cell_search.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
+#include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/dissertation_method.hpp"
 #include "src/solution/assembled_condition.hpp"
@@ -167,6 +169,11 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.degree = drawn.accuracy.degree;
     result.warnings = drawn.warnings;
     result.notes = drawn.notes;
+    if (is_by_dissertation(drawn))
+        result.notes.push_back(
+            "by the dissertation's method, as accuracy.method asks: one solution on grids that do not adapt, contact by "
+            "penalty along what its search on cells of " +
+            with_unit(search_cell(drawn), 4, drawn.length_unit) + " lets in");
     check_probes(drawn);
     const ResolvedConditions conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, conditions);
