@@ -107,7 +107,8 @@ CommandSpec verify_spec() {
         "Solves problems with known answers and compares.",
         {{"--list", "", "list the problems and stop"},
          {"--json", "", "print the comparison as JSON instead of a table"},
-         {"--figures", "DIR", "write the figures of the dissertation's chapters 4 and 5, as its method has them; with dissertation"},
+         {"--figures", "DIR",
+          "write the figures of the dissertation's chapters 4 and 5, as its method has them; with dissertation"},
          {"--data", "DIR", "folder with verification/ and scenes/ (default: the one the program came with)"}},
         "NAME is a problem (E4-quarter) or a group of them (E4); without any, all are solved, which takes minutes.\n"
         "NAME may also be a folder, or a scene: then all scenes below it that have \"expect\" are solved (abut help expect).\n"

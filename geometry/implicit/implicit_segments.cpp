@@ -51,8 +51,7 @@ ImplicitField whole_field(const Curve& curve) {
     if (edge.is_conic)
         return make_field([conic = edge.conic]<class T>(const PointOf<T>& p) -> T { return whole_curve(conic, p); });
     const double on_edge = on_edge_fraction * bounding_box(curve).diagonal();
-    return make_field(
-        [edge, on_edge]<class T>(const PointOf<T>& p) -> T { return without_side(trimmed(edge, p), on_edge); });
+    return make_field([edge, on_edge]<class T>(const PointOf<T>& p) -> T { return without_side(trimmed(edge, p), on_edge); });
 }
 
 }  // namespace abut::geometry

@@ -61,8 +61,7 @@ void for_pairs(const CellClasses& part1, const CellClasses& part2, int grid_colu
 
 CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
     CaseCells best;
-    for_pairs(part1, part2, grid_columns,
-              [&](char letter, int cell1, int cell2) { take(letter, cell1, cell2, best); });
+    for_pairs(part1, part2, grid_columns, [&](char letter, int cell1, int cell2) { take(letter, cell1, cell2, best); });
     for (std::vector<int>& cells : best.cells) sort_out(cells);
     return best;
 }

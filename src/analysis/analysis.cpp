@@ -179,7 +179,9 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.effects = plan_effects(drawn, conditions);
     const int threads = solver::usable_threads(options.threads);
     Outcome out = solve_adaptively(drawn, conditions, options, seconds);
-    const std::optional<Scene> rest = follow_to_rest(drawn, conditions, options, seconds, out, result);
+    // the dissertation's method is one solution, from where parts are drawn
+    const std::optional<Scene> rest =
+        is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
     const Scene& scene = rest ? *rest : drawn;
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);

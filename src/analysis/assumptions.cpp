@@ -220,9 +220,8 @@ void check_grids(const Scene& scene, const Outcome& out, Result& result) {
         result.warnings.push_back(left_out);
     if (out.search_too_short)
         tell({{0, "",
-               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
-                   "; give " + (is_by_dissertation(scene) ? "accuracy.cell_size" : "contacts.search_distance") +
-                   " a larger value",
+               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) + "; give " +
+                   (is_by_dissertation(scene) ? "accuracy.cell_size" : "contacts.search_distance") + " a larger value",
                "contact reaches the end of what was searched"}},
              "search", result);
     if (out.solved.limited_grids > 0)

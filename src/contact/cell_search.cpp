@@ -57,8 +57,8 @@ std::vector<Stretch> clipped(const std::vector<Stretch>& stretches, const Facing
             else
                 found.push_back(part);
         }
-    const bool goes_on = zone.closed && found.size() > 1 && found.front().begin - zone.begin1 <= slack &&
-                         zone.end1 - found.back().end <= slack;
+    const bool goes_on =
+        zone.closed && found.size() > 1 && found.front().begin - zone.begin1 <= slack && zone.end1 - found.back().end <= slack;
     if (goes_on) {
         found.back().end = found.front().end + turn;
         found.erase(found.begin());
@@ -113,7 +113,9 @@ std::vector<FacingZone> CellSearch::in_cells(const Scene& scene, int first, int 
         if (box.holds(column, row)) is_contact[box.index(column, row)] = 1;
     }
     std::vector<FacingZone> found;
-    for (const FacingZone& zone : zones) {
+    for (const FacingZone& as_found : zones) {
+        // its ends are paired anew where forces act along other lines: before they are cut
+        const FacingZone zone = acting_zone(part1, part2, as_found);
         const double slack = rounding_of_length * zone.chain1.length;
         for (const Stretch& s : clipped(in_contact(part1, zone.chain1, cells, is_contact), zone)) {
             if (s.begin - zone.begin1 <= slack && zone.end1 - s.end <= slack) {

@@ -53,9 +53,10 @@ void refuse_beside_method(SceneReading& reading, const JsonValue& accuracy, cons
     }
     for (const char* key : {"level", "target", "refine", "basis", "dirichlet", "adapt"})
         if (const JsonValue* member = find_member(accuracy, key))
-            report_problem(reading, *member, "'" + std::string(key) + "' does not go with the dissertation's method",
-                           "it has one basis, one way to hold edges and uniform grids: give 'cell_size' or 'grids', and leave '" +
-                               std::string(key) + "' out");
+            report_problem(
+                reading, *member, "'" + std::string(key) + "' does not go with the dissertation's method",
+                "it has one basis, one way to hold edges and uniform grids: give 'cell_size' or 'grids', and leave '" +
+                    std::string(key) + "' out");
 }
 
 }  // namespace
@@ -81,8 +82,7 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     result.dirichlet =
         word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
     result.method = word_or(reading, accuracy, "method", result.method, {{"auto", "dissertation"}, {}});
-    result.weights =
-        word_or(reading, accuracy, "weights", result.weights, {{"auto", "joined", "r_function", "blended"}, {}});
+    result.weights = word_or(reading, accuracy, "weights", result.weights, {{"auto", "joined", "r_function", "blended"}, {}});
     refuse_beside_method(reading, accuracy, result);
     result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {{"auto", "cholmod"}, {}}) == "cholmod";
     if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);

@@ -114,7 +114,8 @@ std::string dissertation_text(const std::vector<SolvedTable>& solved) {
     std::string text =
         "ANSYS and mesh-free: as the dissertation prints them. On its grids: written, its method as it was written; penalty, "
         "mortar,\n"
-        "ours. default: ours on the grids that abut chooses. * within its tolerance; the others are recorded. Units: F force, L "
+        "ours. default: ours on the grids that abut chooses. * within its tolerance; the others are recorded. Units: F force, "
+        "L "
         "length.\n\n";
     for (const SolvedTable& table : solved) text += table_text(table) + "\n";
     text += conditions_text(solved) + "\n";

@@ -81,11 +81,13 @@ std::string panels_svg(const Result& result, const std::string& title, const std
     std::string inner;
     double height = 0;
     for (std::size_t k = 0; k < panels.size(); ++k)
-        inner += "<g transform=\"translate(" + std::to_string(static_cast<int>(panel_width) * static_cast<int>(k)) + " 24)\">\n" +
-                 panel_svg(result, panels[k], "p" + std::to_string(k), height) + "</g>\n";
+        inner += "<g transform=\"translate(" + std::to_string(static_cast<int>(panel_width) * static_cast<int>(k)) +
+                 " 24)\">\n" + panel_svg(result, panels[k], "p" + std::to_string(k), height) + "</g>\n";
     const double width = panel_width * static_cast<double>(panels.size());
     return report::open_picture(width, height + 24, title, style) +
-           report::text({panel_margin, 18}, "start", title, "class=\"title\"") + inner + "</svg>\n";
+           report::text({panel_margin, 18}, "start", title + ". 0.5 % of the area lies beyond either end of a scale.",
+                        "class=\"title\"") +
+           inner + "</svg>\n";
 }
 
 std::vector<Panel> stress_panels() {

@@ -68,8 +68,7 @@ std::string cells_of(const PartOnGrid& g, const View& view) {
 
 void append_point(std::string& data, const Vec2& p) {
     constexpr double side = 1.3;
-    data += "M" + coordinate_text(p.x() - 0.5 * side) + " " + coordinate_text(p.y() - 0.5 * side) +
-            "h1.3v1.3h-1.3z";
+    data += "M" + coordinate_text(p.x() - 0.5 * side) + " " + coordinate_text(p.y() - 0.5 * side) + "h1.3v1.3h-1.3z";
 }
 
 /// Of the weighted functions where the part has weights, else of the cut cells.
@@ -148,7 +147,8 @@ std::string weights_svg(const Scene& scene, const std::vector<PartOnGrid>& parts
     std::string inner;
     for (std::size_t c = 0; c < 2; ++c)
         inner += "<g transform=\"translate(" + std::to_string(static_cast<int>(weight_width) * static_cast<int>(c)) +
-                 " 20)\">\n" + report::text({grid_margin, 52}, "start", c == 0 ? "(a) of the x component" : "(b) of the y component") +
+                 " 20)\">\n" +
+                 report::text({grid_margin, 52}, "start", c == 0 ? "(a) of the x component" : "(b) of the y component") +
                  weight_panel(scene, parts, view, c) + "</g>\n";
     return report::open_picture(2 * weight_width, view.height + 20, title, method_style) +
            heading_of(title, "Weight functions, each as a share of its largest value in the part; grey: not held") + inner +

@@ -82,8 +82,9 @@ TEST(DissertationJudgement, AnAnalysisThatFailsIsMissed) {
 TEST(DissertationText, ShowsPrintedValuesBesideOurs) {
     const SolvedTable solved = solve_table(on_its_grids("B"), data);
     const std::string text = dissertation_text({solved});
-    for (const char* words : {"ANSYS", "mesh-free", "written", "Table 5.2", "penalty", "mortar", "default", "reference", "Case B", "0.257", "0.123",
-                              "3513", "3511", "984 (1)", "768, a misprint", "F/L^2", "within their tolerance"})
+    for (const char* words :
+         {"ANSYS", "mesh-free", "written", "Table 5.2", "penalty", "mortar", "default", "reference", "Case B", "0.257", "0.123",
+          "3513", "3511", "984 (1)", "768, a misprint", "F/L^2", "within their tolerance"})
         EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 132U) << line;

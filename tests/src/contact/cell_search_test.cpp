@@ -21,7 +21,8 @@ Scene scene_of(const std::string& parts, const std::string& accuracy) {
 }
 
 std::string block(const std::string& name, const std::string& min, const std::string& max) {
-    return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": )" + min + R"(, "max": )" + max + "}}}";
+    return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": )" + min + R"(, "max": )" + max +
+           "}}}";
 }
 
 std::string by_cells(double size) {
@@ -32,7 +33,8 @@ const std::string floor_part = block("floor", "[0, 0]", "[10, 2]");
 
 TEST(CellSearch, DecidesWhichPairsAreInContact) {
     // gaps of 0.2 and 0.9: whether cells of 0.4 meet depends on where the grid's lines are, not on the distance alone
-    const std::string parts = floor_part + ", " + block("near", "[1, 2.2]", "[3, 4]") + ", " + block("far", "[5, 2.9]", "[7, 4]");
+    const std::string parts =
+        floor_part + ", " + block("near", "[1, 2.2]", "[3, 4]") + ", " + block("far", "[5, 2.9]", "[7, 4]");
     EXPECT_EQ(find_candidates(scene_of(parts, by_cells(0.4)), 1).size(), 1U);
     EXPECT_EQ(find_candidates(scene_of(parts, by_cells(1)), 1).size(), 2U);
     EXPECT_TRUE(find_candidates(scene_of(parts, by_cells(0.05)), 1).empty());
@@ -40,8 +42,7 @@ TEST(CellSearch, DecidesWhichPairsAreInContact) {
     const Scene coarse = scene_of(parts, by_cells(1)), fine = scene_of(parts, by_cells(0.05));
     EXPECT_EQ(detect_contacts(coarse, std::nullopt).pairs.size(), 2U);
     EXPECT_TRUE(detect_contacts(fine, std::nullopt).pairs.empty());
-    EXPECT_EQ(detect_contacts(coarse, std::nullopt).pairs[0].cells_case,
-              std::string(1, CellSearch(coarse).case_of(0, 1)));
+    EXPECT_EQ(detect_contacts(coarse, std::nullopt).pairs[0].cells_case, std::string(1, CellSearch(coarse).case_of(0, 1)));
 }
 
 TEST(CellSearch, LetsInWhatLiesInContactCellsAlone) {
@@ -88,7 +89,8 @@ TEST(CellSearch, IsNotThereWithoutTheMethod) {
 }
 
 TEST(CellSearch, RefusesAGridOfTooManyCells) {
-    const Scene scene = scene_of(floor_part + ", " + block("b", "[1, 2]", "[3, 4]"), R"("method": "dissertation", "cell_size": 1e-3)");
+    const Scene scene =
+        scene_of(floor_part + ", " + block("b", "[1, 2]", "[3, 4]"), R"("method": "dissertation", "cell_size": 1e-3)");
     try {
         search_grid(scene);
         FAIL();
