@@ -140,9 +140,9 @@ PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
         else if (c.basis == solver::Basis::web)
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "extended (web), scaled", "#1348b0", true));
         else if (c.basis == solver::Basis::normalized)
-            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "normalized, Nitsche", "#d98200", true));
+            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "normalized", "#d98200", true));
         else {
-            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "plain, Nitsche", "#d3102b", true));
+            panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "plain", "#d3102b", true));
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "plain or normalized, scaled", "#777777", false));
         }
         const double share = static_cast<double>(c.curve.failures()) / static_cast<double>(c.curve.answers.size());
@@ -161,7 +161,7 @@ void write_sweep(const SweptShape& shape, const std::vector<NamedCurve>& curves)
                  "displacement_l2", "energy", "largest_displacement", "largest_stress", "largest_raw_stress"},
                 {},
                 {}};
-    LogPlot plot{"Condition number as the grid moves through the part: " + shape.name,
+    LogPlot plot{"Condition number as the grid moves through the part: " + shape.name + ", held by Nitsche's method",
                  "smallest filled fraction of a cut cell",
                  "condition number",
                  {-13, 0},
