@@ -8,10 +8,13 @@
 
 #include "apps/commands.hpp"
 #include "apps/data_folder.hpp"
+#include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
 #include "apps/progress_line.hpp"
+#include "src/io/write_file.hpp"
 #include "src/verification/expectations.hpp"
 #include "src/verification/verify_dissertation.hpp"
+#include "src/verification/verify_figures.hpp"
 
 namespace abut {
 
@@ -32,6 +35,14 @@ std::vector<SolvedTable> solved_tables(const std::string& folder) {
         solved.push_back(solve_table(table, folder));
     }
     return solved;
+}
+
+void write_figures(const std::vector<SolvedTable>& solved, const std::string& data_folder, const std::string& folder) {
+    for (const SolvedTable& table : solved) {
+        std::vector<Figure> figures = method_figures(table.table, data_folder);
+        for (Figure& figure : answer_figures(table)) figures.push_back(std::move(figure));
+        for (const Figure& figure : figures) write_file(folder, figure.file, figure.svg);
+    }
 }
 
 std::vector<VerifyRow> verified(const std::vector<VerifyProblem>& problems, const std::string& folder) {
@@ -96,10 +107,12 @@ CommandSpec verify_spec() {
         "Solves problems with known answers and compares.",
         {{"--list", "", "list the problems and stop"},
          {"--json", "", "print the comparison as JSON instead of a table"},
+         {"--figures", "DIR",
+          "write the figures of the dissertation's chapters 4 and 5, as its method has them; with dissertation"},
          {"--data", "DIR", "folder with verification/ and scenes/ (default: the one the program came with)"}},
         "NAME is a problem (E4-quarter) or a group of them (E4); without any, all are solved, which takes minutes.\n"
         "NAME may also be a folder, or a scene: then all scenes below it that have \"expect\" are solved (abut help expect).\n"
-        "dissertation: the tables of the dissertation, its printed values beside ours.\n"
+        "dissertation: the tables of the dissertation, its printed values beside its method's and ours.\n"
         "The exit status is 1 where a quantity misses its tolerance.\n"};
     spec.operands = Operands::any;
     return spec;
@@ -119,8 +132,13 @@ int verify_command(const Arguments& arguments) {
         if (tables || (names.empty() && scenes.empty())) print_text(dissertation_list());
         return exit_done;
     }
+    const std::string figures = has(arguments, "--figures") ? arguments.options.at("--figures") : "";
+    if (!figures.empty() && !tables)
+        throw InputError("--figures", "the figures are the dissertation's", "write: abut verify dissertation --figures DIR");
+    if (!figures.empty()) prepare_output_folder(figures);
     const std::string folder = tables || !problems.empty() ? data_folder(arguments) : "";
     const std::vector<SolvedTable> solved = tables ? solved_tables(folder) : std::vector<SolvedTable>{};
+    if (!figures.empty()) write_figures(solved, folder, figures);
     std::vector<VerifyRow> rows;
     for (const SolvedTable& table : solved)
         for (VerifyRow& row : rows_of(table)) rows.push_back(std::move(row));

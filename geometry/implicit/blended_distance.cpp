@@ -54,10 +54,14 @@ SplineGrid grid_of(const Box2& box, const BlendedDistance& options) {
 
 class Blend {
 public:
-    Blend(const Part& part, const BlendedDistance& options)
-        : options_(completed(part, options)), side_(boundary_side(part)), grid_(grid_of(bounding_box(part), options_)) {
-        for (const Edge& edge : part.edges) curves_.push_back(edge.curve);
-        const EdgeTree tree(part);
+    /// of: the edges whose distance it is, with a sign where they are all of the part's.
+    Blend(const Part& part, const Part& of, bool has_sides, const BlendedDistance& options)
+        : options_(completed(part, options)),
+          side_(boundary_side(part)),
+          has_sides_(has_sides),
+          grid_(grid_of(bounding_box(part), options_)) {
+        for (const Edge& edge : of.edges) curves_.push_back(edge.curve);
+        const EdgeTree tree(of);
         for (int ky = grid_.first[1]; ky < grid_.first[1] + grid_.n[1]; ++ky)
             for (int kx = grid_.first[0]; kx < grid_.first[0] + grid_.n[0]; ++kx)
                 near_.push_back(tree.near(support(kx, ky), options_.delta));
@@ -68,7 +72,7 @@ public:
         const Vec2 local = in_grid(position(p));
         const CardinalValues in_x = cardinal_splines(options_.degree, local.x());
         const CardinalValues in_y = cardinal_splines(options_.degree, local.y());
-        Query<T> query{p, contains(side_.pieces, position(p)), {}};
+        Query<T> query{p, !has_sides_ || contains(side_.pieces, position(p)), {}};
         T sum(0);
         for (int j = 0; j <= options_.degree; ++j)
             for (int i = 0; i <= options_.degree; ++i)
@@ -134,7 +138,8 @@ private:
         if (grid_.holds(kx, ky))
             for (const int edge : near_[grid_.index(kx, ky)]) near.push_back(distance(edge, query));
         if (near.empty()) return T(query.inside ? flat : -flat);
-        const T d = with_side(joined(near, options_.m), side_.on_edge, query.inside);
+        const NearCurve<T> all = joined(near, options_.m);
+        const T d = has_sides_ ? with_side(all, side_.on_edge, query.inside) : without_side(all, side_.on_edge);
         return d < T(0) ? T(-cut_off(T(-d))) : cut_off(d);
     }
 
@@ -147,6 +152,7 @@ private:
 
     BlendedDistance options_;
     BoundarySide side_;
+    bool has_sides_;
     SplineGrid grid_;
     std::vector<Curve> curves_;
     std::vector<std::vector<int>> near_;
@@ -180,7 +186,17 @@ double strip_width(const Part& part) {
 
 ImplicitField blended_distance(const Part& part, const BlendedDistance& options) {
     ENSURE(!part.edges.empty(), "a part has edges");
-    return make_field(Blend(part, options));
+    return make_field(Blend(part, part, true, options));
+}
+
+ImplicitField blended_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options) {
+    ENSURE(!edges.empty(), "a field is of some edges");
+    Part chosen;
+    for (const int e : edges) {
+        ENSURE(e >= 0 && static_cast<std::size_t>(e) < part.edges.size(), "the edge is one of the part's");
+        chosen.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
+    }
+    return make_field(Blend(part, chosen, false, options));
 }
 
 }  // namespace abut::geometry

@@ -62,6 +62,10 @@ ImplicitField distance_field(const Part& part, int m);
 /// edges the derivatives are those of the material's side. Throws std::logic_error if `edges` is empty or names none.
 ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m);
 
+/// The field of the whole line, circle or ellipse that a curve lies on [Grishin10, eq 4.13], positive on the curve's left; of a
+/// spline, which lies on nothing else, the distance, positive on both sides. Legend as above.
+ImplicitField whole_field(const Curve& curve);
+
 /// A field that is zero in the given points, positive elsewhere: squared distances, conjoined [Grishin10, eqs 4.14-4.16]. In
 /// length^2, with a vanishing gradient in the points. The dissertation nests the conjunctions in another order for more than
 /// two points.

@@ -11,11 +11,6 @@ namespace abut::geometry {
 
 namespace {
 
-/// The whole line, circle or ellipse that an edge lies on; positive inside the closed ones.
-ImplicitField whole_field(const TrimmedConic& conic) {
-    return make_field([conic]<class T>(const PointOf<T>& p) -> T { return whole_curve(conic, p); });
-}
-
 Curve placed_edge(const Primitive& primitive, std::size_t edge, bool along) {
     const Curve curve = placed(primitive.edges[edge].curve, primitive.moves);
     return along ? curve : reversed(curve);
@@ -40,14 +35,15 @@ Part placed_part(const Primitive& primitive) {
 }
 
 ImplicitField line_field(const Primitive& primitive, std::size_t edge) {
-    return whole_field(trimmed_conic(std::get<Segment>(with_material_left(primitive, edge))));
+    return whole_field(with_material_left(primitive, edge));
 }
 
 /// Of a primitive whose one edge is a full circle or ellipse.
 ImplicitField closed_field(const Primitive& primitive) {
-    const TrimmedEdge edge = trimmed_edge(with_material_left(primitive, 0));
+    const Curve curve = with_material_left(primitive, 0);
+    const TrimmedEdge edge = trimmed_edge(curve);
     ENSURE(edge.is_conic && edge.conic.is_closed, "a primitive with one edge is a whole circle or ellipse");
-    return whole_field(edge.conic);
+    return whole_field(curve);
 }
 
 /// Builds the fields from the leaves to the root; leaves come in the order of primitives_of.

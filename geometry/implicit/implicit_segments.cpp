@@ -46,4 +46,12 @@ ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m)
     });
 }
 
+ImplicitField whole_field(const Curve& curve) {
+    const TrimmedEdge edge = trimmed_edge(curve);
+    if (edge.is_conic)
+        return make_field([conic = edge.conic]<class T>(const PointOf<T>& p) -> T { return whole_curve(conic, p); });
+    const double on_edge = on_edge_fraction * bounding_box(curve).diagonal();
+    return make_field([edge, on_edge]<class T>(const PointOf<T>& p) -> T { return without_side(trimmed(edge, p), on_edge); });
+}
+
 }  // namespace abut::geometry

@@ -39,25 +39,40 @@ void take(char letter, int cell1, int cell2, CaseCells& best) {
     best.cells[1].push_back(cell2);
 }
 
-}  // namespace
-
-CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
+/// Tells visit(letter, cell1, cell2) of every pair of cells, the same or side by side, in which the first part has material.
+template <class Visit>
+void for_pairs(const CellClasses& part1, const CellClasses& part2, int grid_columns, Visit visit) {
     constexpr std::array<std::array<int, 2>, 5> beside{{{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
     const CellRange &box1 = part1.box, &box2 = part2.box;
     const int first_column = std::max(box1.column, box2.column - 1), first_row = std::max(box1.row, box2.row - 1);
     const int end_column = std::min(box1.column + box1.columns, box2.column + box2.columns + 1);
     const int end_row = std::min(box1.row + box1.rows, box2.row + box2.rows + 1);
-    CaseCells best;
     for (int row = first_row; row < end_row; ++row)
         for (int column = first_column; column < end_column; ++column) {
             const CellClass own = part1.at(column, row);
             if (own == CellClass::outer) continue;
             for (const auto& [dx, dy] : beside)
-                take(case_of(own, part2.at(column + dx, row + dy), dx == 0 && dy == 0), row * grid_columns + column,
-                     (row + dy) * grid_columns + column + dx, best);
+                visit(case_of(own, part2.at(column + dx, row + dy), dx == 0 && dy == 0), row * grid_columns + column,
+                      (row + dy) * grid_columns + column + dx);
         }
+}
+
+}  // namespace
+
+CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
+    CaseCells best;
+    for_pairs(part1, part2, grid_columns, [&](char letter, int cell1, int cell2) { take(letter, cell1, cell2, best); });
     for (std::vector<int>& cells : best.cells) sort_out(cells);
     return best;
+}
+
+std::vector<int> cells_beside(const CellClasses& part1, const CellClasses& part2, int grid_columns) {
+    std::vector<int> cells;
+    for_pairs(part1, part2, grid_columns, [&](char letter, int cell1, int) {
+        if (letter != 'e') cells.push_back(cell1);
+    });
+    sort_out(cells);
+    return cells;
 }
 
 char cell_case(const Part& part1, const Part& part2, double cell_size) {

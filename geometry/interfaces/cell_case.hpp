@@ -32,4 +32,8 @@ struct CaseCells {
 /// around).
 CaseCells case_cells(const CellClasses& part1, const CellClasses& part2, int grid_columns);
 
+/// The cells of the first part, boundary and inner ones, that are, or share a side with, a cell of the second: those of all
+/// four kinds, ascending, which is what a contact needs that is of one kind here and of another there.
+std::vector<int> cells_beside(const CellClasses& part1, const CellClasses& part2, int grid_columns);
+
 }  // namespace abut::geometry

@@ -76,4 +76,21 @@ std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const F
     return pieces;
 }
 
+FacingZone stretch_of(const Part& part1, const Part& part2, const FacingZone& whole, double begin1, double end1) {
+    FacingZone z = whole;
+    const auto partner = [&](double s1, double otherwise) {
+        const double guess = whole.begin2 + (s1 - whole.begin1) / (whole.end1 - whole.begin1) * (whole.end2 - whole.begin2);
+        const FacingPair pair = pair_from_first(part1, part2, whole, s1, guess);
+        return pair.found ? pair.s2 : otherwise;
+    };
+    z.closed = false;
+    z.begin_is_limit = whole.begin_is_limit && begin1 == whole.begin1;
+    z.end_is_limit = whole.end_is_limit && end1 == whole.end1;
+    z.begin1 = begin1;
+    z.end1 = end1;
+    z.begin2 = partner(begin1, whole.begin2);
+    z.end2 = partner(end1, whole.end2);
+    return z;
+}
+
 }  // namespace abut::geometry

@@ -18,4 +18,8 @@ struct ZonePiece {
 /// out.
 std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone);
 
+/// The stretch [begin1, end1] of a zone, with its partners. Of closed zones it may run past the zone's end; whole.closed is
+/// forgotten. Gaps are left to be filled in; what is no end of the whole is no limit of the search.
+FacingZone stretch_of(const Part& part1, const Part& part2, const FacingZone& whole, double begin1, double end1);
+
 }  // namespace abut::geometry

@@ -12,12 +12,23 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The factors of an element's functions.
+VectorXd factors_of(const VectorXd& scale, const std::vector<int>& functions) {
+    VectorXd factors(static_cast<Index>(functions.size()));
+    for (Index i = 0; i < factors.size(); ++i) factors[i] = scale[functions[static_cast<std::size_t>(i)]];
+    return factors;
+}
+
 /// w N with its gradient, from N (product rule).
-PointBasis weighted(const PointBasis& b, const ScalarField& weight, const Vec2& p) {
-    if (!weight) return b;
-    const ScalarAt w = weight(p);
-    return {b.functions, w.value * b.value, w.value * b.dx + w.gradient.x() * b.value,
-            w.value * b.dy + w.gradient.y() * b.value};
+PointBasis weighted(const PointBasis& b, const SolutionStructure& s, std::size_t component, const Vec2& p) {
+    if (!s.weight[component]) return b;
+    const ScalarAt w = s.weight[component](p);
+    PointBasis of{b.functions, w.value * b.value, w.value * b.dx + w.gradient.x() * b.value,
+                  w.value * b.dy + w.gradient.y() * b.value};
+    if (s.scale[component].size() == 0) return of;
+    const VectorXd factors = factors_of(s.scale[component], b.functions);
+    for (VectorXd* v : {&of.value, &of.dx, &of.dy}) *v = v->cwiseProduct(factors);
+    return of;
 }
 
 DisplacementAt data_at(const SolutionStructure& s, const Vec2& p) {
@@ -61,7 +72,13 @@ ElementBasis element_basis(const PartInput& input, const CellRule& rule) {
     Sampled local;
     sample(input.space, rule.element, rule.points, local);
     ElementBasis b{e.functions, extracted(local, e), {}};
-    for (std::size_t c = 0; c < 2; ++c) b.of[c] = weighted(b.plain, input.structure->weight[c], rule.points);
+    for (std::size_t c = 0; c < 2; ++c) {
+        b.of[c] = weighted(b.plain, input.structure->weight[c], rule.points);
+        const VectorXd& scale = input.structure->scale[c];
+        if (scale.size() == 0) continue;
+        const VectorXd factors = factors_of(scale, b.functions);
+        for (MatrixXd* m : {&b.of[c].value, &b.of[c].dx, &b.of[c].dy}) *m = *m * factors.asDiagonal();
+    }
     return b;
 }
 
@@ -134,8 +151,8 @@ DisplacementBasis displacement_basis(const PartInput& input, int element, const 
     DisplacementBasis b;
     b.x = evaluate(input.space, element, p);
     if (!input.structure) return b;
-    b.y = weighted(b.x, input.structure->weight[1], p);
-    b.x = weighted(b.x, input.structure->weight[0], p);
+    b.y = weighted(b.x, *input.structure, 1, p);
+    b.x = weighted(b.x, *input.structure, 0, p);
     b.data = data_at(*input.structure, p);
     return b;
 }

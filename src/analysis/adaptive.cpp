@@ -22,6 +22,7 @@
 #include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/accuracy_goal.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {
@@ -147,8 +148,8 @@ private:
     }
 
     bool may_widen() const {
-        return !scene_.contacts.search_distance && widenings_ < max_search_widenings && factor_ < farthest_search &&
-               scene_.contacts.detect && scene_.parts.size() > 1;
+        return !scene_.contacts.search_distance && !is_by_dissertation(scene_) && widenings_ < max_search_widenings &&
+               factor_ < farthest_search && scene_.contacts.detect && scene_.parts.size() > 1;
     }
 
     /// Looks farther; where the parts rest on nothing, until there is more to rest on.

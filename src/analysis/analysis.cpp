@@ -24,9 +24,13 @@
 #include "src/answers/probes.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
+#include "src/contact/cell_search.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
+#include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/dissertation_method.hpp"
+#include "src/solution/assembled_condition.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/rigid_pairs.hpp"
 
@@ -165,12 +169,19 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.degree = drawn.accuracy.degree;
     result.warnings = drawn.warnings;
     result.notes = drawn.notes;
+    if (is_by_dissertation(drawn))
+        result.notes.push_back(
+            "by the dissertation's method, as accuracy.method asks: one solution on grids that do not adapt, contact by "
+            "penalty along what its search on cells of " +
+            with_unit(search_cell(drawn), 4, drawn.length_unit) + " lets in");
     check_probes(drawn);
     const ResolvedConditions conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, conditions);
     const int threads = solver::usable_threads(options.threads);
     Outcome out = solve_adaptively(drawn, conditions, options, seconds);
-    const std::optional<Scene> rest = follow_to_rest(drawn, conditions, options, seconds, out, result);
+    // the dissertation's method is one solution, from where parts are drawn
+    const std::optional<Scene> rest =
+        is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
     const Scene& scene = rest ? *rest : drawn;
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
@@ -184,6 +195,7 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
+    if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out.solved, result);
     } else {

@@ -15,6 +15,7 @@
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/results/findings.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/solution/contact_measures.hpp"
 
 namespace abut {
@@ -219,8 +220,8 @@ void check_grids(const Scene& scene, const Outcome& out, Result& result) {
         result.warnings.push_back(left_out);
     if (out.search_too_short)
         tell({{0, "",
-               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) +
-                   "; give contacts.search_distance a larger value",
+               "contact reaches the end of what was searched" + pairs_beyond_search(scene, out.solved) + "; give " +
+                   (is_by_dissertation(scene) ? "accuracy.cell_size" : "contacts.search_distance") + " a larger value",
                "contact reaches the end of what was searched"}},
              "search", result);
     if (out.solved.limited_grids > 0)

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "src/base/index.hpp"
+#include "src/contact/cell_search.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {
@@ -33,11 +35,13 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
         reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], largest);
     }
     const PartReach parts(scene);
+    const std::optional<double> by_cells = is_by_dissertation(scene) ? std::optional(search_reach(scene)) : std::nullopt;
     double factor = 0;
     for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i)
         for (int j = i + 1; j < static_cast<int>(scene.parts.size()); ++j) {
             const double closing = reach[at(i)] + reach[at(j)];
-            if (parts.within(i, j, closing)) factor = std::max(factor, closing / (first_search_fraction * parts.size(i, j)));
+            const double first = by_cells.value_or(first_search_fraction * parts.size(i, j));
+            if (parts.within(i, j, closing)) factor = std::max(factor, closing / first);
         }
     return factor;
 }

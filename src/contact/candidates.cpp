@@ -88,7 +88,9 @@ Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach,
     Meeting m{first, second};
     m.closest = closest_points(a, b, std::max(distances.closest, touching));
     bool paired = false, depth_seen = false;
-    for (geometry::FacingZone& zone : find_facing_zones(a, b, std::max(distances.search, touching))) {
+    std::vector<geometry::FacingZone> zones = find_facing_zones(a, b, std::max(distances.search, touching));
+    if (distances.cells) zones = distances.cells->in_cells(scene, first, second, zones);
+    for (geometry::FacingZone& zone : zones) {
         if (is_far_side(zone, common, touching, first_search_fraction * reach.size(first, second))) continue;
         paired = paired ||
                  (m.closest && (zone.gap_min <= m.closest->distance + touching || ends_at_closest(scene, m, zone, touching)));
@@ -110,9 +112,15 @@ std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
     if (!scene.contacts.detect && scene.contacts.pairs.empty()) return meetings;
     const PairRules rules(scene);
     const PartReach reach(scene);
+    const std::optional<CellSearch> cells = cell_search(scene);
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
+            if (cells) {
+                const double all = search_reach(scene);
+                if (cells->case_of(i, j) != 'e') meetings.push_back(meet(scene, rules, reach, i, j, {all, all, all, &*cells}));
+                continue;
+            }
             const double distance = reach.searched(i, j, factor), shown = reach.shown(i, j);
             if (reach.within(i, j, distance)) meetings.push_back(meet(scene, rules, reach, i, j, {distance, shown, shown}));
         }

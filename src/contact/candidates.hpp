@@ -8,6 +8,7 @@
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/brep/overlap.hpp"
 #include "geometry/proximity/facing.hpp"
+#include "src/contact/cell_search.hpp"
 #include "src/contact/pair_rules.hpp"
 #include "src/contact/part_reach.hpp"
 #include "src/scene/scene.hpp"
@@ -58,9 +59,11 @@ struct Meeting {
     bool too_deep = false;                             ///< the overlap: no faces are paired across it
 };
 
-/// Distances up to which zones are looked for, are shown, and closest points are looked for.
+/// Distances up to which zones are looked for, are shown, and closest points are looked for; with the dissertation's search
+/// the zones are what its cells let in.
 struct MeetingDistances {
     double search, shown, closest;
+    const CellSearch* cells = nullptr;
 };
 
 /// Finds what two parts have to do with each other. Zones are cut where rules change; those left alone are not among the

@@ -189,10 +189,13 @@ void list_pairs(const Listing& l, PairRows& rows) {
     if (m.unpaired && !m.overlap && m.closest->distance <= std::max(l.shown, l.touching)) rows.places.push_back(place_row(l));
 }
 
-void fill_cell_cases(const Scene& scene, const PartReach& reach, std::vector<DetectedPair>& rows) {
+/// By the search that decided, or each pair on a grid of its own.
+void fill_cell_cases(const Scene& scene, const PartReach& reach, const std::optional<CellSearch>& cells,
+                     std::vector<DetectedPair>& rows) {
     std::map<std::array<int, 2>, std::string> cases;
     for (DetectedPair& row : rows) {
         std::string& letter = cases[row.part];
+        if (letter.empty() && cells) letter = {cells->case_of(row.part[0], row.part[1])};
         if (letter.empty())
             letter = {cell_case(scene_part(scene, row.part[0]).part, scene_part(scene, row.part[1]).part,
                                 geometry::case_cell_fraction * reach.size(row.part[0], row.part[1]))};
@@ -208,8 +211,17 @@ Detection detect_contacts(const Scene& scene, std::optional<double> distance) {
     const PartReach reach(scene);
     PairRows rows;
     const int n = static_cast<int>(scene.parts.size());
+    const std::optional<CellSearch> cells = cell_search(scene);
     for (int i = 0; i < n; ++i)
         for (int k = i + 1; k < n; ++k) {
+            if (cells) {
+                const double all = search_reach(scene);
+                found.distance = all;
+                if (cells->case_of(i, k) == 'e') continue;
+                const Meeting m = meet(scene, rules, reach, i, k, {all, all, all, &*cells});
+                if (m.overlap || m.closest) list_pairs({scene, m, all, all, reach.touching(i, k)}, rows);
+                continue;
+            }
             const double shown = distance.value_or(reach.shown(i, k)), searched = std::max(shown, reach.searched(i, k, 1));
             const double near_miss = std::max(searched, near_miss_fraction * reach.size(i, k));
             found.distance = std::max(found.distance, shown);
@@ -224,7 +236,7 @@ Detection detect_contacts(const Scene& scene, std::optional<double> distance) {
         }
     found.pairs = std::move(rows.faces);
     std::move(rows.places.begin(), rows.places.end(), std::back_inserter(found.pairs));
-    for (std::vector<DetectedPair>* list : {&found.pairs, &found.near_misses}) fill_cell_cases(scene, reach, *list);
+    for (std::vector<DetectedPair>* list : {&found.pairs, &found.near_misses}) fill_cell_cases(scene, reach, cells, *list);
     return found;
 }
 

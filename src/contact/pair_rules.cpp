@@ -11,7 +11,6 @@ namespace abut {
 
 namespace {
 
-using geometry::FacingPair;
 using geometry::FacingZone;
 
 /// Pieces of a zone one after the other that fall under one rule.
@@ -22,19 +21,7 @@ struct Run {
 
 /// The stretch of a zone that a run is.
 FacingZone stretch_of(const Scene& scene, int first, int second, const FacingZone& whole, const Run& run) {
-    FacingZone z = whole;
-    const auto partner = [&](double s1, double otherwise) {
-        const double guess = whole.begin2 + (s1 - whole.begin1) / (whole.end1 - whole.begin1) * (whole.end2 - whole.begin2);
-        const FacingPair pair = pair_from_first(part_of(scene, first), part_of(scene, second), whole, s1, guess);
-        return pair.found ? pair.s2 : otherwise;
-    };
-    z.closed = false;
-    z.begin_is_limit = whole.begin_is_limit && run.begin1 == whole.begin1;
-    z.end_is_limit = whole.end_is_limit && run.end1 == whole.end1;
-    z.begin1 = run.begin1;
-    z.end1 = run.end1;
-    z.begin2 = partner(run.begin1, whole.begin2);
-    z.end2 = partner(run.end1, whole.end2);
+    FacingZone z = geometry::stretch_of(part_of(scene, first), part_of(scene, second), whole, run.begin1, run.end1);
     z.gap_min = run.gap_min;
     z.gap_max = run.gap_max;
     return z;

@@ -7,8 +7,10 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/gauss.hpp"
+#include "geometry/quadrature/transformed_gauss.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/plan/plan.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -92,7 +94,9 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
     solver::PartInput& input = result.input;
     result.elements = find_elements(result.local, result.cells);
     input.space = make_space(space_input(scene, result, degree));
-    for (geometry::CellRule& rule : cell_rules(result.local, result.cells, result.elements, p))
+    for (geometry::CellRule& rule : is_by_dissertation(scene)
+                                        ? transformed_rules(result.local, result.cells, result.elements, p)
+                                        : cell_rules(result.local, result.cells, result.elements, p))
         input.cut_rules.push_back({rule.element, std::move(rule.points), std::move(rule.weights)});
     const geometry::GaussRule& line = geometry::gauss_rule(p + 1);
     input.line_rule = {line.points, line.weights};

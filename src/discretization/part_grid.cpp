@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "src/base/index.hpp"
+#include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -42,6 +44,17 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
         for (int k = 0; k <= cells; ++k) lines.push_back(box.min[axis] + begin + k * h);
         if (begin == 0) lines.back() = box.max[axis];
     }
+    return grid;
+}
+
+/// One of the grids that the dissertation's search splits its one grid into, in the part's local frame.
+geometry::Grid search_grid_of(const Scene& scene, int part, const Frame& frame) {
+    geometry::Grid grid = split_grid(search_grid(scene), part);
+    if (grid.x.empty())
+        throw InputError(scene.parts[at(part)].where, "part " + scene.parts[at(part)].name + " fills no cell of the grid",
+                         "give accuracy.cell_size a smaller value");
+    for (double& x : grid.x) x -= frame.shift.x();
+    for (double& y : grid.y) y -= frame.shift.y();
     return grid;
 }
 
@@ -103,6 +116,11 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
     if (result.given) {
         result.grid = explicit_grid(given->second, result.local, result.frame);
         result.degree = given->second.degree.value_or(result.degree);
+        return result;
+    }
+    if (is_by_dissertation(scene)) {
+        result.given = true;
+        result.grid = search_grid_of(scene, part, result.frame);
         return result;
     }
     const double budget =

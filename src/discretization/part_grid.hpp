@@ -15,7 +15,7 @@ struct PartGrid {
     geometry::Part local;  ///< the part in that frame
     geometry::Grid grid;
     std::array<int, 2> degree;
-    bool given = false;    ///< by the scene: nothing here may refine it
+    bool given = false;    ///< by the scene, or by the dissertation's search: nothing here may refine it
     bool limited = false;  ///< coarser than wanted, to bound the number of cells
 };
 

@@ -11,6 +11,7 @@
 #include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -93,9 +94,9 @@ bool prescribes_zero(const Support& s) {
     return (!s.x || zero(s.value[0])) && (!s.y || zero(s.value[1]));
 }
 
-std::vector<WeightField> fields_of(const HeldByWeight& held, const PartOnGrid& g) {
+std::vector<WeightField> fields_of(const Scene& scene, const HeldByWeight& held, const PartOnGrid& g) {
     if (held.edges.empty()) return {point_weight(held.points, g.size)};
-    return edge_fields(g.local, held.edges, g.size);
+    return edge_fields(g.local, held.edges, g.size, edge_weights(scene.accuracy.weights));
 }
 
 /// phi of a component; empty where nothing but zeros is prescribed.
@@ -104,7 +105,7 @@ JetField data_of(const Scene& scene, const std::vector<HeldByWeight>& held, cons
     std::vector<WeightField> zeros;
     for (const HeldByWeight& h : held) {
         const Support& s = scene.supports[at(h.support)];
-        const std::vector<WeightField> own = fields_of(h, g);
+        const std::vector<WeightField> own = fields_of(scene, h, g);
         if (prescribes_zero(s))
             zeros.insert(zeros.end(), own.begin(), own.end());
         else
@@ -115,14 +116,30 @@ JetField data_of(const Scene& scene, const std::vector<HeldByWeight>& held, cons
     return blended(fields);
 }
 
-WeightField weight_of(const std::vector<HeldByWeight>& held, const PartOnGrid& g) {
+/// Untrimmed weights must not hold the part where no support does.
+void check_whole(const Scene& scene, const std::vector<HeldByWeight>& held, const std::vector<int>& edges,
+                 const PartOnGrid& g) {
+    const std::optional<int> more = edge_that_holds_more(g.local, edges, g.size);
+    if (!more) return;
+    const auto its = std::find_if(held.begin(), held.end(), [&](const HeldByWeight& h) {
+        return std::find(h.edges.begin(), h.edges.end(), *more) != h.edges.end();
+    });
+    throw InputError(scene.supports[at(its->support)].where,
+                     "as an R-function the whole line or circle of edge " + g.local.edges[at(*more)].name +
+                         " would hold part " + g.local.name + " where it goes on inside it",
+                     "give accuracy.weights \"joined\", which end where the edge does");
+}
+
+WeightField weight_of(const Scene& scene, const std::vector<HeldByWeight>& held, const PartOnGrid& g) {
     std::vector<int> edges;
     std::vector<Vec2> points;
     for (const HeldByWeight& h : held) {
         edges.insert(edges.end(), h.edges.begin(), h.edges.end());
         points.insert(points.end(), h.points.begin(), h.points.end());
     }
-    std::vector<WeightField> fields = edge_fields(g.local, edges, g.size);
+    const EdgeWeights how = edge_weights(scene.accuracy.weights);
+    if (how == EdgeWeights::r_function) check_whole(scene, held, edges, g);
+    std::vector<WeightField> fields = edge_fields(g.local, edges, g.size, how);
     if (!points.empty()) fields.push_back(point_weight(points, g.size));
     return conjoined(fields);
 }
@@ -189,6 +206,20 @@ std::vector<solver::CellRule> rules_of(const PartOnGrid& g, const std::vector<He
     return rules;
 }
 
+/// Divides w N by the largest w in its support [Grishin10, eq 4.1], as the rules' points see it.
+void divide_by_extremes(const PartOnGrid& g, solver::SolutionStructure& s) {
+    for (std::size_t c = 0; c < 2; ++c) {
+        if (!s.weight[c]) continue;
+        Eigen::VectorXd largest = Eigen::VectorXd::Zero(g.input.space.n_functions);
+        for (const solver::CellRule& rule : s.rules) {
+            double w = 0;
+            for (const Vec2& p : rule.points) w = std::max(w, std::abs(s.weight[c](p).value));
+            for (const int f : extraction(g.input.space, rule.element).functions) largest[f] = std::max(largest[f], w);
+        }
+        s.scale[c] = largest.unaryExpr([](double w) { return w > 0 ? 1 / w : 1; });
+    }
+}
+
 void check_finite(const Scene& scene, const PartOnGrid& g, const solver::SolutionStructure& s) {
     for (const solver::ScalarField& phi : s.data)
         for (const solver::CellRule& rule : s.rules)
@@ -239,13 +270,14 @@ std::shared_ptr<const solver::SolutionStructure> make_structure(const Scene& sce
         std::vector<HeldByWeight> held;
         std::copy_if(all.begin(), all.end(), std::back_inserter(held), [&](const HeldByWeight& h) { return h.component == c; });
         if (held.empty()) continue;
-        const WeightField weight = weight_of(held, g);
+        const WeightField weight = weight_of(scene, held, g);
         structure->weight[at(c)] = scalar_field(weight.field, g.center);
         const JetField data = data_of(scene, held, g);
         if (data) structure->data[at(c)] = scalar_field(data, g.center);
         is_polynomial = is_polynomial && weight.is_linear && !data;
     }
     structure->rules = rules_of(g, all, is_polynomial);
+    if (is_by_dissertation(scene)) divide_by_extremes(g, *structure);
     check_finite(scene, g, *structure);
     return structure;
 }

@@ -4,7 +4,8 @@
 //
 // w, by component of the grid's axes: the R-conjunction of the normalised distances (divided by the part's size) to all edges
 // and points that hold the component. The distance to a straight edge on the outline's hull is linear (the whole line's, so
-// that polynomials stay polynomials), to other edges that of geometry::edge_field. phi: the prescribed values, blended between
+// that polynomials stay polynomials), to other edges that of geometry::edge_field; accuracy.weights takes others (EdgeWeights,
+// weight_fields.hpp). phi: the prescribed values, blended between
 // supports by the inverse squares of the distances to them.
 #pragma once
 #include <memory>

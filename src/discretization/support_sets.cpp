@@ -10,6 +10,7 @@
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/plan/support_components.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -139,6 +140,17 @@ std::vector<EdgePortion> without_held(const std::vector<EdgePortion>& portions, 
     return rest;
 }
 
+/// The dissertation's method has no other way than weights to hold an edge.
+void require_held(const Scene& scene, int support, const std::vector<EdgePortion>& rest, const PartOnGrid& g,
+                  const std::string& why) {
+    for (const EdgePortion& p : rest)
+        if (p.part == g.part)
+            throw InputError(scene.supports[at(support)].where,
+                             "the dissertation's method cannot hold edge " + g.local.edges[at(p.edge)].name + " of part " +
+                                 g.local.name + " so: " + why,
+                             "hold whole edges in both directions or along the axes, or take accuracy.method out");
+}
+
 }  // namespace
 
 std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
@@ -150,9 +162,11 @@ std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedCondition
         for (const HeldByWeight& h : held)
             if (h.support == support) sets.push_back(set_of(h, on_grid));
         const std::string note = may_align ? why_not_by_weight(scene, support, on_grid) : "accuracy.dirichlet asks for it";
-        for (const HeldComponent& c : components_of(scene.supports[i]))
-            append_sets(sets, on_grid, without_held(conditions.supports[i], held, support, on_grid, c), support, c, may_align,
-                        note);
+        for (const HeldComponent& c : components_of(scene.supports[i])) {
+            const std::vector<EdgePortion> rest = without_held(conditions.supports[i], held, support, on_grid, c);
+            if (is_by_dissertation(scene)) require_held(scene, support, rest, on_grid, note);
+            append_sets(sets, on_grid, rest, support, c, may_align, note);
+        }
     }
     return sets;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/implicit/blended_distance.hpp"
 #include "geometry/implicit/r_functions.hpp"
 #include "src/base/index.hpp"
 
@@ -77,13 +78,78 @@ WeightField distance_to(const Part& part, int edge, double size) {
     return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
 }
 
+WeightField whole(const Curve& curve, double size) {
+    const geometry::ImplicitField field = geometry::whole_field(curve);
+    const bool is_linear = std::holds_alternative<Segment>(curve);
+    return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, is_linear};
+}
+
+/// Least and largest value of a curve's whole field along another curve.
+struct FieldRange {
+    double least, largest;
+};
+FieldRange range_along(const geometry::ImplicitField& field, const Curve& curve) {
+    FieldRange range{geometry::value(field, point(curve, 0)), 0};
+    range.largest = range.least;
+    for (int k = 1; k <= whole_samples; ++k) {
+        const double v = geometry::value(field, point(curve, static_cast<double>(k) / whole_samples));
+        range = {std::min(range.least, v), std::max(range.largest, v)};
+    }
+    return range;
+}
+
+bool lies_along(const geometry::ImplicitField& field, const Curve& curve, double merge) {
+    const FieldRange range = range_along(field, curve);
+    return std::max(-range.least, range.largest) < merge;
+}
+
+/// Each line, circle or ellipse once.
+std::vector<WeightField> whole_fields(const Part& part, std::vector<int> edges, double size) {
+    const double merge = geometry::merge_fraction * size;
+    std::vector<WeightField> fields;
+    while (!edges.empty()) {
+        const Curve& curve = part.edges[at(edges.front())].curve;
+        fields.push_back(whole(curve, size));
+        const geometry::ImplicitField field = geometry::whole_field(curve);
+        edges.erase(edges.begin());
+        std::erase_if(edges, [&](int e) { return lies_along(field, part.edges[at(e)].curve, merge); });
+    }
+    return fields;
+}
+
+WeightField blended_weight(const Part& part, const std::vector<int>& edges, double size) {
+    const geometry::ImplicitField field = geometry::blended_distance(part, edges);
+    return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
+}
+
 bool is_finite(const Jet& j) {
     return std::isfinite(j.v) && std::isfinite(j.x) && std::isfinite(j.y);
 }
 
 }  // namespace
 
-std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& edges, double size) {
+EdgeWeights edge_weights(const std::string& word) {
+    if (word == "r_function") return EdgeWeights::r_function;
+    return word == "blended" ? EdgeWeights::blended : EdgeWeights::joined;
+}
+
+std::optional<int> edge_that_holds_more(const Part& part, const std::vector<int>& edges, double size) {
+    const double merge = geometry::merge_fraction * size;
+    for (const int e : edges) {
+        const geometry::ImplicitField field = geometry::whole_field(part.edges[at(e)].curve);
+        for (std::size_t k = 0; k < part.edges.size(); ++k) {
+            const FieldRange range = range_along(field, part.edges[k].curve);
+            const bool is_held = std::find(edges.begin(), edges.end(), static_cast<int>(k)) != edges.end();
+            if (range.least < -merge || (range.largest < merge && !is_held)) return e;
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& edges, double size, EdgeWeights how) {
+    if (edges.empty()) return {};
+    if (how == EdgeWeights::r_function) return whole_fields(part, edges, size);
+    if (how == EdgeWeights::blended) return {blended_weight(part, edges, size)};
     const double merge = geometry::merge_fraction * size;
     std::vector<WeightField> fields;
     std::vector<int> rest = edges;

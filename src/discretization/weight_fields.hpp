@@ -2,6 +2,8 @@
 // Weight functions out of the edges and points that hold a component, and blends of what is prescribed there.
 #pragma once
 #include <functional>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/implicit/implicit.hpp"
@@ -19,9 +21,26 @@ struct WeightField {
     bool is_linear = false;
 };
 
-/// The weights of whole edges: all collinear ones whose line leaves the part on one side, and touches it nowhere else, as one
-/// linear field; each other one as geometry::edge_field. Cost of making it O(edges^2).
-std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size);
+/// How the weights of edges are made.
+enum class EdgeWeights {
+    /// All collinear edges whose line leaves the part on one side, and touches it nowhere else, as one linear field; each other
+    /// one as geometry::edge_field, which is trimmed to it. Cost of making it O(edges^2).
+    joined,
+    /// The whole lines, circles and ellipses that edges lie on, each once [Grishin10, eqs 4.12-4.13]: nothing is trimmed.
+    r_function,
+    /// One blended distance to all of them [Grishin10, eqs 3.18-3.19].
+    blended
+};
+EdgeWeights edge_weights(const std::string& word);
+
+/// The weights of whole edges.
+std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size, EdgeWeights how);
+
+/// The first of the edges whose whole line, circle or ellipse passes through the part where no edge of them is: as an
+/// r_function it would hold the part there, too. Looked at: `whole_samples` points of every edge.
+std::optional<int> edge_that_holds_more(const geometry::Part& part, const std::vector<int>& edges, double size);
+inline constexpr int whole_samples = 32;  ///< of circles against splines; one would do between lines
+
 WeightField point_weight(const std::vector<geometry::Vec2>& points, double size);
 
 /// The R-conjunction (alpha = 0) of fields, neighbours first; linear only if it is one field.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/brep/extent.hpp"
+#include "src/contact/cell_search.hpp"
 #include "src/inspection/cell_sheet.hpp"
 #include "src/inspection/detect_pictures.hpp"
 #include "src/inspection/inspect_page.hpp"
@@ -14,6 +15,7 @@
 #include "src/report/boxes_apart.hpp"
 #include "src/report/label_placement.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -61,8 +63,9 @@ double bounded_cell(const Scene& scene, double wanted, int most) {
     return cell;
 }
 
-/// The smallest of the sizes that the detected pairs have in the table.
+/// The smallest of the sizes that the detected pairs have in the table; where the search itself decides, its own.
 double wanted_cell(const Scene& scene, const Detection& detection) {
+    if (is_by_dissertation(scene)) return search_cell(scene);
     double smallest = std::numeric_limits<double>::infinity();
     for (const DetectedPair& pair : detection.pairs)
         for (const int p : pair.part) smallest = std::min(smallest, extent(scene.parts[static_cast<std::size_t>(p)].part));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/base/index.hpp"
+#include "src/scene/dissertation_method.hpp"
 
 namespace abut {
 
@@ -50,7 +51,7 @@ void append_wrong_supports(const Scene& scene, std::vector<Problem>& problems) {
         if (s.kind == Support::Kind::points)
             problems.push_back({s.where, "points cannot be held in an axisymmetric analysis", "hold an edge"});
     }
-    if (scene.accuracy.dirichlet == "solution_structure")
+    if (scene.accuracy.dirichlet == "solution_structure" && !is_by_dissertation(scene))
         problems.push_back({"/accuracy/dirichlet", "there are no weight functions in an axisymmetric analysis",
                             "take \"auto\", \"aligned\" or \"nitsche\""});
 }

@@ -5,6 +5,7 @@
 
 #include "src/base/index.hpp"
 #include "src/plan/axisymmetric.hpp"
+#include "src/plan/dissertation_limits.hpp"
 #include "src/plan/loads.hpp"
 
 namespace abut {
@@ -87,6 +88,7 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
     append_contradictions(scene, r.supports, problems);
     append_wrong_points(scene, problems);
     append_axisymmetric_problems(scene, r, problems);
+    append_dissertation_problems(scene, problems);
     if (!problems.empty()) throw InputError(problems);
     return r;
 }

@@ -199,7 +199,8 @@ struct Result {
         int grids = 0, factorizations = 0, contact_iterations = 0;
         double condition_estimate = 0;
         bool converged = true;
-        int groups = 0, contact_problems = 0;  ///< of parts that do not interact; those that have contact
+        int groups = 0, contact_problems = 0;         ///< of parts that do not interact; those that have contact
+        std::optional<double> assembled_condition{};  ///< by the dissertation's method: as its table 5.2 has it
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)

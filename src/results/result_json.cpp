@@ -160,13 +160,15 @@ Json probe(const ProbeResult& p) {
 }
 
 Json solver(const Result& r) {
-    return {{"grids", r.solver.grids},
-            {"factorizations", r.solver.factorizations},
-            {"contact_iterations", r.solver.contact_iterations},
-            {"condition_estimate", number(r.solver.condition_estimate)},
-            {"converged", r.solver.converged},
-            {"groups", r.solver.groups},
-            {"contact_problems", r.solver.contact_problems}};
+    Json j{{"grids", r.solver.grids},
+           {"factorizations", r.solver.factorizations},
+           {"contact_iterations", r.solver.contact_iterations},
+           {"condition_estimate", number(r.solver.condition_estimate)},
+           {"converged", r.solver.converged},
+           {"groups", r.solver.groups},
+           {"contact_problems", r.solver.contact_problems}};
+    if (r.solver.assembled_condition) j["assembled_condition"] = number(*r.solver.assembled_condition);
+    return j;
 }
 
 Json timing(const Result& r) {

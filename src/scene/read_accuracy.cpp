@@ -42,11 +42,29 @@ std::string word_or(SceneReading& reading, const JsonValue& object, const char* 
     return value ? read_word(reading, *value, words).value_or(otherwise) : otherwise;
 }
 
+/// Keys that the dissertation's method decides or has no use for, and weights without a structure to weigh.
+void refuse_beside_method(SceneReading& reading, const JsonValue& accuracy, const Accuracy& read) {
+    const JsonValue* weights = find_member(accuracy, "weights");
+    if (read.method != "dissertation") {
+        if (weights && read.dirichlet != "solution_structure")
+            report_problem(reading, *weights, "'weights' belong to the solution structure",
+                           "give \"dirichlet\": \"solution_structure\", or leave them out");
+        return;
+    }
+    for (const char* key : {"level", "target", "refine", "basis", "dirichlet", "adapt"})
+        if (const JsonValue* member = find_member(accuracy, key))
+            report_problem(
+                reading, *member, "'" + std::string(key) + "' does not go with the dissertation's method",
+                "it has one basis, one way to hold edges and uniform grids: give 'cell_size' or 'grids', and leave '" +
+                    std::string(key) + "' out");
+}
+
 }  // namespace
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "target", "degree", "cell_size", "refine", "basis", "dirichlet", "grids", "adapt", "solver"},
+    const Words keys{{"level", "target", "degree", "cell_size", "refine", "method", "basis", "dirichlet", "weights", "grids",
+                      "adapt", "solver"},
                      {}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
@@ -63,6 +81,9 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
     result.dirichlet =
         word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
+    result.method = word_or(reading, accuracy, "method", result.method, {{"auto", "dissertation"}, {}});
+    result.weights = word_or(reading, accuracy, "weights", result.weights, {{"auto", "joined", "r_function", "blended"}, {}});
+    refuse_beside_method(reading, accuracy, result);
     result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {{"auto", "cholmod"}, {}}) == "cholmod";
     if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);
     if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);

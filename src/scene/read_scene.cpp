@@ -8,6 +8,7 @@
 
 #include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/scene/read_accuracy.hpp"
 #include "src/scene/read_contacts.hpp"
 #include "src/scene/read_materials.hpp"
@@ -70,12 +71,29 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     scene.imports = std::move(imports.records);
 }
 
+/// The dissertation's method has contact by penalty alone, searched on its grid.
+void refuse_contact_keys(SceneReading& reading) {
+    const JsonValue* contacts = find_member(reading.root, "contacts");
+    if (!contacts || contacts->kind != JsonValue::Kind::object) return;
+    const JsonValue* formulation = find_member(*contacts, "formulation");
+    if (formulation && formulation->text == "mortar")
+        report_problem(reading, *formulation, "mortar contact does not go with the dissertation's method",
+                       "its contact is by penalty: leave the formulation out");
+    if (const JsonValue* distance = find_member(*contacts, "search_distance"))
+        report_problem(reading, *distance, "'search_distance' does not go with the dissertation's method",
+                       "it searches the cells of one grid: leave the distance out, and give accuracy.cell_size");
+}
+
 void read_sections(SceneReading& reading, Scene& scene) {
     const JsonValue& root = reading.root;
     if (const JsonValue* supports = find_member(root, "supports")) scene.supports = read_supports(reading, *supports);
     if (const JsonValue* loads = find_member(root, "loads")) scene.loads = read_loads(reading, *loads);
     if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
     if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
+    if (is_by_dissertation(scene)) {
+        refuse_contact_keys(reading);
+        take_dissertation_method(scene);
+    }
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
     if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
 }

@@ -153,6 +153,8 @@ struct Accuracy {
     std::vector<Refinement> refine;
     std::string basis = "auto";                ///< "auto", "plain", "normalized", "web"
     std::string dirichlet = "auto";            ///< "auto", "aligned", "nitsche", "solution_structure"
+    std::string method = "auto";               ///< "auto", "dissertation": dissertation_method.hpp has taken it
+    std::string weights = "auto";              ///< of solution structures: "auto", "joined", "r_function", "blended"
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
     bool by_cholmod = false;  ///< "solver": "cholmod"

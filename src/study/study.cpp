@@ -9,6 +9,7 @@
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/io/number_text.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/study/study_plan.hpp"
 #include "src/study/study_prices.hpp"
@@ -114,7 +115,7 @@ void Course::run_reference() {
 
 void Course::run_grids() {
     if (grids_.empty()) return;
-    for (const StudySetting& setting : grid_settings(options_)) {
+    for (const StudySetting& setting : grid_settings(scene_, options_)) {
         const std::optional<double> predicted = predicted_seconds(study_.runs, setting);
         if (left() <= 0)
             skip(setting, "nothing was left of the budget");
@@ -127,12 +128,12 @@ void Course::run_grids() {
 }
 
 /// The reference that was asked for; where it was not solved the run with most unknowns among those whose basis bears any grid.
-std::optional<std::size_t> finest_run(const std::vector<StudyRun>& runs) {
+std::optional<std::size_t> finest_run(const std::vector<StudyRun>& runs, const std::string& basis) {
     std::optional<std::size_t> finest;
     for (std::size_t i = 0; i < runs.size(); ++i)
         if (runs[i].status == Status::ok && runs[i].setting.level == level_reference) return i;
     for (std::size_t i = 0; i < runs.size(); ++i)
-        if (runs[i].status == Status::ok && runs[i].setting.basis == "web" && runs[i].setting.degree > 1 &&
+        if (runs[i].status == Status::ok && runs[i].setting.basis == basis && runs[i].setting.degree > 1 &&
             runs[i].setting.kind != Kind::uniform && (!finest || runs[i].unknowns > runs[*finest].unknowns))
             finest = i;
     return finest;
@@ -142,7 +143,7 @@ void Course::fill_errors() {
     std::optional<std::size_t> finest;
     if (known_) {
         for (const Quantity& q : known_->quantities) study_.measures.push_back({q.what.substr(0, q.what.find(absolute_note))});
-    } else if ((finest = finest_run(study_.runs))) {
+    } else if ((finest = finest_run(study_.runs, is_by_dissertation(scene_) ? basis_of_dissertation : "web"))) {
         study_.reference_run = static_cast<int>(*finest);
         study_.measures = measures_of(measured_[*finest].answer);
     }

@@ -17,6 +17,9 @@ inline constexpr const char* level_as_given = "as given";
 /// A level of a study's own, that the others are compared with where no closed form is known.
 inline constexpr const char* level_reference = "a fifth of fine";
 
+/// The word in place of a basis for runs by the dissertation's method (dissertation_method.hpp), which has one of its own.
+inline constexpr const char* basis_of_dissertation = "dissertation";
+
 /// How one run of a study solves the scene.
 struct StudySetting {
     enum class Kind {
@@ -27,7 +30,7 @@ struct StudySetting {
     Kind kind = Kind::level;
     std::string level{};        ///< of Kind::level: "draft", "standard", "fine", level_as_given, level_reference
     int degree = 2;             ///< levels: the scene's own, as is the basis
-    std::string basis = "web";  ///< "web", "normalized"
+    std::string basis = "web";  ///< "web", "normalized", basis_of_dissertation
     double size = 1;            ///< cell size over that of the grids of "standard"; uniform: over that of as many equal cells
 
     int threads = 1;  ///< at most so many

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/scene/accuracy_goal.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/study/study_measure.hpp"
 
 namespace abut {
@@ -59,7 +60,10 @@ Scene scene_at(Scene scene, const StudyTask& task) {
     }
     forget_grids(accuracy);
     accuracy.degree = setting.degree;
-    accuracy.basis = setting.basis;
+    if (setting.basis == basis_of_dissertation)
+        take_dissertation_method(scene);
+    else
+        accuracy.basis = setting.basis;
     if (setting.kind == StudySetting::Kind::uniform) {
         accuracy.cell_size = setting.size * task.equal_size;
         return scene;

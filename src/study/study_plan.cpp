@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/plan/dissertation_limits.hpp"
+#include "src/scene/dissertation_method.hpp"
+
 namespace abut {
 
 namespace {
@@ -21,10 +24,12 @@ bool is_family_mate(const StudySetting& a, const StudySetting& b) {
 
 /// There is nothing that a level could change.
 bool gives_grids(const Accuracy& accuracy) {
-    return (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
+    return accuracy.method == "dissertation" ||
+           (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
 }
 
 StudySetting level_setting(const Accuracy& accuracy, const char* level) {
+    if (accuracy.method == "dissertation") return {Kind::level, level, accuracy.degree, basis_of_dissertation, 1};
     return {Kind::level, level, accuracy.degree, accuracy.basis == "auto" ? "web" : accuracy.basis, 1};
 }
 
@@ -45,9 +50,15 @@ std::vector<StudySetting> threaded_settings(const Scene& scene, int threads) {
     return settings;
 }
 
-std::vector<StudySetting> grid_settings(const StudyOptions& options) {
+std::vector<StudySetting> grid_settings(const Scene& scene, const StudyOptions& options) {
     std::vector<StudySetting> settings;
+    Scene by_dissertation = scene;
+    take_dissertation_method(by_dissertation);
+    std::vector<Problem> against;
+    append_dissertation_problems(by_dissertation, against);
     for (double size : options.sizes) {
+        if (against.empty()) settings.push_back({Kind::graded, "", 2, basis_of_dissertation, size});
+        if (is_by_dissertation(scene)) continue;
         for (const char* basis : {"web", "normalized"})
             for (int degree : options.degrees) settings.push_back({Kind::graded, "", degree, basis, size});
         settings.push_back({Kind::uniform, "", 2, "web", size});
@@ -57,6 +68,8 @@ std::vector<StudySetting> grid_settings(const StudyOptions& options) {
 
 StudySetting reference_setting(const Scene& scene, const StudyOptions& options) {
     if (!gives_grids(scene.accuracy)) return level_setting(scene.accuracy, level_reference);
+    if (is_by_dissertation(scene))
+        return {Kind::graded, "", 2, basis_of_dissertation, reference_refinement * options.sizes.back()};
     return {Kind::graded, "", 2, "web", reference_refinement * options.sizes.back()};
 }
 

@@ -15,8 +15,9 @@ std::vector<StudySetting> level_settings(const Scene& scene);
 /// The settings of the levels with so many threads; none with one thread.
 std::vector<StudySetting> threaded_settings(const Scene& scene, int threads);
 
-/// The settings on given grids, size by size: all degrees, both bases, and equal cells of degree 2.
-std::vector<StudySetting> grid_settings(const StudyOptions& options);
+/// The settings on given grids, size by size: all degrees, both bases, equal cells of degree 2, and where the scene allows it
+/// the dissertation's method with its degree 2. Of a scene by the dissertation's method: that alone.
+std::vector<StudySetting> grid_settings(const Scene& scene, const StudyOptions& options);
 
 /// The setting of the run that the others are compared with: grids that follow the contacts down to a fifth of fine's target,
 /// or where the scene gives its grids these, finer than all others.

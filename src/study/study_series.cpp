@@ -31,6 +31,7 @@ void dress_as_grid(const StudySetting& s, ChartSeries& series) {
     series.color = degree_colors[k];
     series.mark = degree_marks[k];
     if (s.basis == "web") return;
+    if (s.basis == basis_of_dissertation) series.color = "#1c1c1c";
     series.hollow = true;
     series.dashes = "2 3";
     series.line_width = 1.2;
@@ -82,6 +83,7 @@ std::vector<StudyFamily> families_by_layer(const Study& study) {
 std::string legend_words(const StudyFamily& family) {
     if (family.like.kind == Kind::level) return "accuracy " + family.name + ", grids and all";
     if (family.like.kind == Kind::uniform) return "equal cells, degree " + std::to_string(family.like.degree);
+    if (family.like.basis == basis_of_dissertation) return family.name + "'s method";
     return family.name + (family.like.basis == "web" ? "" : " basis");
 }
 

@@ -34,6 +34,8 @@ std::vector<VerifyProblem> chosen_problems(const std::vector<std::string>& names
 /// analysis that fails gives rows that do not pass.
 std::vector<VerifyRow> verify(const VerifyProblem& problem, const std::string& data_folder);
 
+/// The scene of one analysis, as the run has it. Throws InputError where it cannot be read.
+Scene scene_of_run(const VerifyRun& run, const std::string& data_folder);
 /// Runs one analysis; its status may be "failed". Throws InputError where the scene cannot be read.
 Result answer_of(const VerifyRun& run, const std::string& data_folder);
 

@@ -105,6 +105,18 @@ VerifyProblem case_a() {
     return problem;
 }
 
+/// The same beside Okubo's series, which the dissertation compares with. Tolerance: its criterion (section 4.6.1), the series
+/// being an approximation itself.
+VerifyProblem okubo() {
+    constexpr double q = 250, a = 0.5, five_percent = 0.05;
+    VerifyProblem problem{"S-A-okubo", "the dissertation's punch beside Okubo's series", {{"scenes/case_a.json"}}, {}};
+    for (const double x : {0.0, 0.2, 0.4, 0.6, 0.8})
+        problem.quantities.push_back({"p / q at " + std::to_string(x).substr(0, 3) + " a",
+                                      [=](const Answers& r) { return pressure_at_x(contact_of(r), x * a) / q; },
+                                      okubo_pressure(x), five_percent});
+    return problem;
+}
+
 VerifyProblem closed_gap() {
     return {"C9-gap",
             "a bar closes a gap of 0.3 and presses on another",
@@ -189,6 +201,7 @@ std::vector<VerifyProblem> block_problems() {
     problems.push_back(open_gap());
     problems.push_back(gravity());
     problems.push_back(case_a());
+    problems.push_back(okubo());
     problems.push_back(vise());
     problems.push_back(vise_by_penalty());
     return problems;

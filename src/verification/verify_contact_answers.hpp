@@ -17,6 +17,10 @@ struct Hertz {
 /// thickness, all of it.
 Hertz hertz(double radius, double modulus, double load);
 
+/// Okubo's series for an elastic punch on a half plane of the same material, both under the pressure 1, at x of the half width
+/// [Grishin10, section 4.6.1.1, k = 1, after Okubo 1951]: an approximation printed to three digits. Its mean is 1.
+double okubo_pressure(double x);
+
 /// The first run's first contact, its largest pressure, and the size of its force.
 const ContactResult& contact_of(const Answers& answers);
 double peak(const Answers& answers);

@@ -59,22 +59,42 @@ TextRow line_text(const DissertationLine& line, const std::array<std::optional<V
 }
 
 std::string table_text(const SolvedTable& solved) {
-    std::vector<TextRow> text{{"", "unit", "ANSYS", "mesh-free", "penalty", "mortar", "default", "reference"}};
+    std::vector<TextRow> text{{"", "unit", "ANSYS", "mesh-free", "written", "penalty", "mortar", "default", "reference"}};
     for (std::size_t k = 0; k < solved.cells.size(); ++k) text.push_back(line_text(solved.table.lines[k], solved.cells[k]));
     std::string result = solved.table.title + "\n" + aligned(text);
     for (const std::string& note : solved.table.notes) result += "  " + note + "\n";
     return result;
 }
 
+/// Table 5.2: the printed condition numbers, and ours of every column.
+std::string conditions_text(const std::vector<SolvedTable>& solved) {
+    std::vector<TextRow> text{{"", "ANSYS", "mesh-free", "written", "written, scaled", "penalty", "mortar", "default"}};
+    for (const SolvedTable& table : solved) {
+        const auto line = std::find_if(table.table.lines.begin(), table.table.lines.end(),
+                                       [](const DissertationLine& l) { return l.what == whole_condition; });
+        if (line == table.table.lines.end()) continue;
+        TextRow row{"  " + table.table.name, printed(line->ansys, ""), printed(line->mesh_free, "")};
+        const auto& written = table.answers[static_cast<std::size_t>(Ours::written)];
+        row.push_back(printed(written ? written->solver.assembled_condition : std::nullopt, ""));
+        for (const auto& answer : table.answers)
+            row.push_back(answer ? number_text(answer->solver.condition_estimate, 4) : "-");
+        text.push_back(std::move(row));
+    }
+    return "Table 5.2: condition numbers\n" + aligned(text) +
+           "  Printed, and written: of the matrix of all parts with its penalties, not scaled (1-norm). Scaled, and all that\n"
+           "  follow: of the diagonally scaled matrix of the part that has the largest (2-norm).\n";
+}
+
 }  // namespace
 
 SolvedTable solve_table(const DissertationTable& table, const std::string& data_folder) {
-    SolvedTable solved{table, {}};
+    SolvedTable solved{table, {}, {}};
     solved.cells.resize(table.lines.size());
     for (std::size_t column = 0; column < n_ours; ++column) {
         if (!table.runs[column]) continue;
         const auto begin = std::chrono::steady_clock::now();
-        const Result answer = answer_of(*table.runs[column], data_folder);
+        solved.answers[column] = answer_of(*table.runs[column], data_folder);
+        const Result& answer = *solved.answers[column];
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         for (std::size_t k = 0; k < table.lines.size(); ++k)
             solved.cells[k][column] = cell_of(table, table.lines[k], column, answer, seconds);
@@ -92,10 +112,13 @@ std::vector<VerifyRow> rows_of(const SolvedTable& solved) {
 
 std::string dissertation_text(const std::vector<SolvedTable>& solved) {
     std::string text =
-        "ANSYS and mesh-free: as the dissertation prints them. penalty, mortar: ours on its grids; default: ours on the grids "
-        "that\n"
-        "abut chooses. * within its tolerance; the others are recorded. Units: F force, L length.\n\n";
+        "ANSYS and mesh-free: as the dissertation prints them. On its grids: written, its method as it was written; penalty, "
+        "mortar,\n"
+        "ours. default: ours on the grids that abut chooses. * within its tolerance; the others are recorded. Units: F force, "
+        "L "
+        "length.\n\n";
     for (const SolvedTable& table : solved) text += table_text(table) + "\n";
+    text += conditions_text(solved) + "\n";
     std::size_t judged = 0, missed = 0;
     for (const SolvedTable& table : solved)
         for (const VerifyRow& row : rows_of(table)) {

@@ -11,11 +11,14 @@
 
 namespace abut {
 
-/// Our columns: the dissertation's grids with its penalty formulation (50 E of the stiffer part over a length of 1) and with
-/// mortar; and what abut does by itself.
-enum class Ours { penalty, mortar, automatic };
-inline constexpr std::size_t n_ours = 3;
-inline constexpr std::array<const char*, n_ours> ours_name{"penalty", "mortar", "default"};
+/// Our columns. On the dissertation's grids: its method as it was written (accuracy.method), our own with its penalty
+/// formulation (50 E of the stiffer part over a length of 1) and with mortar; and what abut does by itself.
+enum class Ours { written, penalty, mortar, automatic };
+inline constexpr std::size_t n_ours = 4;
+inline constexpr std::array<const char*, n_ours> ours_name{"written", "penalty", "mortar", "default"};
+
+/// The line that table 5.2 is made of.
+inline constexpr const char* whole_condition = "condition number, all parts, not scaled";
 
 /// A tolerance that a value of one of our columns must keep to.
 struct Judged {
@@ -40,6 +43,14 @@ struct DissertationTable {
     std::array<std::optional<VerifyRun>, n_ours> runs;
     std::vector<DissertationLine> lines;
     std::vector<std::string> notes{};
+    /// What the figure of the pressure has it beside: over x up to the half width, in the words given; unset: no such figure.
+    struct Curve {
+        std::string name;
+        double half_width;
+        std::function<double(double)> pressure;
+    };
+    std::optional<Curve> pressure{};
+    std::string figures{};  ///< those of the dissertation that ours correspond to: "5.3, 5.4"
 };
 
 /// The dissertation's tables, in its order.
@@ -50,6 +61,7 @@ struct SolvedTable {
     DissertationTable table;
     /// The cells by line and column; unset where the column has no run or its answer does not tell.
     std::vector<std::array<std::optional<VerifyRow>, n_ours>> cells;
+    std::array<std::optional<Result>, n_ours> answers;  ///< by column, for the figures
 };
 
 /// Solves a table's runs. Throws InputError where a scene cannot be read.
@@ -59,7 +71,7 @@ SolvedTable solve_table(const DissertationTable& table, const std::string& data_
 /// mesh-free value (NaN without either).
 std::vector<VerifyRow> rows_of(const SolvedTable& solved);
 
-/// The tables as text, one block each, and how to read them.
+/// The tables as text, one block each, then table 5.2, and how to read them.
 std::string dissertation_text(const std::vector<SolvedTable>& solved);
 /// The tables' line in `abut verify --list`.
 std::string dissertation_list();

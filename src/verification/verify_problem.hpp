@@ -18,6 +18,7 @@ struct VerifyRun {
     std::map<std::string, double> parameters{};  ///< in place of the scene's
     std::optional<Analysis> analysis{};          ///< in place of the scene's
     std::optional<PenaltyOptions> penalty{};     ///< in place of the scene's formulation
+    bool by_dissertation = false;                ///< by its method (dissertation_method.hpp), with that penalty
 };
 
 /// The answers of a problem's runs, in their order.

@@ -7,6 +7,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/dissertation_method.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/verification/verify.hpp"
 
@@ -81,11 +82,16 @@ std::vector<VerifyProblem> chosen_problems(const std::vector<std::string>& names
     return chosen;
 }
 
-Result answer_of(const VerifyRun& run, const std::string& data_folder) {
+Scene scene_of_run(const VerifyRun& run, const std::string& data_folder) {
     Scene scene = read_scene(data_folder + "/" + run.scene, run.parameters);
     if (run.analysis) scene.analysis = *run.analysis;
     if (run.penalty) scene.contacts.penalty = run.penalty;
-    return analyze(scene, {});
+    if (run.by_dissertation) take_dissertation_method(scene);
+    return scene;
+}
+
+Result answer_of(const VerifyRun& run, const std::string& data_folder) {
+    return analyze(scene_of_run(run, data_folder), {});
 }
 
 VerifyRow compared(const Quantity& quantity, double value) {

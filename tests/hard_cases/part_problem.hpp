@@ -13,7 +13,9 @@ namespace abut::test {
 
 /// rigid: no support, the exact tractions all round, errors up to a rigid motion. The others hold the components named in
 /// PartProblem::held at the exact values: by dropped functions or weights, which need zeros there, or by Nitsche's method.
-enum class Hold { rigid, nitsche, aligned, structure };
+/// dissertation: all of its method (src/scene/dissertation_method.hpp), by weights at zero whatever the exact field has there:
+/// such an answer has no errors, only a matrix.
+enum class Hold { rigid, nitsche, aligned, structure, dissertation };
 std::string name_of(Hold hold);
 
 struct HeldEdge {

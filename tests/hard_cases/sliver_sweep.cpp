@@ -133,8 +133,11 @@ std::string basis_name(solver::Basis basis) {
 PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
     PlotPanel panel{"degree " + std::to_string(degree), {}, "not factorised:"};
     for (const NamedCurve& c : curves) {
-        if (c.degree != degree || c.hold != Hold::nitsche) continue;
-        if (c.basis == solver::Basis::web)
+        if (c.degree != degree || (c.hold != Hold::nitsche && c.hold != Hold::dissertation)) continue;
+        if (c.hold == Hold::dissertation)
+            panel.series.push_back(
+                binned(c.curve, &PartAnswer::unscaled_condition, "normalized, held by weights", "#2a8f4f", true));
+        else if (c.basis == solver::Basis::web)
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "extended (web), scaled", "#1348b0", true));
         else if (c.basis == solver::Basis::normalized)
             panel.series.push_back(binned(c.curve, &PartAnswer::unscaled_condition, "normalized", "#d98200", true));
@@ -143,7 +146,8 @@ PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "plain or normalized, scaled", "#777777", false));
         }
         const double share = static_cast<double>(c.curve.failures()) / static_cast<double>(c.curve.answers.size());
-        panel.note += (panel.series.size() > 1 ? ", " : " ") + basis_name(c.basis) + " " + number_text(100 * share, 2) + " %";
+        panel.note += (panel.series.size() > 1 ? ", " : " ") + basis_name(c.basis) +
+                      (c.hold == Hold::dissertation ? " with weights " : " ") + number_text(100 * share, 2) + " %";
     }
     return panel;
 }
@@ -157,7 +161,7 @@ void write_sweep(const SweptShape& shape, const std::vector<NamedCurve>& curves)
                  "displacement_l2", "energy", "largest_displacement", "largest_stress", "largest_raw_stress"},
                 {},
                 {}};
-    LogPlot plot{"Condition number as the grid moves through the part: " + shape.name,
+    LogPlot plot{"Condition number as the grid moves through the part: " + shape.name + ", held by Nitsche's method",
                  "smallest filled fraction of a cut cell",
                  "condition number",
                  {-13, 0},

@@ -44,11 +44,13 @@ void expect_steady(const SweptShape& shape, int degree, Hold hold, const SweepCu
 
 /// The other bases have nothing to hold to; how they fare is on record beside it.
 void record_beside(const SweptShape& shape, int degree, const NamedCurve& c) {
-    const std::string name = c.basis == solver::Basis::plain ? "plain" : "normalized";
+    const std::string name = c.basis == solver::Basis::plain ? "plain"
+                             : c.hold == Hold::nitsche       ? "normalized"
+                                                             : "dissertation";
     testing::Test::RecordProperty((name + "_degree_" + std::to_string(degree) + "_not_factorised").c_str(),
                                   std::to_string(c.curve.failures()) + " of " + std::to_string(c.curve.answers.size()));
     std::printf(
-        "  %-13s degree %d, %-10s: %4d of %4zu not factorised; condition number scaled %.1e, unscaled %.1e, at most %.1e\n",
+        "  %-13s degree %d, %-12s: %4d of %4zu not factorised; condition number scaled %.1e, unscaled %.1e, at most %.1e\n",
         shape.name.c_str(), degree, name.c_str(), c.curve.failures(), c.curve.answers.size(),
         c.curve.median(&PartAnswer::condition), c.curve.median(&PartAnswer::unscaled_condition),
         c.curve.worst_ratio(&PartAnswer::unscaled_condition) * c.curve.median(&PartAnswer::unscaled_condition));
@@ -66,6 +68,9 @@ void run_sweep(const SweptShape& shape, int steps, int steps_beside) {
             curves.push_back({degree, basis, Hold::nitsche, sweep(shape, degree, basis, Hold::nitsche, steps_beside)});
             record_beside(shape, degree, curves.back());
         }
+        curves.push_back({degree, solver::Basis::normalized, Hold::dissertation,
+                          sweep(shape, degree, solver::Basis::normalized, Hold::dissertation, steps_beside)});
+        record_beside(shape, degree, curves.back());
     }
     write_sweep(shape, curves);
 }

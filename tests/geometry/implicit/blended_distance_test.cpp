@@ -64,6 +64,30 @@ TEST(BlendedDistance, VanishesOnTheEdgesWithUnitNormalDerivative) {
         }
 }
 
+TEST(BlendedDistance, OfSomeEdgesKnowsNoOthers) {
+    for (const NamedBody& each : all_bodies()) {
+        if (each.part.edges.size() < 2) continue;
+        const ImplicitField field = blended_distance(each.part, {0});
+        for (std::size_t e = 0; e < each.part.edges.size(); ++e)
+            for (const double t : {0.13, 0.5, 0.81}) {
+                const FieldValue w = evaluate(field, point(each.part.edges[e].curve, t));
+                if (e > 0) {
+                    EXPECT_GT(w.value, 1e-6 * size_of(each.part)) << each.name << " " << each.part.edges[e].name;
+                    continue;
+                }
+                EXPECT_LE(std::abs(w.value), 1e-14 * size_of(each.part)) << each.name;
+                EXPECT_LE((w.gradient + outward_normal(each.part.edges[e].curve, t)).norm(), 1e-9) << each.name;
+            }
+        // positive on both sides
+        const Vec2 at = point(each.part.edges[0].curve, 0.5), n = outward_normal(each.part.edges[0].curve, 0.5);
+        for (const double side : {1e-3, -1e-3})
+            EXPECT_NEAR(value(field, at + side * size_of(each.part) * n), 1e-3 * size_of(each.part), 2e-4 * size_of(each.part))
+                << each.name;
+        EXPECT_THROW(blended_distance(each.part, std::vector<int>{}), std::logic_error);
+        EXPECT_THROW(blended_distance(each.part, {-1}), std::logic_error);
+    }
+}
+
 TEST(BlendedDistance, HasTheSignOfMembershipAndIsFlatAwayFromTheBoundary) {
     for (const NamedBody& each : all_bodies()) {
         int n_flat = 0;

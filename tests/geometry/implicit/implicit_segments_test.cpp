@@ -186,6 +186,24 @@ TEST(PointField, ComposesSquaredDistancesAsTheDissertation) {
     expect_derivatives(scaled, PointsAround(box, 13), 100, size, "pins");
 }
 
+TEST(WholeField, IsZeroAllAlongWhatAnEdgeLiesOn) {
+    const Curve segment = Segment{{1, 2}, {4, 6}};
+    const ImplicitField line = whole_field(segment);
+    // beyond the ends, too; positive on the left of (3, 4)
+    EXPECT_NEAR(value(line, Vec2(7, 10)), 0, 1e-14);
+    EXPECT_NEAR(value(line, Vec2(1, 2) + 3 * Vec2(-0.8, 0.6)), 3, 1e-14);
+    for (const NamedBody& each : all_bodies())
+        for (const Edge& edge : each.part.edges) {
+            const ImplicitField field = whole_field(edge.curve);
+            for (const double t : {0.1, 0.5, 0.93}) {
+                const FieldValue w = evaluate(field, point(edge.curve, t));
+                EXPECT_LE(std::abs(w.value), 1e-14 * size_of(each.part)) << each.name << " " << edge.name;
+                EXPECT_LE((w.gradient + outward_normal(edge.curve, t)).norm(), 1e-9) << each.name << " " << edge.name;
+            }
+            expect_derivatives_around(each.part, field, 17, 20, each.name + " " + edge.name);
+        }
+}
+
 TEST(Equivalence, JoinsFields) {
     const Part ell = round_bodies().front().part;
     const ImplicitField a = edge_field(ell, {0}, 2), b = edge_field(ell, {3}, 2), both = edge_field(ell, {0, 3}, 2);

@@ -52,6 +52,16 @@ TEST(CommonGrid, TheFiveCasesAndTheirCells) {
                 {8, 9, 13, 14, 15, 16, 19, 20, 21, 22, 26, 27});
 }
 
+/// A face on a grid line with a boundary cell at its end: the case is that of the end, the cells are all along.
+TEST(CommonGrid, CellsBesideAreThoseOfAllKinds) {
+    const Part part1 = block(0, 0, 2, 3.5), part2 = block(2, 0, 4, 3.5);
+    const CommonGrid common = grid_of({part1, part2}, 1);
+    EXPECT_EQ(case_of_parts(common, 0, 1), 'b');
+    EXPECT_EQ(common.contacts[0].its_case.cells[0], (std::vector<int>{13}));
+    EXPECT_EQ(cells_beside(common.parts[0], common.parts[1], common.grid.columns), (std::vector<int>{1, 5, 9, 13}));
+    EXPECT_EQ(cells_beside(common.parts[1], common.parts[0], common.grid.columns), (std::vector<int>{2, 6, 10, 14}));
+}
+
 TEST(CommonGrid, ThreePartsOnOneGridGiveThreeGrids) {
     // a stack: the first two overlap in a row of boundary cells, the last two meet on a grid line, the outer ones never meet
     const std::vector<Part> parts{block(0, 0, 4, 1.5), block(1, 1.6, 3, 4), block(-2, 4, 6, 5)};

@@ -105,17 +105,28 @@ TEST(StudyPrices, TimesArePredictedFromTheNextCoarserOfTheFamily) {
 }
 
 TEST(StudyPlan, HasAllDegreesSizesAndBasesFromCoarseToFine) {
-    const std::vector<StudySetting> settings = grid_settings({});
+    const std::vector<StudySetting> settings = grid_settings({}, {});
     for (const char* basis : {"web", "normalized"})
         for (int degree : {1, 2, 3, 4})
             for (double size : {4.0, 2.8, 2.0, 1.4, 1.0, 0.7, 0.5})
                 EXPECT_EQ(std::count(settings.begin(), settings.end(), StudySetting{Kind::graded, "", degree, basis, size, 1}),
                           1);
+    const auto by_dissertation = [](const StudySetting& s) { return s.basis == basis_of_dissertation; };
+    EXPECT_EQ(std::count_if(settings.begin(), settings.end(), by_dissertation), 7);
     EXPECT_TRUE(std::is_sorted(settings.begin(), settings.end(), [](const auto& a, const auto& b) { return a.size > b.size; }));
     Scene given;
     given.accuracy.cell_size = 1;
     EXPECT_LT(reference_setting(given, {}).size, settings.back().size);
     EXPECT_EQ(reference_setting({}, {}).level, level_reference);
+    // what the dissertation's method refuses is not tried; a scene of its own has nothing else
+    Scene warm;
+    warm.loads.push_back({.kind = Load::Kind::temperature, .on = {}, .part = {}, .value = {}});
+    for (const StudySetting& s : grid_settings(warm, {})) EXPECT_FALSE(by_dissertation(s));
+    Scene own;
+    own.accuracy.method = "dissertation";
+    for (const StudySetting& s : grid_settings(own, {})) EXPECT_TRUE(by_dissertation(s));
+    EXPECT_TRUE(by_dissertation(reference_setting(own, {})));
+    EXPECT_EQ(level_settings(own).size(), 1U);
 }
 
 TEST(StudyChart, TicksLieWithinTheAxisAndAreNeitherManyNorFew) {
