@@ -61,6 +61,8 @@ void move(SketchParts& sketch, const Vec2& by) {
     for (Part& part : sketch.parts) part = transformed(part, 1, 0, by);
     for (Repair& repair : sketch.repairs) repair.at += by;
     for (SketchProblem& problem : sketch.problems) problem.at += by;
+    for (SketchProblem& warning : sketch.warnings) warning.at += by;
+    for (SketchRegion& region : sketch.regions) region.at += by;
 }
 
 // ---- one group ----
@@ -98,6 +100,8 @@ void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch
     add_outlines(group.outlines, std::move(closed.outlines));
     append(sketch.repairs, std::move(closed.repairs));
     append(sketch.problems, std::move(closed.problems));
+    append(sketch.warnings, std::move(closed.warnings));
+    sketch.open_length += closed.open_length;
 }
 
 /// An insertion of a block that does not close by itself is a portion of something larger.
@@ -107,7 +111,7 @@ GroupOutlines close_group(const EntityGroup& group, const SketchOptions& options
     std::vector<SketchEntity> rest = std::move(instances.front());
     for (std::size_t k = 1; k < instances.size(); ++k) {
         ClosedOutlines closed = close_outlines(instances[k], options, rounding);
-        if (closed.problems.empty())
+        if (closed.problems.empty() && closed.open_length == 0)
             add_closed(found, std::move(closed), sketch);
         else
             append(rest, std::move(instances[k]));
@@ -175,6 +179,18 @@ std::string quoted_layers(const std::set<std::string>& layers) {
 /// A drawing's diagonal times this: closer outlines touch. Exporters write six digits or more.
 constexpr double touching_fraction = 1e-6;
 
+/// Does all of it close?
+bool is_whole(const SketchParts& sketch) {
+    return sketch.problems.empty() && sketch.open_length == 0;
+}
+
+/// Does more of it close? Lines that bound nothing either way do not count.
+bool closes_more(const SketchParts& sketch, const SketchParts& other) {
+    constexpr double same = 1e-9;  // lengths are summed in another order
+    if (sketch.problems.empty() != other.problems.empty()) return sketch.problems.empty();
+    return sketch.open_length < (1 - same) * other.open_length;
+}
+
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
 /// holes of one of them.
 SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
@@ -182,7 +198,7 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
     const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
     const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
     const bool are_holes = is_inside && !is_assembly;
-    if (!are_holes && by_layer.problems.empty())
+    if (!are_holes && is_whole(by_layer))
         return with_reason(
             std::move(by_layer),
             is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
@@ -190,7 +206,7 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
     const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
-    if ((by_loop.problems.empty() && !is_cut_only) || (are_holes && !by_layer.problems.empty()))
+    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only)
         return with_reason(std::move(by_loop), reason);
     return with_reason(std::move(by_layer), why);
 }
@@ -204,12 +220,17 @@ SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options
     if (is_all_in_blocks(drawing.entities)) {
         SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
         why += ", and everything lies in several blocks";
-        if (!are_others_its_holes(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
+        if (!are_others_its_holes(by_block.parts, by_block.layers)) {
+            if (is_whole(by_block)) return with_reason(std::move(by_block), why);
+            SketchParts joined = sketch_by(drawing, options, PartsBy::loop);
+            if (!closes_more(joined, by_block)) return with_reason(std::move(by_block), why);
+            return with_reason(std::move(joined), why + ", but these close only together");
+        }
         why += ", but all others lie in the material of one, as holes do";
     }
     SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
     // What other layers hold cuts this one's parts and bounds nothing else: edges that are hidden, bent or engraved.
-    if (!by_layer.problems.empty() && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
+    if (!is_whole(by_layer) && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
     return with_reason(std::move(by_loop), why);
 }
 

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "geometry/sketch/sketch_arcs.hpp"
+#include "geometry/sketch/sketch_open.hpp"
 #include "geometry/sketch/sketch_overlaps.hpp"
 #include "geometry/sketch/sketch_shared.hpp"
 #include "geometry/sketch/sketch_splits.hpp"
@@ -32,7 +33,8 @@ Box2 box_of(const Pieces& entities) {
 
 Pieces pieces_of(const std::vector<SketchEntity>& entities) {
     Pieces pieces;
-    for (const SketchEntity& entity : entities) pieces.push_back({entity, entity.name});
+    for (const SketchEntity& entity : entities)
+        pieces.push_back({entity, entity.name, 0, 1, {static_cast<int>(pieces.size())}, length(entity.curve)});
     return pieces;
 }
 
@@ -86,7 +88,7 @@ struct State {
         joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
         if (remove_twins(entities, joints, tolerances.joining, repairs))
             joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
-        chains = trace_chains(entities, joints, tolerances.joining);
+        chains = trace_chains(entities, joints);
     }
 };
 
@@ -110,7 +112,7 @@ void mend(State& state, const Tolerances& tolerances, std::vector<Repair>& repai
     constexpr int most_rounds = 8;  // each round only removes or cuts; what takes more is no drawing to be mended
     for (int round = 0; round < most_rounds; ++round) {
         const bool is_less =
-            !state.chains.problems.empty() &&
+            !state.chains.loose.empty() &&
             remove_covered(state.entities, state.joints, not_closed(state.chains), tolerances.coincidence, repairs);
         if (!is_less && !split_at_ends(state.entities, state.joints, to_cut(state, tolerances), tolerances.joining,
                                        tolerances.coincidence, repairs))
@@ -151,7 +153,11 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
         state.trace(tolerances, found.repairs);
     close_joints(state.entities, state.joints, rounding);
 
-    found.problems = state.chains.problems;
+    OpenLines open = tell_open_lines(state.entities, state.chains, tolerances.joining, options.leave_open);
+    found.problems = std::move(open.problems);
+    found.warnings = std::move(open.warnings);
+    found.open_length = open.length;
+    found.loose = state.chains.loose;
     found.outlines.closed = state.chains.closed;
     for (const std::vector<int>& block : state.chains.divided)
         found.outlines.divided.push_back(walk_faces(state.entities, state.joints, block));

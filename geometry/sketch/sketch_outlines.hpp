@@ -11,7 +11,10 @@ namespace abut::geometry {
 struct ClosedOutlines {
     Outlines outlines;
     std::vector<Repair> repairs;
-    std::vector<SketchProblem> problems;  ///< what does not close, and what keeps it from closing
+    std::vector<LooseEntities> loose;     ///< what bounds nothing, among `outlines.entities`
+    std::vector<SketchProblem> problems;  ///< outlines that nearly close
+    std::vector<SketchProblem> warnings;  ///< what was set aside since it bounds nothing
+    double open_length = 0;               ///< of all that
     double tolerance = 0;                 ///< ends within this were joined
     double coincidence = 0;               ///< curves within this count as one
 };
