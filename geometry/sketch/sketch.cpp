@@ -17,6 +17,7 @@
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -54,6 +55,14 @@ std::vector<SketchEntity> moved(std::vector<SketchEntity> entities, const Vec2& 
     if (by == Vec2(0, 0)) return entities;
     for (SketchEntity& entity : entities) entity.curve = transformed(entity.curve, 1, 0, by);
     return entities;
+}
+
+std::vector<Hatch> moved(std::vector<Hatch> hatches, const Vec2& by) {
+    if (by == Vec2(0, 0)) return hatches;
+    for (Hatch& hatch : hatches)
+        for (std::vector<Curve>& loop : hatch.loops)
+            for (Curve& curve : loop) curve = transformed(curve, 1, 0, by);
+    return hatches;
 }
 
 void move(SketchParts& sketch, const Vec2& by) {
@@ -124,23 +133,30 @@ struct FoundPart {
     Part part;
     std::string label;
     int line = 0;
+    int number = 0;  ///< in the order in which they were found
 };
 
-void add_parts(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch,
-               std::vector<FoundPart>& found) {
+/// `region_parts`: by region, its part among those found; -1 where it is none.
+void add_parts(const EntityGroup& group, const std::vector<Hatch>& hatches, const SketchOptions& options, double rounding,
+               SketchParts& sketch, std::vector<FoundPart>& found, std::vector<int>& region_parts) {
     const GroupOutlines closed = close_group(group, options, rounding, sketch);
     sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
-    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence);
+    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence,
+                              {hatches, options.regions, static_cast<int>(sketch.regions.size()) + 1, !group.name.empty()});
     append(sketch.problems, std::move(nested.problems));
-    append(sketch.repairs, std::move(nested.remarks));
+    append(sketch.warnings, std::move(nested.warnings));
+    for (std::size_t r = 0; r < nested.regions.size(); ++r)
+        region_parts.push_back(nested.part_of_region[r] < 0 ? -1 : static_cast<int>(found.size()) + nested.part_of_region[r]);
+    append(sketch.regions, std::move(nested.regions));
     for (std::size_t k = 0; k < nested.parts.size(); ++k) {
         std::vector<const SketchPiece*> entity;
         for (const int e : nested.entity[k]) entity.push_back(&closed.outlines.entities[static_cast<std::size_t>(e)]);
         Part& part = nested.parts[k];
         name_edges(part, entity);
         entity.resize(part.loops.front().edges.size());
-        part.name = part_name(entity, group.name);
-        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line});
+        part.name = nested.name[k].empty() ? part_name(entity, group.name) : nested.name[k];
+        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line,
+                         static_cast<int>(found.size())});
     }
 }
 
@@ -153,14 +169,20 @@ SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, Part
     SketchParts sketch;
     sketch.parts_by = parts_by;
     std::vector<FoundPart> found;
+    std::vector<int> region_parts;
+    const std::vector<Hatch> hatches = moved(drawing.hatches, -origin);
     for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
-        add_parts(group, options, rounding, sketch, found);
+        add_parts(group, hatches, options, rounding, sketch, found, region_parts);
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
         sketch.parts.push_back(std::move(one.part));
         sketch.layers.push_back(std::move(one.label));
     }
     number_parts(sketch.parts);
+    std::vector<std::size_t> place(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) place[at(found[k].number)] = k;
+    for (std::size_t r = 0; r < region_parts.size(); ++r)
+        if (region_parts[r] >= 0) sketch.regions[r].part = sketch.parts[place[at(region_parts[r])]].name;
     move(sketch, origin);
     return sketch;
 }

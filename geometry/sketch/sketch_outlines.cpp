@@ -2,7 +2,8 @@
 //   1. Entities without length go. Splines that are arcs become arcs (sketch_arcs).
 //   2. Of entities drawn twice the first stays (sketch_overlaps).
 //   3. Ends are joined (sketch_joints), and joined entities walked into closed chains (sketch_chains).
-//   4. Where some do not close: those that lie on others go; if none does, they are cut where others end on them, and the
+//   4. Outlines that lines of others run through from corner to corner are drawn over them, and kept as they are (sketch_overlaid).
+//   Where some do not close: those that lie on others go; if none does, they are cut where others end on them, and the
 //   others
 //      where they end (sketch_splits). So are outlines that share edges (sketch_shared). Then 2 and 3 again.
 //   5. Facets that stand for arcs become arcs (sketch_arcs).
@@ -14,10 +15,13 @@
 #include <limits>
 
 #include "geometry/sketch/sketch_arcs.hpp"
+#include "geometry/sketch/sketch_crossings.hpp"
 #include "geometry/sketch/sketch_open.hpp"
+#include "geometry/sketch/sketch_overlaid.hpp"
 #include "geometry/sketch/sketch_overlaps.hpp"
 #include "geometry/sketch/sketch_shared.hpp"
 #include "geometry/sketch/sketch_splits.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -103,6 +107,10 @@ std::vector<bool> not_closed(const EntityChains& chains) {
 /// What is to be cut where others end on it: all that is not closed by itself, and what outlines share that lie in each other.
 std::vector<bool> to_cut(const State& state, const Tolerances& tolerances) {
     std::vector<bool> found = shared_from_inside(state.entities, state.chains.closed, tolerances.coincidence);
+    if (std::find(found.begin(), found.end(), true) != found.end())  // what crosses is told as it is drawn
+        for (const Crossing& crossing : find_crossings(state.entities, state.chains.closed, tolerances.coincidence))
+            for (const int chain : {crossing.chain, crossing.other})
+                for (const ChainLink& link : state.chains.closed[at(chain)]) found[at(link.entity)] = false;
     for (std::size_t i = 0; i < found.size(); ++i) found[i] = found[i] || state.chains.is_loose[i];
     return found;
 }
@@ -118,6 +126,36 @@ void mend(State& state, const Tolerances& tolerances, std::vector<Repair>& repai
                                        tolerances.coincidence, repairs))
             return;
         state.trace(tolerances, repairs);
+    }
+}
+
+/// Takes out what is drawn over other outlines, which it would cut to pieces.
+Pieces take_overlaid(State& state, const Tolerances& tolerances, std::vector<EntityChain>& chains) {
+    const std::vector<bool> is_overlaid = overlaid_chains(state.entities, state.chains.closed, tolerances.coincidence);
+    std::vector<bool> is_taken(state.entities.size(), false);
+    Pieces taken;
+    for (std::size_t c = 0; c < is_overlaid.size(); ++c) {
+        if (!is_overlaid[c]) continue;
+        chains.emplace_back();
+        for (const ChainLink& link : state.chains.closed[c]) {
+            is_taken[at(link.entity)] = true;
+            chains.back().push_back({static_cast<int>(taken.size()), link.along});
+            taken.push_back(state.entities[at(link.entity)]);
+        }
+    }
+    std::size_t i = 0;
+    std::erase_if(state.entities, [&](const SketchPiece&) { return is_taken[i++]; });
+    return taken;
+}
+
+/// Puts back what take_overlaid took out, its ends joined.
+void put_back(Outlines& outlines, Pieces taken, std::vector<EntityChain> chains, const Tolerances& tolerances) {
+    close_joints(taken, join_ends(taken, tolerances.joining, tolerances.coincidence, tolerances.rounding), tolerances.rounding);
+    const int offset = static_cast<int>(outlines.entities.size());
+    outlines.entities.insert(outlines.entities.end(), taken.begin(), taken.end());
+    for (EntityChain& chain : chains) {
+        for (ChainLink& link : chain) link.entity += offset;
+        outlines.closed.push_back(std::move(chain));
     }
 }
 
@@ -147,6 +185,9 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
     found.coincidence = tolerances.coincidence;
 
     state.trace(tolerances, found.repairs);
+    std::vector<EntityChain> overlaid;
+    Pieces over = take_overlaid(state, tolerances, overlaid);
+    if (!over.empty()) state.trace(tolerances, found.repairs);
     mend(state, tolerances, found.repairs);
     report_joints(state, rounding, found.repairs);
     if (options.recognise_arcs && recognise_facets(state.entities, state.joints, tolerances.facets, found.repairs))
@@ -162,6 +203,7 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
     for (const std::vector<int>& block : state.chains.divided)
         found.outlines.divided.push_back(walk_faces(state.entities, state.joints, block));
     found.outlines.entities = std::move(state.entities);
+    put_back(found.outlines, std::move(over), std::move(overlaid), tolerances);
     return found;
 }
 

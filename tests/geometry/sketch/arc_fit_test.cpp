@@ -151,7 +151,7 @@ TEST(ArcFit, NoiseWithinTheToleranceIsTolerated) {
         Points points = on_arc({1, 2}, radius, 6 * std::generate_canonical<double, 53>(random), sweep, n);
         const double facet = radius * sweep / n, sagitta = facet * facet / (8 * radius);
         // Facets do not turn back; where they stand off by the tolerance, their points must be nearer to tell the arc.
-        const double noise = std::min({0.3 * tolerance, 0.01 * facet, sagitta > 0.5 * tolerance ? 0.1 * sagitta : tolerance});
+        const double noise = std::min({0.3 * tolerance, 0.01 * facet, sagitta > 0.5 * tolerance ? 0.05 * sagitta : tolerance});
         for (Vec2& p : points)
             p += noise *
                  Vec2(std::generate_canonical<double, 53>(random) - 0.5, std::generate_canonical<double, 53>(random) - 0.5);
