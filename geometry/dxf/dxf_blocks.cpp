@@ -125,6 +125,7 @@ public:
             drawing_.warnings.push_back({"the model space is empty: paper space is read in its place",
                                          point(drawing_.entities.front().curve, 0), drawing_.entities.front().name,
                                          drawing_.entities.front().line, "draw parts in the model space"});
+        if (drawing_.entities.empty() && layers_.only.empty()) take_named_layers();
         if (drawing_.entities.empty()) take_hatches();
         leave_doubtful_layers();
         left_out_.tell(drawing_.warnings);
@@ -138,6 +139,30 @@ private:
             for (const Record& record : records)
                 if (!is_in_paper_space(record) && (is_curve(record) || record.type == "HATCH")) return true;
         return false;
+    }
+
+    /// Layers whose names are those of drafting, where nothing is drawn on others.
+    void take_named_layers() {
+        LayerFilter all;
+        all.only = {"*"};
+        all.ignore = layers_.ignore;
+        Drawing again;
+        again.file = drawing_.file;
+        ModelSpace(structure_, all, again).add();
+        if (again.entities.empty()) return;
+        again.format = drawing_.format;
+        again.unit = drawing_.unit;
+        again.warnings.insert(again.warnings.begin(), drawing_.warnings.begin(), drawing_.warnings.end());
+        again.warnings.push_back({"all that is drawn is on layers, or in line types, of drafting, the first on layer " + again.entities.front().layer + ": it is read nevertheless",
+                                  point(again.entities.front().curve, 0), again.entities.front().name, again.entities.front().line,
+                                  "draw outlines on a layer of their own"});
+        left_out_ = {};
+        drawing_.entities = std::move(again.entities);
+        drawing_.counts = std::move(again.counts);
+        drawing_.problems = std::move(again.problems);
+        drawing_.warnings = std::move(again.warnings);
+        drawing_.ignored = std::move(again.ignored);
+        drawing_.repairs = std::move(again.repairs);
     }
 
     /// Boundaries of hatches as outlines, where there is nothing else.

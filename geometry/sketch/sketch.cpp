@@ -13,7 +13,9 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "geometry/sketch/sketch_drafting.hpp"
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
@@ -256,15 +258,47 @@ SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options
     return with_reason(std::move(by_loop), why);
 }
 
+/// The drawing without its sheet and what explains it, which the warnings tell.
+Drawing without_drafting(Drawing drawing, const SketchOptions& options, std::vector<SketchProblem>& warnings) {
+    if (options.keep_drafting || are_bodies(drawing.entities)) return drawing;
+    const Vec2 origin = local_origin(box_of(drawing.entities));
+    Drawing local;
+    local.entities = moved(drawing.entities, -origin);
+    local.texts = drawing.texts;
+    for (DrawnText& text : local.texts) text.at -= origin;
+    for (const Vec2& tip : drawing.arrows) local.arrows.push_back(tip - origin);
+    DraftingFound found = find_drafting(local, options);
+    for (SketchProblem& warning : found.warnings) warning.at += origin;
+    append(warnings, std::move(found.warnings));
+    std::size_t i = 0;
+    std::erase_if(drawing.entities, [&](const SketchEntity&) { return found.is_drafting[i++]; });
+    return drawing;
+}
+
+/// Without any part, what does not close is a fault.
+void refuse_without_parts(SketchParts& sketch) {
+    if (!sketch.parts.empty() || !sketch.problems.empty()) return;
+    sketch.problems = std::exchange(sketch.warnings, {});
+}
+
+SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {
+    std::vector<SketchProblem> warnings;
+    const Drawing outlines = without_drafting(drawing, options, warnings);
+    SketchParts sketch = way == PartsBy::automatic ? automatic_parts(outlines, options)
+                                                   : with_reason(sketch_by(outlines, options, way), "asked for");
+    sketch.warnings.insert(sketch.warnings.begin(), warnings.begin(), warnings.end());
+    refuse_without_parts(sketch);
+    return sketch;
+}
+
 }  // namespace
 
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
-    if (options.parts_by == PartsBy::automatic) return automatic_parts(drawing, options);
-    return with_reason(sketch_by(drawing, options, options.parts_by), "asked for");
+    return sketch_of(drawing, options, options.parts_by);
 }
 
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
-    return with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for");
+    return sketch_of(drawing, options, PartsBy::layer);
 }
 
 }  // namespace abut::geometry

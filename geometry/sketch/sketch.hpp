@@ -87,6 +87,7 @@ struct SketchOptions {
     double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal or total length
     PartsBy parts_by = PartsBy::automatic;
     bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
+    bool keep_drafting = false;  ///< frames, tables and balloons are outlines like any other
     bool leave_open = false;     ///< outlines that nearly close are set aside, too
     /// What regions are, by their names (SketchRegion): "void", "part", or the name of the part.
     std::map<std::string, std::string> regions;

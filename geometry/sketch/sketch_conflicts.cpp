@@ -64,9 +64,8 @@ struct Conflicts {
     }
 };
 
-SketchProblem left_out(const SketchPiece& circle, const Vec2& where) {
-    return {circle.kind + " " + circle.name + " on layer " + circle.layer +
-                " left out: it runs through the middles of other circles, as pitch circles do",
+SketchProblem left_out(const SketchPiece& circle, const Vec2& where, const std::string& why) {
+    return {circle.kind + " " + circle.name + " on layer " + circle.layer + " left out: " + why,
             where, circle.name, circle.line, "give it the line type CENTER"};
 }
 
@@ -79,7 +78,7 @@ SketchProblem overlap(const SketchPiece& upper, const SketchPiece& other, const 
 
 }  // namespace
 
-Outlines without_conflicts(const Outlines& outlines, double tolerance, std::vector<bool>& is_overlaid,
+Outlines without_conflicts(const Outlines& outlines, double tolerance, bool is_one_part, std::vector<bool>& is_overlaid,
                            std::vector<SketchProblem>& problems, std::vector<SketchProblem>& warnings) {
     const std::vector<EntityChain> all = all_chains(outlines);
     const std::vector<Crossing> crossings = find_crossings(outlines.entities, all, tolerance);
@@ -87,9 +86,14 @@ Outlines without_conflicts(const Outlines& outlines, double tolerance, std::vect
     std::vector<bool> is_out(all.size(), false), is_upper(all.size(), false), is_pitch(all.size(), false);
     for (const Crossing& crossing : crossings)
         for (const int chain : {crossing.chain, crossing.other}) {
-            if (is_pitch[at(chain)] || crossing.chain == crossing.other || !conflicts.is_pitch_circle(chain)) continue;
+            if (is_pitch[at(chain)] || crossing.chain == crossing.other) continue;
+            const int other = chain == crossing.chain ? crossing.other : crossing.chain;
+            const bool is_pitch_circle = conflicts.is_pitch_circle(chain);
+            if (!is_pitch_circle && !(is_one_part && conflicts.circle(chain) && !conflicts.circle(other))) continue;
             is_pitch[at(chain)] = is_out[at(chain)] = true;
-            warnings.push_back(left_out(conflicts.first(chain), crossing.problem.at));
+            warnings.push_back(left_out(conflicts.first(chain), crossing.problem.at,
+                                        is_pitch_circle ? "it runs through the middles of other circles, as pitch circles do"
+                                                        : "it crosses the outline of its layer, as circles of construction do"));
         }
     for (const Crossing& crossing : crossings) {
         if (is_pitch[at(crossing.chain)] || is_pitch[at(crossing.other)]) continue;

@@ -249,21 +249,17 @@ struct Decision {
 
 }  // namespace
 
-void decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
-                     std::vector<SketchProblem>& warnings) {
+std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
+                                          std::vector<SketchProblem>& warnings) {
     const std::vector<Vec2> points = inner_points(regions);
     Decision decision{regions, outlines, hints, warnings};
     decision.decide(points);
     decision.tell_divided(points);
     decision.tell_floating(points);
     decision.tell_edges(points);
-}
-
-std::vector<SketchRegion> named_regions(const std::vector<Region>& regions, const MaterialHints& hints) {
-    const std::vector<Vec2> points = inner_points(regions);
     std::vector<SketchRegion> named;
     for (std::size_t i = 0; i < regions.size(); ++i)
-        named.push_back({"r" + std::to_string(hints.first_number + static_cast<int>(i)), points[i], {}, regions[i].is_doubtful});
+        named.push_back({decision.name(static_cast<int>(i)), points[i], {}, regions[i].is_doubtful});
     return named;
 }
 

@@ -35,10 +35,8 @@ struct MaterialHints {
 ///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A line
 ///      drawn once between two areas leaves open whether both are material: all that was taken is told.
 /// What floats in a hole without coming near anything is told, too: a bush, or the edge of a counterbore, is drawn the same way.
-void decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
-                     std::vector<SketchProblem>& warnings);
-
-/// The regions with their names; which part they are is not known yet.
-std::vector<SketchRegion> named_regions(const std::vector<Region>& regions, const MaterialHints& hints);
+/// Returns the regions by name; which part they are is not known yet.
+std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
+                                          std::vector<SketchProblem>& warnings);
 
 }  // namespace abut::geometry

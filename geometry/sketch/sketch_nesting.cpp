@@ -153,12 +153,11 @@ std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>
 NestedParts nest(const Outlines& outlines, double tolerance, double coincidence, const MaterialHints& hints) {
     NestedParts nested;
     std::vector<bool> is_overlaid;
-    const Outlines sound = without_conflicts(outlines, tolerance, is_overlaid, nested.problems, nested.warnings);
+    const Outlines sound = without_conflicts(outlines, tolerance, hints.is_one_part, is_overlaid, nested.problems, nested.warnings);
     std::vector<Region> regions = regions_of(sound, is_overlaid);
     remove_without_area(sound.entities, regions, coincidence, nested.problems);
     find_surroundings(regions, {tolerance, coincidence});
-    decide_material(regions, sound, hints, nested.warnings);
-    nested.regions = named_regions(regions, hints);
+    nested.regions = decide_material(regions, sound, hints, nested.warnings);
     std::vector<Region> holes = holes_of(sound, regions);
     assemble(regions, holes, nested);
     return nested;

@@ -32,6 +32,7 @@ double clearance(const std::vector<Region>& regions, int region, const std::vect
 
 Vec2 inner_point(const std::vector<Region>& regions, int region, const std::vector<int>& inside) {
     constexpr std::size_t most_edges = 12;
+    constexpr double enough = 0.2;
     const Region& own = regions[at(region)];
     const std::size_t step = (own.outline.edges.size() + most_edges - 1) / most_edges;
     const double width = 2 * own.area / perimeter(own.outline);  // of a long strip; half the radius of a circle
@@ -45,6 +46,7 @@ Vec2 inner_point(const std::vector<Region>& regions, int region, const std::vect
             if (clear <= largest) continue;
             largest = clear;
             best = p;
+            if (largest >= enough * width) return best;
         }
     return best;
 }
