@@ -202,17 +202,16 @@ private:
             known.push_back(from);
             known.push_back(to);
         }
-        std::size_t n = 0;
         std::erase_if(drawing_.entities, [&](const SketchEntity& entity) {
             if (!is_left[entity.layer]) return false;
             Record record;
+            note_layer(entity.layer);
             record.type = entity.kind;
             record.line = entity.line;
             Look look;
             look.layer = entity.layer;
             left_out_.add(record, entity.name, look, "layer of " + drafting_layer(entity.layer)->kind + " by its name, and no two of its lines are joined",
                           point(entity.curve, 0.5));
-            ++n;
             return true;
         });
     }
@@ -243,7 +242,9 @@ private:
         if (!is_elsewhere && !look.frozen && !look.off) note(record, look, in);
         if (!why.empty()) {
             ignored_.add(record, look, in.path, why);
-            if (!is_elsewhere && is_curve(record) && !is_subentity(record))
+            const bool is_asked_for = why == "layer is to be ignored" || why == "layer is not asked for";
+            if (!is_elsewhere && is_curve(record) && why.starts_with("layer of ")) note_layer(look.layer);
+            if (!is_elsewhere && is_curve(record) && !is_subentity(record) && !is_asked_for)
                 left_out_.add(record, names_.of(record), look, why, in.placement(first_point(record)));
         }
         const bool is_used =
@@ -267,6 +268,11 @@ private:
             add_hatch(record, look, in);
         }
         if (tilt(record) > 0 && tilt(record) <= most_tilt) note_tilt(record, in);
+    }
+
+    void note_layer(const std::string& layer) {
+        std::vector<std::string>& known = drawing_.drafting_layers;
+        if (std::find(known.begin(), known.end(), layer) == known.end()) known.push_back(layer);
     }
 
     void add_hatch(const Record& record, const Look& look, const Instance& in) {

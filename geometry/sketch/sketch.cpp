@@ -15,6 +15,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/brep/message_text.hpp"
 #include "geometry/sketch/sketch_drafting.hpp"
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
@@ -281,6 +282,24 @@ void refuse_without_parts(SketchParts& sketch) {
     sketch.problems = std::exchange(sketch.warnings, {});
 }
 
+/// What was merged, in one warning for each kind: the repairs have all of it.
+void tell_repairs(SketchParts& sketch) {
+    for (const Repair::Kind kind : {Repair::Kind::removed, Repair::Kind::joined}) {
+        const Repair* largest = nullptr;
+        int n = 0;
+        for (const Repair& repair : sketch.repairs) {
+            if (repair.kind != kind) continue;
+            ++n;
+            if (!largest || repair.size > largest->size) largest = &repair;
+        }
+        if (!largest) continue;
+        const std::string what = kind == Repair::Kind::removed ? "lines or arcs that lie on others, or have no length, merged with these"
+                                                               : "gaps between ends closed";
+        sketch.warnings.push_back({std::to_string(n) + " " + what + "; the largest: " + largest->what + ", " + number_text(largest->size),
+                                   largest->at, {}, 0, "abut inspect lists them"});
+    }
+}
+
 SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {
     std::vector<SketchProblem> warnings;
     const Drawing outlines = without_drafting(drawing, options, warnings);
@@ -288,6 +307,7 @@ SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, Part
                                                    : with_reason(sketch_by(outlines, options, way), "asked for");
     sketch.warnings.insert(sketch.warnings.begin(), warnings.begin(), warnings.end());
     refuse_without_parts(sketch);
+    tell_repairs(sketch);
     return sketch;
 }
 

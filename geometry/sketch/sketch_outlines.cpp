@@ -47,7 +47,8 @@ void remove_without_length(Pieces& entities, double rounding, std::vector<Repair
     std::erase_if(entities, [&](const SketchPiece& entity) {
         const double own = length(entity.curve);
         if (own > shortest) return false;
-        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own});
+        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own,
+                           Repair::Kind::removed});
         return true;
     });
 }
@@ -168,7 +169,7 @@ void report_joints(const State& state, double rounding, std::vector<Repair>& rep
                       : i + 1 == joint.ends.size() ? " and "
                                                    : ", ") +
                      state.entities[static_cast<std::size_t>(joint.ends[i].entity)].name;
-        repairs.push_back({"gap closed between " + names, joint.at, joint.gap});
+        repairs.push_back({"gap closed between " + names, joint.at, joint.gap, Repair::Kind::joined});
     }
 }
 

@@ -22,7 +22,8 @@ bool lies_on(const Curve& curve, const Curve& other, double tolerance) {
 }
 
 Repair removal(const SketchPiece& gone, const SketchPiece& kept) {
-    return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve)};
+    return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve),
+            Repair::Kind::removed};
 }
 
 /// Two segments of one polyline that run against each other: a spur, or the cut from an outline to a hole.
@@ -35,7 +36,7 @@ bool is_there_and_back(const SketchPiece& a, const SketchPiece& b) {
 
 Repair removal_of_both(const SketchPiece& a, const SketchPiece& b) {
     return {b.kind + " " + b.name + " and " + a.name + " removed: there and back they bound nothing", point(a.curve, 0.5),
-            length(a.curve)};
+            length(a.curve), Repair::Kind::removed};
 }
 
 /// Is there any to erase?
