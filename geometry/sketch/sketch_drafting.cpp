@@ -17,7 +17,7 @@ namespace abut::geometry {
 namespace {
 
 /// Parts fill more of the plate that they are holes of, or fit into.
-constexpr double most_filled = 0.25;
+constexpr double most_filled = 0.1;
 /// Sides of a sheet: ISO 216, and ANSI A to F with their halves.
 constexpr std::array paper_proportions{std::numbers::sqrt2, 11.0 / 8.5, 17.0 / 11, 36.0 / 24, 48.0 / 36, 40.0 / 28};
 constexpr double paper_accuracy = 0.005;  ///< sheets are trimmed to the millimetre

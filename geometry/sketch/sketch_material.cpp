@@ -95,8 +95,15 @@ struct Decision {
         });
     }
 
+    /// A clearance is a narrow strip: wide areas that nobody drew may as well be parts whose lines were shortened to others'.
+    bool is_narrow(const Region& region) const {
+        constexpr double most = 0.1;  // of 4 area / perimeter^2, width by length of a strip
+        const double around = perimeter(region.outline);
+        return 4 * region.area < most * around * around;
+    }
+
     bool is_cavity(const Region& region) const {
-        return is_enclosed(region) && has_lines_that_go_on(region) &&
+        return is_narrow(region) && is_enclosed(region) && has_lines_that_go_on(region) &&
                std::none_of(region.entity.begin(), region.entity.end(), [&](int e) { return piece(e).times_drawn > 1; });
     }
 

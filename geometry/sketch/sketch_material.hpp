@@ -31,7 +31,7 @@ struct MaterialHints {
 ///   3. What is drawn over other outlines is material.
 ///   4. An outline inside material is a hole, any other a part. Where it is drawn twice, unless all of them are, there is
 ///      material on both sides: a hole, and a part that fits.
-///   5. Areas that share edges are filled as walk_faces says, but for cavities: areas with others on all sides none of whose
+///   5. Areas that share edges are filled as walk_faces says, but for clearances: narrow areas with others on all sides none of whose
 ///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A line
 ///      drawn once between two areas leaves open whether both are material: all that was taken is told.
 /// What floats in a hole without coming near anything is told, too: a bush, or the edge of a counterbore, is drawn the same way.

@@ -24,6 +24,10 @@ struct Margins {
 /// boundary, which the inner one may touch; or, in a narrow clearance, one that is not on it.
 bool is_inside(const Region& inner, const Region& outer, const Margins& margins) {
     if (inner.area >= outer.area || !inner.box.is_within(outer.box, margins.tolerance)) return false;
+    if (outer.is_overlaid)  // others may cross it
+        return std::all_of(inner.outline.edges.begin(), inner.outline.edges.end(), [&](const Edge& edge) {
+            return contains(finder_of(outer).pieces, point(edge.curve, 0)) && contains(finder_of(outer).pieces, point(edge.curve, 0.5));
+        });
     for (const double margin : {margins.tolerance, margins.coincidence})
         for (const Edge& edge : inner.outline.edges)
             for (const double t : {0.0, 0.5}) {
@@ -43,7 +47,7 @@ int directly_around(const std::vector<Region>& regions, std::size_t i, const Edg
     std::vector<int> candidates = tree.near(corner, margins.tolerance);
     std::erase_if(candidates, [&](int k) {
         const Region& outer = regions[at(k)];
-        const bool is_sibling = inner.divided >= 0 && outer.divided == inner.divided;
+        const bool is_sibling = inner.divided >= 0 && (outer.divided == inner.divided || outer.is_overlaid);
         return at(k) == i || is_sibling || outer.area <= inner.area || !inner.box.is_within(outer.box, margins.tolerance);
     });
     const auto is_larger = [&](int a, int b) { return rank[at(a)] > rank[at(b)]; };

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "geometry/sketch/sketch_arcs.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
@@ -173,6 +174,19 @@ void report_joints(const State& state, double rounding, std::vector<Repair>& rep
     }
 }
 
+/// Euler's formula: where lines cross without a joint, the areas about them are too few.
+bool is_plane(const DividedOutline& divided, const Joints& joints, const std::vector<int>& block) {
+    std::set<int> corners;
+    for (const int e : block) corners.insert({joints.at_begin[at(e)], joints.at_end[at(e)]});
+    return corners.size() + divided.faces.size() + 1 == block.size() + 2;
+}
+
+SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
+    const SketchPiece& first = entities[at(block.front())];
+    return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5), first.name,
+            first.line, "put each part on a layer of its own, or mend it in CAD"};
+}
+
 }  // namespace
 
 ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
@@ -201,8 +215,13 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
     found.open_length = open.length;
     found.loose = state.chains.loose;
     found.outlines.closed = state.chains.closed;
-    for (const std::vector<int>& block : state.chains.divided)
-        found.outlines.divided.push_back(walk_faces(state.entities, state.joints, block));
+    for (const std::vector<int>& block : state.chains.divided) {
+        DividedOutline divided = walk_faces(state.entities, state.joints, block);
+        if (is_plane(divided, state.joints, block))
+            found.outlines.divided.push_back(std::move(divided));
+        else
+            found.problems.push_back(crossing_lines(state.entities, block));
+    }
     found.outlines.entities = std::move(state.entities);
     put_back(found.outlines, std::move(over), std::move(overlaid), tolerances);
     return found;
