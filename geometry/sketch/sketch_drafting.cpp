@@ -70,7 +70,7 @@ public:
         plain.recognise_arcs = false;
         Box2 box;
         for (const SketchEntity& entity : entities_) box.extend(bounding_box(entity.curve));
-        closed_ = close_outlines(entities_, plain, rounding_fraction * std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff()));
+        closed_ = close_outlines(entities_, plain, rounding_fraction * std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff()), true);
         size_ = box.diagonal();
         tolerance_ = closed_.tolerance;
         for (const EntityChain& chain : closed_.outlines.closed) shapes_.push_back(shape_of(chain));

@@ -56,12 +56,16 @@ int hatch_at(const std::vector<HatchedArea>& areas, const Vec2& p) {
     return -1;
 }
 
+/// As near as this fraction of the smaller diagonal, parts are looked at as a pair.
+constexpr double near_fraction = 0.02;
+
 struct Decision {
     std::vector<Region>& regions;
     const Outlines& outlines;
     const MaterialHints& hints;
     std::vector<SketchProblem>& warnings;
     std::vector<int> hatch{};               ///< by region
+    std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
     std::vector<int> n_faces_at{};          ///< by entity: faces of divided outlines
     bool is_all_twice = false;
 
@@ -123,6 +127,28 @@ struct Decision {
 
     // ---- all ----
 
+    // ---- clearances around pins ----
+
+    /// The strip between two outlines, one in the other, that come as near as parts of a pair: air, for what is in it would hang in
+    /// the air otherwise, and inside a hole nothing as thin is made.
+    void find_strips() {
+        std::vector<int> n_inside(regions.size(), 0), inside(regions.size(), -1);
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (regions[i].around >= 0) {
+                ++n_inside[at(regions[i].around)];
+                inside[at(regions[i].around)] = static_cast<int>(i);
+            }
+        is_strip.assign(regions.size(), false);
+        holds_strip.assign(regions.size(), false);
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0 || regions[i].around < 0) continue;
+            const Region &outer = regions[i], &inner = regions[at(inside[i])];
+            const double width = 2 * (outer.area - inner.area) / (perimeter(outer.outline) + perimeter(inner.outline));
+            is_strip[i] = width < near_fraction * inner.box.diagonal();
+            if (is_strip[i]) holds_strip[at(outer.around)] = true;
+        }
+    }
+
     bool fill(int i) {
         Region& region = regions[at(i)];
         const auto choice = hints.choices.find(name(i));
@@ -137,7 +163,10 @@ struct Decision {
         }
         if (region.is_overlaid) return true;
         if (region.divided >= 0) return fill_face(region);
-        return !is_inside || (is_twice(region) && !is_all_twice && !hints.is_one_part);
+        if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
+        if (is_strip[at(i)]) return false;
+        if (is_inside && holds_strip[at(i)]) region.is_doubtful = true;  // a bush whose fit is drawn once
+        return !is_inside || holds_strip[at(i)];
     }
 
     void count_faces() {
@@ -157,6 +186,7 @@ struct Decision {
     void decide(const std::vector<Vec2>& points) {
         count_faces();
         find_hatches(points);
+        find_strips();
         is_all_twice = std::all_of(regions.begin(), regions.end(), [&](const Region& r) { return is_twice(r); });
         std::vector<int> outermost_first(regions.size());
         std::iota(outermost_first.begin(), outermost_first.end(), 0);
@@ -213,9 +243,6 @@ struct Decision {
         }
     }
 
-    /// Twice as near as this fraction of their smaller diagonal, parts are looked at as a pair.
-    static constexpr double near_fraction = 0.02;
-
     bool is_near_another(int i) const {
         const Region& own = regions[at(i)];
         for (std::size_t k = 0; k < regions.size(); ++k) {
@@ -246,6 +273,15 @@ struct Decision {
                  "\": \"part\"}");
     }
 
+    void tell_bushes(const std::vector<Vec2>& points) {
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (holds_strip[i] && regions[i].divided < 0 && regions[i].is_doubtful && regions[i].is_filled)
+                tell(static_cast<int>(i),
+                     "an outline in a part with another and its clearance inside is taken as a bush that fits the part around: " +
+                         name(static_cast<int>(i)),
+                     points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is air");
+    }
+
     void tell_edges(const std::vector<Vec2>& points) {
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (regions[i].is_edge)
@@ -263,6 +299,7 @@ std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Ou
     decision.decide(points);
     decision.tell_divided(points);
     decision.tell_floating(points);
+    decision.tell_bushes(points);
     decision.tell_edges(points);
     std::vector<SketchRegion> named;
     for (std::size_t i = 0; i < regions.size(); ++i)

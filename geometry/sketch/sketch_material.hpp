@@ -30,7 +30,8 @@ struct MaterialHints {
 ///   2. What is hatched is material. An outline within the same hatch as what is around it is an edge drawn on the part.
 ///   3. What is drawn over other outlines is material.
 ///   4. An outline inside material is a hole, any other a part. Where it is drawn twice, unless all of them are, there is
-///      material on both sides: a hole, and a part that fits.
+///      material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow as a
+///      clearance is one: what is directly around it is a bush then.
 ///   5. Areas that share edges are filled as walk_faces says, but for clearances: narrow areas with others on all sides none of whose
 ///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A line
 ///      drawn once between two areas leaves open whether both are material: all that was taken is told.

@@ -181,6 +181,18 @@ bool is_plane(const DividedOutline& divided, const Joints& joints, const std::ve
     return corners.size() + divided.faces.size() + 1 == block.size() + 2;
 }
 
+/// Blocks whose lines cross are cut there; the numbers of entities change with each.
+void cut_tables(State& state, const Tolerances& tolerances, std::vector<Repair>& repairs) {
+    for (std::size_t k = 0; k < state.chains.divided.size(); ++k) {
+        const std::vector<int> block = state.chains.divided[k];
+        if (is_plane(walk_faces(state.entities, state.joints, block), state.joints, block)) continue;
+        if (!split_at_crossings(state.entities, block, tolerances.coincidence, repairs)) continue;
+        state.trace(tolerances, repairs);
+        mend(state, tolerances, repairs);
+        k = static_cast<std::size_t>(-1);  // from the first again; a block that was cut is plane, or cannot be cut any more
+    }
+}
+
 SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
     const SketchPiece& first = entities[at(block.front())];
     return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5), first.name,
@@ -189,7 +201,8 @@ SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& blo
 
 }  // namespace
 
-ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
+ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
+                              bool are_tables_cut) {
     ClosedOutlines found;
     State state{pieces_of(entities), {}, {}};
     remove_without_length(state.entities, rounding, found.repairs);
@@ -204,6 +217,7 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
     Pieces over = take_overlaid(state, tolerances, overlaid);
     if (!over.empty()) state.trace(tolerances, found.repairs);
     mend(state, tolerances, found.repairs);
+    if (are_tables_cut) cut_tables(state, tolerances, found.repairs);
     report_joints(state, rounding, found.repairs);
     if (options.recognise_arcs && recognise_facets(state.entities, state.joints, tolerances.facets, found.repairs))
         state.trace(tolerances, found.repairs);
