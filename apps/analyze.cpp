@@ -95,7 +95,9 @@ CommandSpec analyze_spec() {
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
-             {"--strict", "", "end with status 1 also where it is solved with reservations, or not as the scene expects; what is left out, merged or guessed of drawings is an error"},
+             {"--strict", "",
+              "end with status 1 also where it is solved with reservations, or not as the scene expects; what is left out, "
+              "merged or guessed of drawings is an error"},
              {"--quiet", "", "print nothing but errors"}},
             "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
             "known;\n"

@@ -92,7 +92,8 @@ ImportOptions import_options(const Arguments& arguments) {
     options.units = value_or(arguments, "--units", "");
     options.parts_by = *parts_by_of(value_or(arguments, "--parts-by", "auto"));
     options.recognise_arcs = !has(arguments, "--keep-facets");
-    options.layers = {listed_names(value_or(arguments, "--only-layer", "")), listed_names(value_or(arguments, "--ignore-layer", ""))};
+    options.layers = {listed_names(value_or(arguments, "--only-layer", "")),
+                      listed_names(value_or(arguments, "--ignore-layer", ""))};
     options.leave_open = has(arguments, "--leave-open");
     options.keep_drafting = has(arguments, "--keep-drafting");
     if (has(arguments, "--section")) read_section(arguments.options.at("--section"), options);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options --units, --tolerance, --parts-by, --section, --only-layer and so on, which stand for a scene's keys where a command is
-// given a bare drawing or mesh.
+// The options --units, --tolerance, --parts-by, --section, --only-layer and so on, which stand for a scene's keys where a
+// command is given a bare drawing or mesh.
 #pragma once
 #include <string>
 #include <vector>

@@ -14,9 +14,9 @@ struct DraftingLayer {
     bool is_sure = false;  ///< otherwise the word may as well name a part (axis, frame, table)
 };
 
-/// What a layer (or line type, or block) of that name holds; nothing where the table does not know it. Names are compared without
-/// regard to case, blanks, hyphens, underscores, what an external reference puts before them ("file|CENTER"), numbers, and the
-/// prefixes and suffixes of programs and standards ("Hatch (ISO)", "01-Mittellinien", "SLD-Border").
+/// What a layer (or line type, or block) of that name holds; nothing where the table does not know it. Names are compared
+/// without regard to case, blanks, hyphens, underscores, what an external reference puts before them ("file|CENTER"), numbers,
+/// and the prefixes and suffixes of programs and standards ("Hatch (ISO)", "01-Mittellinien", "SLD-Border").
 std::optional<DraftingLayer> drafting_layer(std::string_view name);
 
 /// Does the name match the pattern, in which * stands for any characters and ? for one? Case does not matter.

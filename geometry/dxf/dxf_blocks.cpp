@@ -85,8 +85,9 @@ public:
 
     void tell(std::vector<SketchProblem>& warnings) const {
         for (const Sum& sum : list_)
-            warnings.push_back({(sum.count == 1 ? sum.type + " " + sum.name : std::to_string(sum.count) + " lines, arcs or other curves, first " +
-                                                                                  sum.type + " " + sum.name + ",") +
+            warnings.push_back({(sum.count == 1 ? sum.type + " " + sum.name
+                                                : std::to_string(sum.count) + " lines, arcs or other curves, first " +
+                                                      sum.type + " " + sum.name + ",") +
                                     " on layer " + sum.layer + " left out: " + sum.why,
                                 sum.at, sum.name, sum.line, "--only-layer names layers to be read whatever they are called"});
     }
@@ -153,9 +154,10 @@ private:
         again.format = drawing_.format;
         again.unit = drawing_.unit;
         again.warnings.insert(again.warnings.begin(), drawing_.warnings.begin(), drawing_.warnings.end());
-        again.warnings.push_back({"all that is drawn is on layers, or in line types, of drafting, the first on layer " + again.entities.front().layer + ": it is read nevertheless",
-                                  point(again.entities.front().curve, 0), again.entities.front().name, again.entities.front().line,
-                                  "draw outlines on a layer of their own"});
+        again.warnings.push_back({"all that is drawn is on layers, or in line types, of drafting, the first on layer " +
+                                      again.entities.front().layer + ": it is read nevertheless",
+                                  point(again.entities.front().curve, 0), again.entities.front().name,
+                                  again.entities.front().line, "draw outlines on a layer of their own"});
         left_out_ = {};
         drawing_.entities = std::move(again.entities);
         drawing_.counts = std::move(again.counts);
@@ -171,7 +173,8 @@ private:
             int k = 0;
             for (const std::vector<Curve>& loop : hatch.loops)
                 for (const Curve& curve : loop)
-                    drawing_.entities.push_back({curve, "HATCH", hatch.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
+                    drawing_.entities.push_back(
+                        {curve, "HATCH", hatch.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
         }
         if (!drawing_.entities.empty())
             drawing_.warnings.push_back({"the file holds hatches only: their boundaries are taken as outlines",
@@ -179,8 +182,8 @@ private:
                                          drawing_.hatches.front().line, "export the outlines, too"});
     }
 
-    /// A layer whose name may mean a part or lines of drafting holds the latter where no two of its lines are joined and none is
-    /// closed.
+    /// A layer whose name may mean a part or lines of drafting holds the latter where no two of its lines are joined and none
+    /// is closed.
     void leave_doubtful_layers() {
         std::unordered_map<std::string, bool> is_left;
         std::unordered_map<std::string, std::vector<Vec2>> ends;
@@ -197,7 +200,8 @@ private:
             const auto is_known = [&](const Vec2& p) {
                 return std::any_of(known.begin(), known.end(), [&](const Vec2& q) { return (p - q).norm() <= near; });
             };
-            if ((to - from).norm() <= merge_fraction * length(entity.curve) || is_known(from) || is_known(to) || known.size() > 2000)
+            if ((to - from).norm() <= merge_fraction * length(entity.curve) || is_known(from) || is_known(to) ||
+                known.size() > 2000)
                 found->second = false;
             known.push_back(from);
             known.push_back(to);
@@ -210,7 +214,8 @@ private:
             record.line = entity.line;
             Look look;
             look.layer = entity.layer;
-            left_out_.add(record, entity.name, look, "layer of " + drafting_layer(entity.layer)->kind + " by its name, and no two of its lines are joined",
+            left_out_.add(record, entity.name, look,
+                          "layer of " + drafting_layer(entity.layer)->kind + " by its name, and no two of its lines are joined",
                           point(entity.curve, 0.5));
             return true;
         });
@@ -232,8 +237,7 @@ private:
     void add_record(std::span<const Record> records, std::size_t i, const Instance& in) {
         const Record& record = records[i];
         const Look look = look_of(record, in.look, structure_);
-        const bool is_counted =
-            in.block == nullptr && !is_subentity(record) && is_in_paper_space(record) == takes_paper_space_;
+        const bool is_counted = in.block == nullptr && !is_subentity(record) && is_in_paper_space(record) == takes_paper_space_;
         EntityCount* count = is_counted ? &drawing_.counts[record.type] : nullptr;
         if (count) ++count->read;
         std::string why = why_ignored(record, look, layers_);
@@ -258,8 +262,8 @@ private:
     void note(const Record& record, const Look& look, const Instance& in) {
         constexpr std::array texts{"TEXT", "MTEXT", "ATTRIB", "ATTDEF"};
         if (std::find(texts.begin(), texts.end(), record.type) != texts.end()) {
-            drawing_.texts.push_back({record.text(1), in.placement(first_point(record)),
-                                      record.number(40, 0) * in.placement.y_axis.norm()});
+            drawing_.texts.push_back(
+                {record.text(1), in.placement(first_point(record)), record.number(40, 0) * in.placement.y_axis.norm()});
         } else if (record.type == "SOLID" || record.type == "TRACE") {
             for (const int code : {10, 11, 12})
                 if (record.find(code))
@@ -290,8 +294,8 @@ private:
 
     void note_tilt(const Record& record, const Instance& in) {
         if (n_tilted_++ == 0)
-            tilted_ = {"", in.placement(first_point(record)), record.text(5).empty() ? "" : "h" + upper_case(record.text(5)), record.line,
-                       "set its plane to the drawing's in CAD"};
+            tilted_ = {"", in.placement(first_point(record)), record.text(5).empty() ? "" : "h" + upper_case(record.text(5)),
+                       record.line, "set its plane to the drawing's in CAD"};
         tilted_.what = (n_tilted_ == 1 ? record.type : std::to_string(n_tilted_) + " entities") +
                        (n_tilted_ == 1 ? " is" : " are") + " tilted out of the drawing's plane by less than " +
                        number_text(most_tilt) + " degrees, and projected onto it";

@@ -45,10 +45,10 @@ const std::array reasons{
 };
 
 /// By drawing convention no outlines. Names are compared without their blanks and hyphens.
-constexpr std::array construction_linetypes{"CENTER"sv,  "CENTRE"sv, "HIDDEN"sv, "PHANTOM"sv, "DASHED"sv,     "DASH"sv,
-                                            "DASHDOT"sv, "DOT"sv,    "DIVIDE"sv, "CHAIN"sv,   "DASHEDSPACE"sv,
-                                            "MITTE"sv, "VERDECKT"sv, "STRICHLINIE"sv, "STRICHPUNKT"sv, "AXES"sv, "CACHE"sv,
-                                            "TIRETPT"sv, "FANTOME"sv};
+constexpr std::array construction_linetypes{"CENTER"sv,      "CENTRE"sv,  "HIDDEN"sv,   "PHANTOM"sv,     "DASHED"sv,
+                                            "DASH"sv,        "DASHDOT"sv, "DOT"sv,      "DIVIDE"sv,      "CHAIN"sv,
+                                            "DASHEDSPACE"sv, "MITTE"sv,   "VERDECKT"sv, "STRICHLINIE"sv, "STRICHPUNKT"sv,
+                                            "AXES"sv,        "CACHE"sv,   "TIRETPT"sv,  "FANTOME"sv};
 template <std::size_t n>
 bool is_one_of(std::string_view text, const std::array<std::string_view, n>& names) {
     return std::find(names.begin(), names.end(), text) != names.end();
@@ -129,7 +129,8 @@ std::string why_ignored(const Record& entity, const Look& look, const LayerFilte
     const bool is_asked = std::any_of(layers.only.begin(), layers.only.end(), matches);
     if (look.frozen) return "layer is frozen";
     if (look.off) return "layer is off";
-    if (entity.type != "INSERT" && std::any_of(layers.ignore.begin(), layers.ignore.end(), matches)) return "layer is to be ignored";
+    if (entity.type != "INSERT" && std::any_of(layers.ignore.begin(), layers.ignore.end(), matches))
+        return "layer is to be ignored";
     if (entity.type != "INSERT" && !layers.only.empty() && !is_asked) return "layer is not asked for";
     if (entity.integer(60, 0) == 1) return "invisible";
     if (const std::string why = why_type_ignored(entity); !why.empty()) return why;
@@ -142,8 +143,8 @@ std::string why_ignored(const Record& entity, const Look& look, const LayerFilte
 }
 
 bool is_curve(const Record& entity) {
-    static const std::array others{"MLINE"sv,  "3DSOLID"sv, "REGION"sv, "BODY"sv,  "SURFACE"sv,
-                                   "HELIX"sv, "MPOLYGON"sv, "ACAD_PROXY_ENTITY"sv};
+    static const std::array others{"MLINE"sv,   "3DSOLID"sv, "REGION"sv,   "BODY"sv,
+                                   "SURFACE"sv, "HELIX"sv,   "MPOLYGON"sv, "ACAD_PROXY_ENTITY"sv};
     return is_one_of(entity.type, read_types) || is_one_of(entity.type, others);
 }
 

@@ -13,7 +13,7 @@ struct Look {
     std::string layer = "0";
     std::string linetype = "CONTINUOUS";  ///< upper case
     int color = 7;
-    bool is_interrupted = false;  ///< does the line type have gaps?
+    bool is_interrupted = false;       ///< does the line type have gaps?
     bool frozen = false, off = false;  ///< the layer's
 };
 
@@ -35,8 +35,10 @@ double tilt(const Record& entity);
 /// Could it bound a part, so that leaving it out must be told? Texts and dimensions cannot.
 bool is_curve(const Record& entity);
 
-/// Why an entity is left out; empty for those to be read, and for those in paper space (is_in_paper_space). Hidden things come first: what is not shown is not asked for its
-/// type. What lies on a layer that is asked for by name is read whatever its name and line type say. An INSERT is left out only where it is hidden or tilted: lines in it are judged by their own line types and layers.
+/// Why an entity is left out; empty for those to be read, and for those in paper space (is_in_paper_space). Hidden things come
+/// first: what is not shown is not asked for its type. What lies on a layer that is asked for by name is read whatever its name
+/// and line type say. An INSERT is left out only where it is hidden or tilted: lines in it are judged by their own line types
+/// and layers.
 std::string why_ignored(const Record& entity, const Look& look, const LayerFilter& layers);
 
 }  // namespace abut::geometry::dxf

@@ -160,8 +160,12 @@ bool pass_over(Structure& structure, const Group& group, std::string& variable) 
         structure.header.emplace(variable, group.value);
     const bool is_harmless = group.code == 9 || (group.code != 0 && !variable.empty()) || is_mark(group, "ENDSEC");
     if (is_harmless && structure.warnings.empty())
-        structure.warnings.push_back({"'" + std::string(group.value.substr(0, 40)) + "' stands outside of any section and is passed over",
-                                      {0, 0}, {}, group.place, "export the drawing again"});
+        structure.warnings.push_back(
+            {"'" + std::string(group.value.substr(0, 40)) + "' stands outside of any section and is passed over",
+             {0, 0},
+             {},
+             group.place,
+             "export the drawing again"});
     return is_harmless;
 }
 

@@ -59,8 +59,8 @@ struct Structure {
 };
 
 /// Reads the structure of a DXF file. Variables behind the header's end, a section's beginning that is written twice, and a
-/// second ENDSEC are read as they are meant, with a warning. Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost:
-/// see split_groups().
+/// second ENDSEC are read as they are meant, with a warning. Throws InputError (file, line) if the file is missing, empty,
+/// truncated or no DXF. Cost: see split_groups().
 Structure read_structure(const std::string& path);
 /// Reads the structure from a file's bytes; `file` is its name in messages.
 Structure structure_of(const std::string& file, std::string bytes);

@@ -293,10 +293,15 @@ void tell_repairs(SketchParts& sketch) {
             if (!largest || repair.size > largest->size) largest = &repair;
         }
         if (!largest) continue;
-        const std::string what = kind == Repair::Kind::removed ? "lines or arcs that lie on others, or have no length, merged with these"
-                                                               : "gaps between ends closed";
-        sketch.warnings.push_back({std::to_string(n) + " " + what + "; the largest: " + largest->what + ", " + number_text(largest->size),
-                                   largest->at, {}, 0, "abut inspect lists them"});
+        const std::string what = kind == Repair::Kind::removed
+                                     ? "lines or arcs that lie on others, or have no length, merged with these"
+                                     : "gaps between ends closed";
+        sketch.warnings.push_back(
+            {std::to_string(n) + " " + what + "; the largest: " + largest->what + ", " + number_text(largest->size),
+             largest->at,
+             {},
+             0,
+             "abut inspect lists them"});
     }
 }
 

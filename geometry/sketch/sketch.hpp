@@ -67,8 +67,8 @@ struct Drawing {
     std::vector<Vec2> arrows;  ///< corners of small filled areas: tips of arrows
     std::vector<Hatch> hatches;
     std::vector<std::string> drafting_layers;  ///< those that were left out for their names
-    std::vector<Repair> repairs;  ///< of meshes: what was mended, arcs recovered, the plane moved
-    std::string replaced_unit;    ///< what the file states, where an option says that `unit` is meant
+    std::vector<Repair> repairs;               ///< of meshes: what was mended, arcs recovered, the plane moved
+    std::string replaced_unit;                 ///< what the file states, where an option says that `unit` is meant
 };
 
 /// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,

@@ -65,8 +65,8 @@ struct Conflicts {
 };
 
 SketchProblem left_out(const SketchPiece& circle, const Vec2& where, const std::string& why) {
-    return {circle.kind + " " + circle.name + " on layer " + circle.layer + " left out: " + why,
-            where, circle.name, circle.line, "give it the line type CENTER"};
+    return {circle.kind + " " + circle.name + " on layer " + circle.layer + " left out: " + why, where, circle.name,
+            circle.line, "give it the line type CENTER"};
 }
 
 SketchProblem overlap(const SketchPiece& upper, const SketchPiece& other, const Vec2& where) {
@@ -92,8 +92,9 @@ Outlines without_conflicts(const Outlines& outlines, double tolerance, bool is_o
             if (!is_pitch_circle && !(is_one_part && conflicts.circle(chain) && !conflicts.circle(other))) continue;
             is_pitch[at(chain)] = is_out[at(chain)] = true;
             warnings.push_back(left_out(conflicts.first(chain), crossing.problem.at,
-                                        is_pitch_circle ? "it runs through the middles of other circles, as pitch circles do"
-                                                        : "it crosses the outline of its layer, as circles of construction do"));
+                                        is_pitch_circle
+                                            ? "it runs through the middles of other circles, as pitch circles do"
+                                            : "it crosses the outline of its layer, as circles of construction do"));
         }
     for (const Crossing& crossing : crossings) {
         if (is_pitch[at(crossing.chain)] || is_pitch[at(crossing.other)]) continue;

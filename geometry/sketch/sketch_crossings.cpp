@@ -132,7 +132,8 @@ EdgePairs near_edges(const Layout& layout, double tolerance) {
         for (const int k : tree.near(bounding_box(a), tolerance)) {
             if (k <= static_cast<int>(i)) continue;
             const int chain = layout.chain[i], other = layout.chain[static_cast<std::size_t>(k)];
-            if (may_meet(a, layout.all.edges[static_cast<std::size_t>(k)].curve, tolerance_between(layout, chain, other, tolerance)))
+            if (may_meet(a, layout.all.edges[static_cast<std::size_t>(k)].curve,
+                         tolerance_between(layout, chain, other, tolerance)))
                 found[{chain, other}].emplace_back(static_cast<int>(i), k);
         }
     }
@@ -144,7 +145,8 @@ std::vector<Meeting> find_meetings(const Layout& layout, const ChainPair& chains
                                    double within) {
     std::vector<Meeting> found;
     for (const auto& [i, k] : edges) {
-        const Curve &a = layout.all.edges[static_cast<std::size_t>(i)].curve, &b = layout.all.edges[static_cast<std::size_t>(k)].curve;
+        const Curve &a = layout.all.edges[static_cast<std::size_t>(i)].curve,
+                    &b = layout.all.edges[static_cast<std::size_t>(k)].curve;
         for (const Vec2& p : meeting_points(a, b, within))
             if (chains.first != chains.second || !is_joint(a, b, p, within)) found.push_back({i, k, p});
     }
@@ -156,7 +158,8 @@ bool are_corners(const Layout& layout, int chain, const std::vector<Meeting>& me
     const int first = layout.first[static_cast<std::size_t>(chain)], last = layout.first[static_cast<std::size_t>(chain) + 1];
     return last - first > 1 && std::all_of(meetings.begin(), meetings.end(), [&](const Meeting& meeting) {
                for (int e = first; e < last; ++e)
-                   if ((point(layout.all.edges[static_cast<std::size_t>(e)].curve, 0) - meeting.at).norm() <= tolerance) return true;
+                   if ((point(layout.all.edges[static_cast<std::size_t>(e)].curve, 0) - meeting.at).norm() <= tolerance)
+                       return true;
                return false;
            });
 }
@@ -223,8 +226,9 @@ std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, c
         const std::vector<Meeting> meetings = find_meetings(layout, pair, edges, within);
         if (meetings.empty() || (chain != other && !do_cross(layout, chain, other, meetings, within))) continue;
         const Meeting& first = meetings.front();
-        crossings.push_back({chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other),
-                             are_corners(layout, chain, meetings, 2 * within), are_corners(layout, other, meetings, 2 * within)});
+        crossings.push_back(
+            {chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other),
+             are_corners(layout, chain, meetings, 2 * within), are_corners(layout, other, meetings, 2 * within)});
         if (chain == other) is_crossing_itself[static_cast<std::size_t>(chain)] = true;
     }
     for (std::size_t c = 0; c < chains.size(); ++c) {

@@ -11,7 +11,7 @@ namespace abut::geometry {
 struct Crossing {
     int chain, other;  ///< the earlier one first; the same where one crosses itself
     SketchProblem problem;
-    bool at_corners = false;        ///< do they meet only where the chain has corners?
+    bool at_corners = false;         ///< do they meet only where the chain has corners?
     bool at_others_corners = false;  ///< ... where the other one has corners?
 };
 /// So many crossings and no more are looked for: a drawing with more is no assembly to be mended.

@@ -30,7 +30,7 @@ struct Shape {
     std::vector<int> entities;  ///< given entities that it is made of
     Box2 box;
     double area = 0;
-    std::vector<Part> faces;    ///< of divided ones
+    std::vector<Part> faces;  ///< of divided ones
 };
 
 struct Kinds {
@@ -70,7 +70,8 @@ public:
         plain.recognise_arcs = false;
         Box2 box;
         for (const SketchEntity& entity : entities_) box.extend(bounding_box(entity.curve));
-        closed_ = close_outlines(entities_, plain, rounding_fraction * std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff()), true);
+        closed_ =
+            close_outlines(entities_, plain, rounding_fraction * std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff()), true);
         size_ = box.diagonal();
         tolerance_ = closed_.tolerance;
         for (const EntityChain& chain : closed_.outlines.closed) shapes_.push_back(shape_of(chain));
@@ -157,7 +158,8 @@ private:
         const Vec2 center = shapes_[shape].box.center();
         for (std::size_t k = 0; k < shapes_.size(); ++k) {
             if (k == shape || is_out_[k] || !shapes_[k].box.overlaps(shapes_[shape].box, tolerance_)) continue;
-            if (is_upright_rectangle(shapes_[k]) && shapes_[shape].box.is_within(shapes_[k].box, 0)) continue;  // a frame perhaps
+            if (is_upright_rectangle(shapes_[k]) && shapes_[shape].box.is_within(shapes_[k].box, 0))
+                continue;  // a frame perhaps
             if (contains(shapes_[k].outline, center) ||
                 closest_points(shapes_[k].outline, shapes_[shape].outline, tolerance_) ||
                 shapes_[k].box.is_within(shapes_[shape].box, 0))
@@ -168,7 +170,8 @@ private:
 
     bool has_text(const Arc& circle, std::size_t most_letters) const {
         return std::any_of(drawing_.texts.begin(), drawing_.texts.end(), [&](const DrawnText& text) {
-            return text.text.size() <= most_letters && (text.at - circle.center).norm() < circle.radius && text.height < 2 * circle.radius;
+            return text.text.size() <= most_letters && (text.at - circle.center).norm() < circle.radius &&
+                   text.height < 2 * circle.radius;
         });
     }
 
@@ -301,7 +304,8 @@ private:
 
     void find_tables() {
         for (std::size_t s = 0; s < shapes_.size(); ++s) {
-            if (is_out_[s] || shapes_[s].faces.empty() || !is_upright_rectangle(shapes_[s]) || !is_table(shapes_[s].faces)) continue;
+            if (is_out_[s] || shapes_[s].faces.empty() || !is_upright_rectangle(shapes_[s]) || !is_table(shapes_[s].faces))
+                continue;
             const auto largest = std::max_element(shapes_[s].faces.begin(), shapes_[s].faces.end(),
                                                   [](const Part& a, const Part& b) { return area(a) < area(b); });
             if (area(*largest) > 0.5 * shapes_[s].area) continue;  // a frame with its title block
@@ -399,7 +403,8 @@ private:
     /// A plate with windows, or the frame of a sheet with parts that nearly touch?
     void doubt_frame(std::size_t frame, const std::vector<std::size_t>& inside) {
         constexpr double near_fraction = 0.02;  // of the smaller diagonal: pairs of parts are looked for so far
-        if (!shapes_[frame].faces.empty() || !is_around_all(frame) || inside.size() > 50) return;  // so many holes are a plate's
+        if (!shapes_[frame].faces.empty() || !is_around_all(frame) || inside.size() > 50)
+            return;  // so many holes are a plate's
         for (const std::size_t a : inside)
             for (const std::size_t b : inside) {
                 if (b <= a || circle(shapes_[a]) || circle(shapes_[b])) continue;
@@ -410,7 +415,8 @@ private:
                 if (!closest_points(shapes_[a].outline, shapes_[b].outline, reach)) continue;
                 const SketchEntity& first = entities_[at(shapes_[frame].entities.front())];
                 doubts_.push_back({"the rectangle of " + first.kind + " " + first.name + " on layer " + first.layer +
-                                       " around all else is taken as a plate; outlines in it come as near as parts that touch, so it may be the frame of a sheet",
+                                       " around all else is taken as a plate; outlines in it come as near as parts that touch, "
+                                       "so it may be the frame of a sheet",
                                    shapes_[frame].box.min, first.name, first.line,
                                    "put it on a layer of its own and leave that out (--ignore-layer) where it is"});
                 return;
@@ -433,8 +439,8 @@ private:
             }
             if (!first) continue;
             if (n > most_names) names += ", ...";
-            warnings.push_back({std::to_string(n) + (n == 1 ? " entity on layer " : " entities, the first on layer ") + first->layer + ", set aside as " +
-                                    kind + ": " + names,
+            warnings.push_back({std::to_string(n) + (n == 1 ? " entity on layer " : " entities, the first on layer ") +
+                                    first->layer + ", set aside as " + kind + ": " + names,
                                 point(first->curve, 0.5), first->name, first->line,
                                 "--keep-drafting (in a scene \"keep_drafting\": true) takes such things for parts"});
         }

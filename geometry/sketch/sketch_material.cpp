@@ -64,17 +64,16 @@ struct Decision {
     const Outlines& outlines;
     const MaterialHints& hints;
     std::vector<SketchProblem>& warnings;
-    std::vector<int> hatch{};               ///< by region
+    std::vector<int> hatch{};                     ///< by region
     std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
-    std::vector<int> n_faces_at{};          ///< by entity: faces of divided outlines
+    std::vector<int> n_faces_at{};                ///< by entity: faces of divided outlines
     bool is_all_twice = false;
 
     const SketchPiece& piece(int entity) const { return outlines.entities[at(entity)]; }
     std::string name(int region) const { return "r" + std::to_string(hints.first_number + region); }
 
     bool is_twice(const Region& region) const {
-        return std::all_of(region.entity.begin(), region.entity.end(),
-                           [&](int e) { return piece(e).times_drawn % 2 == 0; });
+        return std::all_of(region.entity.begin(), region.entity.end(), [&](int e) { return piece(e).times_drawn % 2 == 0; });
     }
 
     bool is_inside_material(const Region& region) const { return region.around >= 0 && regions[at(region.around)].is_filled; }
@@ -129,8 +128,8 @@ struct Decision {
 
     // ---- clearances around pins ----
 
-    /// The strip between two outlines, one in the other, that come as near as parts of a pair: air, for what is in it would hang in
-    /// the air otherwise, and inside a hole nothing as thin is made.
+    /// The strip between two outlines, one in the other, that come as near as parts of a pair: air, for what is in it would
+    /// hang in the air otherwise, and inside a hole nothing as thin is made.
     void find_strips() {
         std::vector<int> n_inside(regions.size(), 0), inside(regions.size(), -1);
         for (std::size_t i = 0; i < regions.size(); ++i)
@@ -141,7 +140,8 @@ struct Decision {
         is_strip.assign(regions.size(), false);
         holds_strip.assign(regions.size(), false);
         for (std::size_t i = 0; i < regions.size(); ++i) {
-            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0 || regions[i].around < 0) continue;
+            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0 || regions[i].around < 0)
+                continue;
             const Region &outer = regions[i], &inner = regions[at(inside[i])];
             const double width = 2 * (outer.area - inner.area) / (perimeter(outer.outline) + perimeter(inner.outline));
             is_strip[i] = width < near_fraction * inner.box.diagonal();
@@ -233,12 +233,13 @@ struct Decision {
                                      name(open.empty() ? (filled.empty() ? 0 : filled.front()) : open.front()) +
                                      (open.empty() ? "\": \"void\"}" : "\": \"part\"}");
             if (!open.empty())
-                tell(open.front(), "areas on layer " + layer + " that other outlines enclose are taken as empty: " + listed(open),
+                tell(open.front(),
+                     "areas on layer " + layer + " that other outlines enclose are taken as empty: " + listed(open),
                      points[at(open.front())], hint);
             if (filled.size() > 1)
                 tell(filled.front(),
-                     "outlines on layer " + layer + " share lines that are drawn once; areas on both sides are taken as parts: " +
-                         listed(filled),
+                     "outlines on layer " + layer +
+                         " share lines that are drawn once; areas on both sides are taken as parts: " + listed(filled),
                      points[at(filled.front())], hint);
         }
     }
@@ -260,7 +261,8 @@ struct Decision {
         for (std::size_t i = 0; i < regions.size(); ++i) {
             const Region& own = regions[i];
             if (!own.is_filled || own.around < 0 || regions[at(own.around)].is_filled || own.divided >= 0) continue;
-            if (!is_chosen(static_cast<int>(i)) && !is_near_another(static_cast<int>(i))) floating.push_back(static_cast<int>(i));
+            if (!is_chosen(static_cast<int>(i)) && !is_near_another(static_cast<int>(i)))
+                floating.push_back(static_cast<int>(i));
         }
         if (floating.empty()) return;
         for (const int i : floating) regions[at(i)].is_doubtful = true;
@@ -277,7 +279,8 @@ struct Decision {
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (holds_strip[i] && regions[i].divided < 0 && regions[i].is_doubtful && regions[i].is_filled)
                 tell(static_cast<int>(i),
-                     "an outline in a part with another and its clearance inside is taken as a bush that fits the part around: " +
+                     "an outline in a part with another and its clearance inside is taken as a bush that fits the part "
+                     "around: " +
                          name(static_cast<int>(i)),
                      points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is air");
     }
@@ -285,7 +288,8 @@ struct Decision {
     void tell_edges(const std::vector<Vec2>& points) {
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (regions[i].is_edge)
-                tell(static_cast<int>(i), "an outline within a hatched area is taken as an edge drawn on the part: " + name(static_cast<int>(i)),
+                tell(static_cast<int>(i),
+                     "an outline within a hatched area is taken as an edge drawn on the part: " + name(static_cast<int>(i)),
                      points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is a hole");
     }
 };

@@ -16,7 +16,6 @@ struct Outlines {
     std::vector<DividedOutline> divided;
 };
 
-
 /// What is known besides the outlines.
 struct MaterialHints {
     const std::vector<Hatch>& hatches;
@@ -30,13 +29,14 @@ struct MaterialHints {
 ///   2. What is hatched is material. An outline within the same hatch as what is around it is an edge drawn on the part.
 ///   3. What is drawn over other outlines is material.
 ///   4. An outline inside material is a hole, any other a part. Where it is drawn twice, unless all of them are, there is
-///      material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow as a
-///      clearance is one: what is directly around it is a bush then.
-///   5. Areas that share edges are filled as walk_faces says, but for clearances: narrow areas with others on all sides none of whose
-///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A line
-///      drawn once between two areas leaves open whether both are material: all that was taken is told.
-/// What floats in a hole without coming near anything is told, too: a bush, or the edge of a counterbore, is drawn the same way.
-/// Returns the regions by name; which part they are is not known yet.
+///      material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow as
+///      a clearance is one: what is directly around it is a bush then.
+///   5. Areas that share edges are filled as walk_faces says, but for clearances: narrow areas with others on all sides none of
+///   whose
+///      edges is drawn twice, and of which some edge is a piece of a line that goes on beyond: nobody drew their outline. A
+///      line drawn once between two areas leaves open whether both are material: all that was taken is told.
+/// What floats in a hole without coming near anything is told, too: a bush, or the edge of a counterbore, is drawn the same
+/// way. Returns the regions by name; which part they are is not known yet.
 std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
                                           std::vector<SketchProblem>& warnings);
 

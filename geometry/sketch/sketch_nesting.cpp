@@ -26,7 +26,8 @@ bool is_inside(const Region& inner, const Region& outer, const Margins& margins)
     if (inner.area >= outer.area || !inner.box.is_within(outer.box, margins.tolerance)) return false;
     if (outer.is_overlaid)  // others may cross it
         return std::all_of(inner.outline.edges.begin(), inner.outline.edges.end(), [&](const Edge& edge) {
-            return contains(finder_of(outer).pieces, point(edge.curve, 0)) && contains(finder_of(outer).pieces, point(edge.curve, 0.5));
+            return contains(finder_of(outer).pieces, point(edge.curve, 0)) &&
+                   contains(finder_of(outer).pieces, point(edge.curve, 0.5));
         });
     for (const double margin : {margins.tolerance, margins.coincidence})
         for (const Edge& edge : inner.outline.edges)
@@ -157,7 +158,8 @@ std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>
 NestedParts nest(const Outlines& outlines, double tolerance, double coincidence, const MaterialHints& hints) {
     NestedParts nested;
     std::vector<bool> is_overlaid;
-    const Outlines sound = without_conflicts(outlines, tolerance, hints.is_one_part, is_overlaid, nested.problems, nested.warnings);
+    const Outlines sound =
+        without_conflicts(outlines, tolerance, hints.is_one_part, is_overlaid, nested.problems, nested.warnings);
     std::vector<Region> regions = regions_of(sound, is_overlaid);
     remove_without_area(sound.entities, regions, coincidence, nested.problems);
     find_surroundings(regions, {tolerance, coincidence});

@@ -2,9 +2,9 @@
 //   1. Entities without length go. Splines that are arcs become arcs (sketch_arcs).
 //   2. Of entities drawn twice the first stays (sketch_overlaps).
 //   3. Ends are joined (sketch_joints), and joined entities walked into closed chains (sketch_chains).
-//   4. Outlines that lines of others run through from corner to corner are drawn over them, and kept as they are (sketch_overlaid).
-//   Where some do not close: those that lie on others go; if none does, they are cut where others end on them, and the
-//   others
+//   4. Outlines that lines of others run through from corner to corner are drawn over them, and kept as they are
+//   (sketch_overlaid). Where some do not close: those that lie on others go; if none does, they are cut where others end on
+//   them, and the others
 //      where they end (sketch_splits). So are outlines that share edges (sketch_shared). Then 2 and 3 again.
 //   5. Facets that stand for arcs become arcs (sketch_arcs).
 //   6. Curves are moved to their joints (sketch_joints), and the areas of outlines that share edges are found (sketch_faces).
@@ -48,8 +48,8 @@ void remove_without_length(Pieces& entities, double rounding, std::vector<Repair
     std::erase_if(entities, [&](const SketchPiece& entity) {
         const double own = length(entity.curve);
         if (own > shortest) return false;
-        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own,
-                           Repair::Kind::removed});
+        repairs.push_back(
+            {entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own, Repair::Kind::removed});
         return true;
     });
 }
@@ -195,8 +195,8 @@ void cut_tables(State& state, const Tolerances& tolerances, std::vector<Repair>&
 
 SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
     const SketchPiece& first = entities[at(block.front())];
-    return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5), first.name,
-            first.line, "put each part on a layer of its own, or mend it in CAD"};
+    return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5),
+            first.name, first.line, "put each part on a layer of its own, or mend it in CAD"};
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ Region region_of(const std::vector<SketchPiece>& entities, const EntityChain& ch
 
 const RegionFinder& finder_of(const Region& region) {
     if (!region.finder)
-        region.finder = std::make_unique<RegionFinder>(RegionFinder{EdgeTree(region.outline), slabbed(monotone_pieces(region.outline))});
+        region.finder =
+            std::make_unique<RegionFinder>(RegionFinder{EdgeTree(region.outline), slabbed(monotone_pieces(region.outline))});
     return *region.finder;
 }
 

@@ -29,9 +29,9 @@ struct Region {
     bool is_overlaid = false;  ///< drawn over other outlines, whose hole it is not
     int around = -1;           ///< the region directly around it
     bool is_filled = false;
-    bool is_edge = false;      ///< a line drawn on the part around it, neither hole nor part
+    bool is_edge = false;  ///< a line drawn on the part around it, neither hole nor part
     bool is_doubtful = false;
-    std::string name;          ///< of the part, where the user gave one
+    std::string name;                                ///< of the part, where the user gave one
     mutable std::unique_ptr<RegionFinder> finder{};  ///< made when first asked
 };
 
@@ -44,8 +44,8 @@ const RegionFinder& finder_of(const Region& region);
 /// Is the point within the tolerance of the region's boundary?
 bool is_on_boundary(const Region& region, const Vec2& p, double tolerance);
 
-/// A point of the region outside of those that it is directly around, clear of the boundaries as far as a few trials find. Where
-/// none is found: the middle of its first edge.
+/// A point of the region outside of those that it is directly around, clear of the boundaries as far as a few trials find.
+/// Where none is found: the middle of its first edge.
 std::vector<Vec2> inner_points(const std::vector<Region>& regions);
 
 }  // namespace abut::geometry

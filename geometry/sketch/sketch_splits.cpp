@@ -189,16 +189,19 @@ bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<in
     Cuts cuts;
     for (const int along : among)
         for (const int across : among) {
-            const Curve &a = entities[static_cast<std::size_t>(along)].curve, &b = entities[static_cast<std::size_t>(across)].curve;
+            const Curve &a = entities[static_cast<std::size_t>(along)].curve,
+                        &b = entities[static_cast<std::size_t>(across)].curve;
             if (axis_of(a) != 0 || axis_of(b) != 1) continue;
             const Vec2 p(point(b, 0).x(), point(a, 0).y());
             for (const auto& [e, curve] : {std::pair(along, &a), std::pair(across, &b)}) {
                 const SketchPiece& other = entities[static_cast<std::size_t>(e == along ? across : along)];
                 const double t = closest_parameter(other.curve, p);
                 if ((point(other.curve, t) - p).norm() > coincidence) continue;
-                const std::optional<double> at = place_inside(entities[static_cast<std::size_t>(e)], p, coincidence, coincidence);
+                const std::optional<double> at =
+                    place_inside(entities[static_cast<std::size_t>(e)], p, coincidence, coincidence);
                 if (at && note(cuts, entities[static_cast<std::size_t>(e)], static_cast<std::size_t>(e), *at, coincidence))
-                    repairs.push_back({entities[static_cast<std::size_t>(e)].name + " cut where " + other.name + " crosses it", p, 0});
+                    repairs.push_back(
+                        {entities[static_cast<std::size_t>(e)].name + " cut where " + other.name + " crosses it", p, 0});
             }
         }
     if (cuts.empty()) return false;

@@ -141,7 +141,8 @@ void write_assumptions(std::ostream& out, const SketchReading& reading, const Im
     for (const geometry::SketchRegion& region : reading.sketch.regions)
         if (region.is_doubtful && !regions.contains(region.name)) regions[region.name] = region.part.empty() ? "void" : "part";
     if (!regions.empty())
-        out << "    \"regions\": " << regions.dump() << ",  // check: void, part, or the part's name (abut inspect -o DIR draws them)\n";
+        out << "    \"regions\": " << regions.dump()
+            << ",  // check: void, part, or the part's name (abut inspect -o DIR draws them)\n";
 }
 
 /// What the file was read with, so that the scene reads it the same way.

@@ -91,7 +91,8 @@ ImportRecord import_record(const Drawing& drawing, double factor, std::vector<ge
     repairs.insert(repairs.begin(), drawing.repairs.begin(), drawing.repairs.end());
     std::vector<geometry::SketchProblem> all = drawing.warnings;
     all.insert(all.end(), warnings.begin(), warnings.end());
-    return {drawing.file,    drawing.format, drawing.unit, factor, drawing.counts, drawing.ignored, std::move(repairs), std::move(all)};
+    return {drawing.file,   drawing.format,  drawing.unit,       factor,
+            drawing.counts, drawing.ignored, std::move(repairs), std::move(all)};
 }
 
 namespace {
@@ -101,8 +102,8 @@ std::string key_of(const std::string& name, const ImportOptions& options) {
     std::string layers;
     for (const std::string& pattern : options.layers.only) layers += "+" + pattern;
     for (const std::string& pattern : options.layers.ignore) layers += "-" + pattern;
-    std::string key = name + "|" + layers + "|" + std::to_string(options.section_axis) + "|" + number_text(options.tolerance, all_digits) +
-                      "|" + std::to_string(options.recognise_arcs);
+    std::string key = name + "|" + layers + "|" + std::to_string(options.section_axis) + "|" +
+                      number_text(options.tolerance, all_digits) + "|" + std::to_string(options.recognise_arcs);
     return options.section_at ? key + "|" + number_text(*options.section_at, all_digits) : key;
 }
 

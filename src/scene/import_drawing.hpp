@@ -32,7 +32,8 @@ struct Imports {
 const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
                                       const ImportOptions& options);
 
-/// Reads the keys "tolerance", "parts_by", "section" and those about layers, open lines and regions of an assembly or of a `dxf` or `mesh` node, those that are there.
+/// Reads the keys "tolerance", "parts_by", "section" and those about layers, open lines and regions of an assembly or of a
+/// `dxf` or `mesh` node, those that are there.
 ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
 
 /// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.

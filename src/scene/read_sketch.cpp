@@ -30,9 +30,9 @@ SketchReading read_sketch(const std::string& path, const ImportOptions& options)
     reading.sketch = geometry::parts_of(reading.drawing, sketch_options(reading.drawing, options));
     check_any_parts(reading);
     if (reading.drawing.unit.empty())
-        reading.drawing.warnings.insert(reading.drawing.warnings.begin(),
-                                        {"the file states no unit of length", {0, 0}, {}, 0,
-                                         "--units mm, or another one, says what its numbers mean"});
+        reading.drawing.warnings.insert(
+            reading.drawing.warnings.begin(),
+            {"the file states no unit of length", {0, 0}, {}, 0, "--units mm, or another one, says what its numbers mean"});
     reading.scene.file = path;
     reading.scene.length_unit = reading.drawing.unit;
     for (const geometry::Part& part : reading.sketch.parts) reading.scene.parts.push_back({part.name, part, -1, 1, ""});

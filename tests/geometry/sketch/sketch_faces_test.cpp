@@ -157,7 +157,8 @@ TEST(SketchFaces, WhatBoundsNothingIsReported) {
     EXPECT_TRUE(sketch.problems.empty());
     EXPECT_EQ(sorted_areas(sketch), (std::vector<double>{100, 100}));
     ASSERT_EQ(sketch.warnings.size(), 1u);
-    EXPECT_TRUE(says(sketch.warnings[0].what, "LINE on layer 0 bounds nothing (joining outlines, 10 long)")) << sketch.warnings[0].what;
+    EXPECT_TRUE(says(sketch.warnings[0].what, "LINE on layer 0 bounds nothing (joining outlines, 10 long)"))
+        << sketch.warnings[0].what;
     EXPECT_EQ(sketch.warnings[0].at, Vec2(15, 5));
 }
 

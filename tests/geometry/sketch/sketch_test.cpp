@@ -165,7 +165,8 @@ TEST(Sketch, SetsAsideWhatBranchesOff) {
     EXPECT_TRUE(sketch.problems.empty());
     ASSERT_EQ(sketch.warnings.size(), 1u);
     EXPECT_EQ(sketch.warnings[0].entity, "hB");
-    EXPECT_TRUE(has(sketch.warnings[0].what, "LINE on layer P bounds nothing (ending on an outline")) << sketch.warnings[0].what;
+    EXPECT_TRUE(has(sketch.warnings[0].what, "LINE on layer P bounds nothing (ending on an outline"))
+        << sketch.warnings[0].what;
     EXPECT_LE((sketch.warnings[0].at - Vec2(15, 15)).norm(), 1e-12);
 }
 
