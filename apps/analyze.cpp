@@ -4,6 +4,7 @@
 
 #include "apps/accuracy_option.hpp"
 #include "apps/commands.hpp"
+#include "apps/drawing_problems.hpp"
 #include "apps/output_folder.hpp"
 #include "apps/plan_text.hpp"
 #include "apps/print_text.hpp"
@@ -94,7 +95,9 @@ CommandSpec analyze_spec() {
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
-             {"--strict", "", "end with status 1 also where it is solved with reservations, or not as the scene expects"},
+             {"--strict", "",
+              "end with status 1 also where it is solved with reservations, or not as the scene expects; what is left out, "
+              "merged or guessed of drawings is an error"},
              {"--quiet", "", "print nothing but errors"}},
             "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
             "known;\n"
@@ -106,6 +109,7 @@ int analyze_command(const Arguments& arguments) {
     const Stopwatch watch;
     Scene scene = read_scene(arguments.operand);
     const double reading_seconds = watch.seconds();
+    refuse_guesses(scene, arguments);
     override_accuracy(scene.accuracy, arguments);
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {

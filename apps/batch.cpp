@@ -52,7 +52,9 @@ std::string accuracy_setting(const Arguments& arguments) {
 std::map<std::string, std::string> settings_of(const Arguments& arguments) {
     std::map<std::string, std::string> settings{{"version", program_build()}, {"--accuracy", accuracy_setting(arguments)}};
     for (const char* name : {"--only", "--distance"}) settings[name] = value_or(arguments, name, "");
-    for (const OptionSpec& option : drawing_option_specs()) {
+    std::vector<OptionSpec> of_drawings = drawing_option_specs();
+    of_drawings.push_back(strict_option_spec());
+    for (const OptionSpec& option : of_drawings) {
         const std::string value = value_or(arguments, option.name, "");
         settings[option.name] = has(arguments, option.name) && value.empty() ? "given" : value;
     }
@@ -157,6 +159,7 @@ CommandSpec batch_spec() {
         {"--distance", "D", "largest gap of a pair in contact detection (default: 2 % of the smaller part's diagonal)"},
         {"--accuracy", "A", "draft, standard, fine, or an error to aim at; instead of each scene's"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
+    spec.options.push_back(strict_option_spec());
     spec.options.push_back({"--quiet", "", "print nothing but errors"});
     spec.notes =
         "SOURCE is a folder of scenes, drawings, STEP files and meshes; a list of files (.txt); or a table (.csv, .jsonl) with "

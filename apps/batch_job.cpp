@@ -138,6 +138,7 @@ JobRecord do_batch_job(const JobSettings& settings, const BatchJob& job, const s
     const Stopwatch watch;
     JobRecord record;
     Scene scene = read_job_scene(settings, job);
+    refuse_guesses(scene, settings.arguments);
     const bool drawing = settings.template_file.empty() && !is_scene(job.file);
     record.mode = settings.contacts_only || drawing ? "contacts" : "analysis";
     record.title = scene.title;

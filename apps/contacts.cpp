@@ -53,12 +53,14 @@ CommandSpec contacts_spec() {
                     {"--expect", "FILE", "compare with the pairs of this file; exit status 1 on any difference"},
                     {"-o", "DIR", "folder for contacts.json, contacts.svg and cells.svg (default: out)"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
+    spec.options.push_back(strict_option_spec());
     return spec;
 }
 
 int contacts_command(const Arguments& arguments) {
     const std::optional<double> distance = positive_number(arguments, "--distance");
     const Scene scene = read_model(arguments);
+    refuse_guesses(scene, arguments);
     const std::string folder = value_or(arguments, "-o", "out");
     prepare_output_folder(folder);
     const Detection detection = detect_contacts(scene, distance);

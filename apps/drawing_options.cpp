@@ -35,6 +35,17 @@ void check_choice(const Arguments& arguments, const std::string& name, const std
     throw InputError(name, "'" + shortened(value) + "' is not supported", "use " + listed(known));
 }
 
+/// "Thin,Border*"
+std::vector<std::string> listed_names(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        if (end > begin) names.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return names;
+}
+
 /// "z", or "z=5".
 void read_section(const std::string& text, ImportOptions& options) {
     const std::size_t equals = text.find('=');
@@ -55,7 +66,15 @@ std::vector<OptionSpec> drawing_option_specs() {
             {"--parts-by", "WAY", "what separates the parts: " + listed(parts_by_words()) + " (default: auto)"},
             {"--section", "PLANE",
              "where solids or a mesh are cut: an axis and a place, z=5 (default: the middle of the thinnest direction)"},
+            {"--only-layer", "NAMES", "read these layers only, whatever they are called: names with * and ?, commas between"},
+            {"--ignore-layer", "NAMES", "leave these layers out: names with * and ?, commas between"},
+            {"--leave-open", "", "outlines that nearly close are set aside like other open lines (default: they are errors)"},
+            {"--keep-drafting", "", "frames, title blocks and balloons are parts like others (default: they are set aside)"},
             {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
+}
+
+OptionSpec strict_option_spec() {
+    return {"--strict", "", "what is left out, merged or guessed of a drawing is an error (default: a warning)"};
 }
 
 ImportOptions drawing_options(const Arguments& arguments) {
@@ -74,6 +93,10 @@ ImportOptions import_options(const Arguments& arguments) {
     options.units = value_or(arguments, "--units", "");
     options.parts_by = *parts_by_of(value_or(arguments, "--parts-by", "auto"));
     options.recognise_arcs = !has(arguments, "--keep-facets");
+    options.layers = {listed_names(value_or(arguments, "--only-layer", "")),
+                      listed_names(value_or(arguments, "--ignore-layer", ""))};
+    options.leave_open = has(arguments, "--leave-open");
+    options.keep_drafting = has(arguments, "--keep-drafting");
     if (has(arguments, "--section")) read_section(arguments.options.at("--section"), options);
     return options;
 }

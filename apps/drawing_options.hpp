@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options --units, --tolerance, --parts-by, --section and --keep-facets, which stand for a scene's keys where a command is
-// given a bare drawing or mesh.
+// The options --units, --tolerance, --parts-by, --section, --only-layer and so on, which stand for a scene's keys where a
+// command is given a bare drawing or mesh.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,6 +11,8 @@
 namespace abut {
 
 std::vector<OptionSpec> drawing_option_specs();
+/// --strict, of the commands that read drawings: see refuse_guesses (drawing_problems.hpp).
+OptionSpec strict_option_spec();
 
 /// Reads the options of a command whose operand is a scene, drawing or mesh. Throws InputError where a value is wrong, or where
 /// the options are given beside a scene, which states them itself.

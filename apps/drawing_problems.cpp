@@ -27,6 +27,11 @@ void throw_if_any(const std::string& file, const std::vector<geometry::SketchPro
     if (!lines.empty()) throw InputError(std::move(lines));
 }
 
+void refuse_guesses(const Scene& scene, const Arguments& arguments) {
+    if (!has(arguments, "--strict")) return;
+    for (const ImportRecord& record : scene.imports) throw_if_any(record.file, record.warnings);
+}
+
 SketchReading read_whole_sketch(const Arguments& arguments) {
     return read_whole_sketch(arguments.operand, drawing_options(arguments));
 }

@@ -13,6 +13,9 @@ namespace abut {
 /// Throws the problems as an InputError, each with file, line, entity and place; returns where there are none.
 void throw_if_any(const std::string& file, const std::vector<geometry::SketchProblem>& problems);
 
+/// Throws what was left out, merged, projected or guessed of drawings as an InputError where --strict is given.
+void refuse_guesses(const Scene& scene, const Arguments& arguments);
+
 /// Reads the drawing or mesh that the operand names. One with problems is refused: parts that could not be read would be
 /// missing without notice.
 SketchReading read_whole_sketch(const Arguments& arguments);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // abut init: a starter scene for a drawing or mesh.
 #include <filesystem>
+#include <iostream>
 
 #include "apps/commands.hpp"
 #include "apps/drawing_options.hpp"
@@ -29,6 +30,7 @@ void write_new_scene(const fs::path& file, const std::string& text) {
 CommandSpec init_spec() {
     CommandSpec spec{"init", "FILE", "Writes a starter scene for a drawing, mesh or STEP file to standard output.", {}, {}};
     spec.options = drawing_option_specs();
+    spec.options.push_back(strict_option_spec());
     spec.options.push_back({"-o", "SCENE", "write the scene to this file, which must not be there yet"});
     spec.options.push_back(
         {"--material", "NAME", "material of all parts, of the library: steel (default), aluminium, POM, ..."});
@@ -46,6 +48,8 @@ int init_command(const Arguments& arguments) {
     choice.thickness = positive_number(arguments, "--thickness");
     if (!file.empty()) choice.folder = file.has_parent_path() ? file.parent_path().string() : ".";
     const SketchReading reading = read_whole_sketch(arguments);
+    refuse_guesses(reading.scene, arguments);
+    for (const std::string& warning : reading.scene.warnings) std::cerr << "warning: " << warning << "\n";
     const std::string scene =
         starter_scene(reading, drawing_options(arguments), detect_contacts(reading.scene, std::nullopt), choice);
     if (file.empty())

@@ -18,6 +18,7 @@ CommandSpec inspect_spec() {
     spec.options = {{"--json", "", "print it as JSON instead of a table"},
                     {"-o", "DIR", "write pictures and a page with one into DIR"}};
     for (const OptionSpec& option : drawing_option_specs()) spec.options.push_back(option);
+    spec.options.push_back(strict_option_spec());
     spec.notes =
         "Pictures: inspect.svg, parts with names and directions of edges, repairs and problems; inspect.html, the same as a "
         "page in\n"
@@ -46,6 +47,7 @@ int inspect_command(const Arguments& arguments) {
     print_text(has(arguments, "--json") ? inspection_json(inspection) : inspection_table(inspection));
     if (has(arguments, "-o")) write_pictures(inspection, arguments.options.at("-o"));
     throw_if_any(arguments.operand, inspection.problems);
+    refuse_guesses(inspection.scene, arguments);
     return exit_done;
 }
 

@@ -11,6 +11,7 @@ struct Repair {
     std::string what;
     Vec2 at{0, 0};
     double size = 0;  ///< how far something moved, or how long (wide) what was removed is
+    enum class Kind { mended, removed, joined } kind = Kind::mended;  ///< removed: it lay on other things, or had no length
 };
 
 }  // namespace abut::geometry

@@ -24,29 +24,31 @@ std::string unit_of(const dxf::Structure& structure) {
     const std::string insunits = header_value(structure, "$INSUNITS"), measurement = header_value(structure, "$MEASUREMENT");
     if (const auto unit = by_insunits.find(insunits); unit != by_insunits.end()) return unit->second;
     if (!insunits.empty() && insunits != "0") return {};
+    if (!insunits.empty()) return {};  // stated to be without unit: the system of measurement then only chooses patterns
     if (measurement == "0") return "in";
     if (measurement == "1") return "mm";
     return {};
 }
 
-Drawing drawing_of(const dxf::Structure& structure) {
+Drawing drawing_of(const dxf::Structure& structure, const LayerFilter& layers) {
     Drawing drawing;
     drawing.file = structure.groups.file;
     const std::string version = header_value(structure, "$ACADVER");
     drawing.format = (structure.groups.is_binary ? "binary DXF" : "DXF") + (version.empty() ? "" : " " + version);
     drawing.unit = unit_of(structure);
-    dxf::add_model_space(structure, drawing);
+    drawing.warnings = structure.warnings;
+    dxf::add_model_space(structure, layers, drawing);
     return drawing;
 }
 
 }  // namespace
 
-Drawing read_dxf_bytes(const std::string& file, std::string bytes) {
-    return drawing_of(dxf::structure_of(file, std::move(bytes)));
+Drawing read_dxf_bytes(const std::string& file, std::string bytes, const LayerFilter& layers) {
+    return drawing_of(dxf::structure_of(file, std::move(bytes)), layers);
 }
 
-Drawing read_dxf(const std::string& path) {
-    return drawing_of(dxf::read_structure(path));
+Drawing read_dxf(const std::string& path, const LayerFilter& layers) {
+    return drawing_of(dxf::read_structure(path), layers);
 }
 
 }  // namespace abut::geometry

@@ -2,12 +2,16 @@
 #include "geometry/dxf/dxf_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "geometry/brep/message_text.hpp"
+#include "geometry/dxf/drafting_layers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
+#include "geometry/dxf/dxf_hatches.hpp"
 #include "geometry/dxf/dxf_ignored.hpp"
 #include "geometry/dxf/dxf_inserts.hpp"
 #include "geometry/dxf/dxf_numbers.hpp"
@@ -70,6 +74,35 @@ private:
     std::unordered_map<std::string, std::size_t> places_;
 };
 
+/// Curves that were left out, summed up by layer and reason in the order of first appearance, as warnings.
+class LeftOut {
+public:
+    void add(const Record& record, const std::string& name, const Look& look, const std::string& why, const Vec2& where) {
+        const auto [found, is_new] = places_.emplace(look.layer + "\n" + why, list_.size());
+        if (is_new) list_.push_back({record.type, look.layer, why, name, record.line, where, 0});
+        ++list_[found->second].count;
+    }
+
+    void tell(std::vector<SketchProblem>& warnings) const {
+        for (const Sum& sum : list_)
+            warnings.push_back({(sum.count == 1 ? sum.type + " " + sum.name
+                                                : std::to_string(sum.count) + " lines, arcs or other curves, first " +
+                                                      sum.type + " " + sum.name + ",") +
+                                    " on layer " + sum.layer + " left out: " + sum.why,
+                                sum.at, sum.name, sum.line, "--only-layer names layers to be read whatever they are called"});
+    }
+
+private:
+    struct Sum {
+        std::string type, layer, why, name;
+        int line;
+        Vec2 at;
+        int count;
+    };
+    std::vector<Sum> list_;
+    std::unordered_map<std::string, std::size_t> places_;
+};
+
 /// An outline of a block, read once for all instances.
 struct NamedOutline {
     Outline outline;
@@ -78,15 +111,121 @@ struct NamedOutline {
 
 class ModelSpace {
 public:
-    ModelSpace(const Structure& structure, Drawing& drawing)
-        : structure_(structure), drawing_(drawing), ignored_(drawing.ignored), names_(structure.groups.is_binary) {}
+    ModelSpace(const Structure& structure, const LayerFilter& layers, Drawing& drawing)
+        : structure_(structure),
+          layers_(layers),
+          drawing_(drawing),
+          ignored_(drawing.ignored),
+          names_(structure.groups.is_binary) {}
 
     void add() {
+        takes_paper_space_ = !has_model_space();
         for (const std::span<const Record> records : structure_.entities) add_records(records, {});
         name_instances();
+        if (takes_paper_space_ && !drawing_.entities.empty())
+            drawing_.warnings.push_back({"the model space is empty: paper space is read in its place",
+                                         point(drawing_.entities.front().curve, 0), drawing_.entities.front().name,
+                                         drawing_.entities.front().line, "draw parts in the model space"});
+        if (drawing_.entities.empty() && layers_.only.empty()) take_named_layers();
+        if (drawing_.entities.empty()) take_hatches();
+        leave_doubtful_layers();
+        left_out_.tell(drawing_.warnings);
+        if (n_tilted_ > 0) drawing_.warnings.push_back(tilted_);
     }
 
 private:
+    /// Is any line, arc or insertion of a block drawn there?
+    bool has_model_space() const {
+        for (const std::span<const Record> records : structure_.entities)
+            for (const Record& record : records)
+                if (!is_in_paper_space(record) && (is_curve(record) || record.type == "HATCH")) return true;
+        return false;
+    }
+
+    /// Layers whose names are those of drafting, where nothing is drawn on others.
+    void take_named_layers() {
+        LayerFilter all;
+        all.only = {"*"};
+        all.ignore = layers_.ignore;
+        Drawing again;
+        again.file = drawing_.file;
+        ModelSpace(structure_, all, again).add();
+        if (again.entities.empty()) return;
+        again.format = drawing_.format;
+        again.unit = drawing_.unit;
+        again.warnings.insert(again.warnings.begin(), drawing_.warnings.begin(), drawing_.warnings.end());
+        again.warnings.push_back({"all that is drawn is on layers, or in line types, of drafting, the first on layer " +
+                                      again.entities.front().layer + ": it is read nevertheless",
+                                  point(again.entities.front().curve, 0), again.entities.front().name,
+                                  again.entities.front().line, "draw outlines on a layer of their own"});
+        left_out_ = {};
+        drawing_.entities = std::move(again.entities);
+        drawing_.counts = std::move(again.counts);
+        drawing_.problems = std::move(again.problems);
+        drawing_.warnings = std::move(again.warnings);
+        drawing_.ignored = std::move(again.ignored);
+        drawing_.repairs = std::move(again.repairs);
+    }
+
+    /// Boundaries of hatches as outlines, where there is nothing else.
+    void take_hatches() {
+        for (const Hatch& hatch : drawing_.hatches) {
+            int k = 0;
+            for (const std::vector<Curve>& loop : hatch.loops)
+                for (const Curve& curve : loop)
+                    drawing_.entities.push_back(
+                        {curve, "HATCH", hatch.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
+        }
+        if (!drawing_.entities.empty())
+            drawing_.warnings.push_back({"the file holds hatches only: their boundaries are taken as outlines",
+                                         point(drawing_.entities.front().curve, 0), drawing_.hatches.front().name,
+                                         drawing_.hatches.front().line, "export the outlines, too"});
+    }
+
+    /// A layer whose name may mean a part or lines of drafting holds the latter where no two of its lines are joined and none
+    /// is closed.
+    void leave_doubtful_layers() {
+        std::unordered_map<std::string, bool> is_left;
+        std::unordered_map<std::string, std::vector<Vec2>> ends;
+        for (const SketchEntity& entity : drawing_.entities) {
+            const auto [found, is_new] = is_left.emplace(entity.layer, false);
+            if (is_new) {
+                const auto kind = drafting_layer(entity.layer);
+                found->second = kind && !kind->is_sure && !is_asked(entity.layer);
+            }
+            if (!found->second) continue;
+            const Vec2 from = point(entity.curve, 0), to = point(entity.curve, 1);
+            std::vector<Vec2>& known = ends[entity.layer];
+            const double near = 1e-6 * (to - from).norm();
+            const auto is_known = [&](const Vec2& p) {
+                return std::any_of(known.begin(), known.end(), [&](const Vec2& q) { return (p - q).norm() <= near; });
+            };
+            if ((to - from).norm() <= merge_fraction * length(entity.curve) || is_known(from) || is_known(to) ||
+                known.size() > 2000)
+                found->second = false;
+            known.push_back(from);
+            known.push_back(to);
+        }
+        std::erase_if(drawing_.entities, [&](const SketchEntity& entity) {
+            if (!is_left[entity.layer]) return false;
+            Record record;
+            note_layer(entity.layer);
+            record.type = entity.kind;
+            record.line = entity.line;
+            Look look;
+            look.layer = entity.layer;
+            left_out_.add(record, entity.name, look,
+                          "layer of " + drafting_layer(entity.layer)->kind + " by its name, and no two of its lines are joined",
+                          point(entity.curve, 0.5));
+            return true;
+        });
+    }
+
+    bool is_asked(const std::string& layer) const {
+        return std::any_of(layers_.only.begin(), layers_.only.end(),
+                           [&](const std::string& pattern) { return matches_glob(layer, pattern); });
+    }
+
     void add_records(std::span<const Record> records, const Instance& in) {
         for (std::size_t i = 0; i < records.size() && !is_too_large_; ++i) {
             if (records[i].type == "VERTEX" || records[i].type == "SEQEND") continue;
@@ -98,14 +237,68 @@ private:
     void add_record(std::span<const Record> records, std::size_t i, const Instance& in) {
         const Record& record = records[i];
         const Look look = look_of(record, in.look, structure_);
-        const bool is_counted = in.block == nullptr && !is_subentity(record) && !is_in_paper_space(record);
+        const bool is_counted = in.block == nullptr && !is_subentity(record) && is_in_paper_space(record) == takes_paper_space_;
         EntityCount* count = is_counted ? &drawing_.counts[record.type] : nullptr;
         if (count) ++count->read;
-        const std::string why = why_ignored(record, look);
-        if (!why.empty()) ignored_.add(record, look, in.path, why);
+        std::string why = why_ignored(record, look, layers_);
+        const bool is_elsewhere = is_in_paper_space(record) != takes_paper_space_ && in.block == nullptr;
+        if (is_elsewhere) why = takes_paper_space_ ? "in the model space" : "in paper space";
+        if (!is_elsewhere && !look.frozen && !look.off) note(record, look, in);
+        if (!why.empty()) {
+            ignored_.add(record, look, in.path, why);
+            const bool is_asked_for = why == "layer is to be ignored" || why == "layer is not asked for";
+            if (!is_elsewhere && is_curve(record) && why.starts_with("layer of ")) note_layer(look.layer);
+            if (!is_elsewhere && is_curve(record) && !is_subentity(record) && !is_asked_for)
+                left_out_.add(record, names_.of(record), look, why, in.placement(first_point(record)));
+        }
         const bool is_used =
             why.empty() && (record.type == "INSERT" ? add_insert(record, look, in) : add_outline(records, i, look, in));
         if (count) ++(is_used ? count->used : count->ignored);
+    }
+
+    // ---- what tells the sheet from the parts ----
+
+    /// Texts, tips of arrows and hatches are no outlines, but say something about these.
+    void note(const Record& record, const Look& look, const Instance& in) {
+        constexpr std::array texts{"TEXT", "MTEXT", "ATTRIB", "ATTDEF"};
+        if (std::find(texts.begin(), texts.end(), record.type) != texts.end()) {
+            drawing_.texts.push_back(
+                {record.text(1), in.placement(first_point(record)), record.number(40, 0) * in.placement.y_axis.norm()});
+        } else if (record.type == "SOLID" || record.type == "TRACE") {
+            for (const int code : {10, 11, 12})
+                if (record.find(code))
+                    drawing_.arrows.push_back(in.placement(Vec2(record.number(code, 0), record.number(code + 10, 0))));
+        } else if (record.type == "HATCH") {
+            add_hatch(record, look, in);
+        }
+        if (tilt(record) > 0 && tilt(record) <= most_tilt) note_tilt(record, in);
+    }
+
+    void note_layer(const std::string& layer) {
+        std::vector<std::string>& known = drawing_.drafting_layers;
+        if (std::find(known.begin(), known.end(), layer) == known.end()) known.push_back(layer);
+    }
+
+    void add_hatch(const Record& record, const Look& look, const Instance& in) {
+        Hatch hatch = read_hatch(record);
+        if (hatch.loops.empty()) return;
+        hatch.layer = look.layer;
+        hatch.name = "hatch" + std::to_string(record.line);
+        for (std::vector<Curve>& loop : hatch.loops)
+            for (Curve& curve : loop) {
+                if (record.number(230, 1) < 0) curve = placed(curve, seen_from_below());
+                if (in.block) curve = placed(curve, in.placement);
+            }
+        drawing_.hatches.push_back(std::move(hatch));
+    }
+
+    void note_tilt(const Record& record, const Instance& in) {
+        if (n_tilted_++ == 0)
+            tilted_ = {"", in.placement(first_point(record)), record.text(5).empty() ? "" : "h" + upper_case(record.text(5)),
+                       record.line, "set its plane to the drawing's in CAD"};
+        tilted_.what = (n_tilted_ == 1 ? record.type : std::to_string(n_tilted_) + " entities") +
+                       (n_tilted_ == 1 ? " is" : " are") + " tilted out of the drawing's plane by less than " +
+                       number_text(most_tilt) + " degrees, and projected onto it";
     }
 
     // ---- outlines ----
@@ -250,7 +443,12 @@ private:
     };
 
     const Structure& structure_;
+    const LayerFilter& layers_;
     Drawing& drawing_;
+    LeftOut left_out_;
+    SketchProblem tilted_;
+    int n_tilted_ = 0;
+    bool takes_paper_space_ = false;
     IgnoredList ignored_;
     Names names_;
     std::vector<const Block*> open_blocks_;
@@ -264,8 +462,8 @@ private:
 
 }  // namespace
 
-void add_model_space(const Structure& structure, Drawing& drawing) {
-    ModelSpace(structure, drawing).add();
+void add_model_space(const Structure& structure, const LayerFilter& layers, Drawing& drawing) {
+    ModelSpace(structure, layers, drawing).add();
 }
 
 }  // namespace abut::geometry::dxf

@@ -89,13 +89,6 @@ struct Vertex {
 /// Below this the sagitta is smaller than the rounding of the arc's centre.
 const double straight_bulge = std::sqrt(std::numeric_limits<double>::epsilon());
 
-Curve from_bulge(const Vec2& from, const Vec2& to, double bulge) {
-    if (std::abs(bulge) < straight_bulge || from == to) return Segment{from, to};
-    const Vec2 center = 0.5 * (from + to) + (1 - bulge * bulge) / (4 * bulge) * left_of(to - from);
-    const Vec2 d = from - center;
-    return Arc{center, d.norm(), std::atan2(d.y(), d.x()), 4 * std::atan(bulge)};
-}
-
 Outline polyline(const std::vector<Vertex>& vertices, bool is_closed) {
     if (vertices.empty()) return {{}, true, "it has no vertices"};
     Outline outline{{}, true, {}};
@@ -117,6 +110,7 @@ bool is_closed(const Record& record) {
 Outline read_light_polyline(const Record& record) {
     Numbers numbers(record);
     std::vector<Vertex> vertices;
+    std::vector<const Group*> bulges;
     std::size_t n_y = 0;
     for (const Group& group : record.groups) {
         if (group.code == 10) {
@@ -126,10 +120,15 @@ Outline read_light_polyline(const Record& record) {
             if (++n_y != vertices.size()) break;
             vertices.back().at.y() = numbers.of(group);
         } else if (group.code == 42 && !vertices.empty()) {
-            vertices.back().bulge = numbers.of(group);
+            bulges.resize(vertices.size(), nullptr);
+            bulges.back() = &group;
         }
     }
     if (n_y != vertices.size()) numbers.fail("its vertices lack coordinates");
+    bulges.resize(vertices.size(), nullptr);
+    const std::size_t n_pieces = vertices.size() - (is_closed(record) || vertices.empty() ? 0 : 1);
+    for (std::size_t k = 0; k < (vertices.size() > 1 ? n_pieces : 0); ++k)  // behind the last vertex nothing bulges
+        if (bulges[k]) vertices[k].bulge = numbers.of(*bulges[k]);
     return numbers.is_good() ? polyline(vertices, is_closed(record)) : Outline{{}, true, numbers.wrong()};
 }
 
@@ -149,6 +148,13 @@ Outline read_heavy_polyline(std::span<const Record> records, std::size_t i) {
 }
 
 }  // namespace
+
+Curve from_bulge(const Vec2& from, const Vec2& to, double bulge) {
+    if (std::abs(bulge) < straight_bulge || from == to) return Segment{from, to};
+    const Vec2 center = 0.5 * (from + to) + (1 - bulge * bulge) / (4 * bulge) * left_of(to - from);
+    const Vec2 d = from - center;
+    return Arc{center, d.norm(), std::atan2(d.y(), d.x()), 4 * std::atan(bulge)};
+}
 
 Outline read_outline(std::span<const Record> records, std::size_t i) {
     const Record& record = records[i];

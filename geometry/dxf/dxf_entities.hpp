@@ -21,6 +21,9 @@ struct Outline {
 /// coordinates that the record stands in. An entity shrunk to a point is a segment of no length. z is dropped.
 Outline read_outline(std::span<const Record> records, std::size_t i);
 
+/// The piece of a polyline from one vertex to the next; bulge: tan(sweep / 4), positive counter-clockwise.
+Curve from_bulge(const Vec2& from, const Vec2& to, double bulge);
+
 /// Are its coordinates those of a plane of its own, given by its normal? Lines, splines and three-dimensional polylines use the
 /// drawing's, and ellipses do but for the side of their second axis.
 bool has_own_plane(const Record& entity);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 #include <vector>
 
+#include "geometry/dxf/drafting_layers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
 
 namespace abut::geometry::dxf {
@@ -42,22 +44,11 @@ const std::array reasons{
     Reason{"part of a view, not of the drawing", {"VIEWPORT", "LIGHT", "SUN", "CAMERA", "SECTION", "SECTIONOBJECT"}},
 };
 
-/// By drawing convention no outlines; a line type or a layer of such a name says so. Names are compared without their blanks
-/// and hyphens.
-constexpr std::array construction_linetypes{"CENTER"sv,  "CENTRE"sv, "HIDDEN"sv, "PHANTOM"sv, "DASHED"sv,     "DASH"sv,
-                                            "DASHDOT"sv, "DOT"sv,    "DIVIDE"sv, "CHAIN"sv,   "DASHEDSPACE"sv};
-constexpr std::array construction_layers{
-    "CENTER"sv,           "CENTRE"sv,      "CENTERLINE"sv,        "CENTRELINE"sv,  "CENTERLINES"sv,
-    "CENTRELINES"sv,      "CENTERMARKS"sv, "CENTREMARKS"sv,       "MITTELLINIE"sv, "MITTELLINIEN"sv,
-    "HIDDEN"sv,           "HIDDENLINES"sv, "VERDECKT"sv,          "PHANTOM"sv,     "CONSTRUCTION"sv,
-    "CONSTRUCTIONLINE"sv, "HILFSLINIE"sv,  "CONSTRUCTIONLINES"sv, "HILFSLINIEN"sv, "DEFPOINTS"sv};
-/// What explains a drawing and what it is drawn on. Words that may as well name a part (frame, axis) are not among them.
-constexpr std::array annotation_layers{
-    "DIM"sv,      "DIMS"sv,       "DIMENSION"sv,   "DIMENSIONS"sv,      "BEMASSUNG"sv,   "BEMA\xC3\x9FUNG"sv,
-    "COTATION"sv, "TEXT"sv,       "TEXTS"sv,       "NOTES"sv,           "ANNOTATION"sv,  "ANNOTATIONS"sv,
-    "HATCHING"sv, "SCHRAFFUR"sv,  "BORDER"sv,      "BORDERS"sv,         "SHEETBORDER"sv, "DRAWINGFRAME"sv,
-    "TITLE"sv,    "TITLEBLOCK"sv, "SCHRIFTFELD"sv, "ZEICHNUNGSRAHMEN"sv};
-
+/// By drawing convention no outlines. Names are compared without their blanks and hyphens.
+constexpr std::array construction_linetypes{"CENTER"sv,      "CENTRE"sv,  "HIDDEN"sv,   "PHANTOM"sv,     "DASHED"sv,
+                                            "DASH"sv,        "DASHDOT"sv, "DOT"sv,      "DIVIDE"sv,      "CHAIN"sv,
+                                            "DASHEDSPACE"sv, "MITTE"sv,   "VERDECKT"sv, "STRICHLINIE"sv, "STRICHPUNKT"sv,
+                                            "AXES"sv,        "CACHE"sv,   "TIRETPT"sv,  "FANTOME"sv};
 template <std::size_t n>
 bool is_one_of(std::string_view text, const std::array<std::string_view, n>& names) {
     return std::find(names.begin(), names.end(), text) != names.end();
@@ -86,13 +77,6 @@ bool is_construction_linetype(const std::string& linetype) {
     return plain.starts_with("ACADISO") || is_one_of(plain, construction_linetypes);
 }
 
-/// Normal of the entity's plane other than +z or -z: seen in the drawing's plane it would be another curve.
-bool is_tilted(const Record& entity) {
-    constexpr double parallel = 1e-9;  // of the normal's components; exporters write 1e-15 or so
-    return has_own_plane(entity) && entity.find(230) &&
-           std::hypot(entity.number(210, 0), entity.number(220, 0)) > parallel * std::abs(entity.number(230, 1));
-}
-
 std::string why_type_ignored(const Record& entity) {
     constexpr int mesh = 16, polyface = 64;
     if (!is_one_of(entity.type, read_types)) {
@@ -107,6 +91,13 @@ std::string why_type_ignored(const Record& entity) {
 
 }  // namespace
 
+double tilt(const Record& entity) {
+    constexpr double parallel = 1e-9;  // of the normal's components; exporters write 1e-15 or so
+    if (!has_own_plane(entity) || !entity.find(230)) return 0;
+    const double across = std::hypot(entity.number(210, 0), entity.number(220, 0)), along = std::abs(entity.number(230, 1));
+    return across <= parallel * along ? 0 : std::atan2(across, along) * 180 / std::numbers::pi;
+}
+
 Look look_of(const Record& entity, const Look& block, const Structure& structure) {
     Look look;
     look.layer = entity.text(8, "0");
@@ -118,6 +109,7 @@ Look look_of(const Record& entity, const Look& block, const Structure& structure
 
     const std::string linetype = upper_case(entity.text(6, "BYLAYER"));
     look.linetype = linetype == "BYLAYER" ? upper_case(layer.linetype) : linetype == "BYBLOCK" ? block.linetype : linetype;
+    look.is_interrupted = linetype == "BYBLOCK" ? block.is_interrupted : structure.interrupted.contains(look.linetype);
     constexpr int by_block = 0, by_layer = 256;
     const int color = entity.integer(62, by_layer);
     look.color = color == by_block ? block.color : color > by_block && color < by_layer ? color : layer.color;
@@ -132,18 +124,28 @@ bool is_subentity(const Record& entity) {
     return entity.type == "VERTEX" || entity.type == "ATTRIB" || entity.type == "SEQEND";
 }
 
-std::string why_ignored(const Record& entity, const Look& look) {
-    if (is_in_paper_space(entity)) return "in paper space";
+std::string why_ignored(const Record& entity, const Look& look, const LayerFilter& layers) {
+    const auto matches = [&](const std::string& pattern) { return matches_glob(look.layer, pattern); };
+    const bool is_asked = std::any_of(layers.only.begin(), layers.only.end(), matches);
     if (look.frozen) return "layer is frozen";
     if (look.off) return "layer is off";
+    if (entity.type != "INSERT" && std::any_of(layers.ignore.begin(), layers.ignore.end(), matches))
+        return "layer is to be ignored";
+    if (entity.type != "INSERT" && !layers.only.empty() && !is_asked) return "layer is not asked for";
     if (entity.integer(60, 0) == 1) return "invisible";
     if (const std::string why = why_type_ignored(entity); !why.empty()) return why;
-    if (is_tilted(entity)) return "not in the drawing's plane";
+    if (tilt(entity) > most_tilt) return "not in the drawing's plane";
     if (entity.type == "INSERT") return {};
-    if (is_construction_linetype(look.linetype)) return "line type " + look.linetype;
-    if (is_one_of(plain_name(look.layer), construction_layers)) return "layer of construction lines";
-    if (is_one_of(plain_name(look.layer), annotation_layers)) return "layer of annotation, or of the sheet";
-    return {};
+    if (is_asked) return {};
+    if (look.is_interrupted || is_construction_linetype(look.linetype)) return "line type " + look.linetype;
+    const auto layer = drafting_layer(look.layer);
+    return layer && layer->is_sure ? "layer of " + layer->kind : std::string();
+}
+
+bool is_curve(const Record& entity) {
+    static const std::array others{"MLINE"sv,   "3DSOLID"sv, "REGION"sv,   "BODY"sv,
+                                   "SURFACE"sv, "HELIX"sv,   "MPOLYGON"sv, "ACAD_PROXY_ENTITY"sv};
+    return is_one_of(entity.type, read_types) || is_one_of(entity.type, others);
 }
 
 }  // namespace abut::geometry::dxf

@@ -91,6 +91,8 @@ Section read_section(GroupReader& reader, int place) {
     };
     for (const Group* group = &reader.next(); !is_mark(*group, "ENDSEC"); group = &reader.next()) {
         if (group->code != 0) continue;
+        const bool is_empty = section.records.empty() && reader.position() == begin + 1;
+        if (is_empty && is_mark(*group, "SECTION")) return read_section(reader, group->place);  // begun twice
         if (is_mark(*group, "SECTION") || is_mark(*group, "EOF")) throw_unclosed(reader, section, place, group->place);
         close_record();
         section.records.push_back({upper_case(group->value), group->place, {}});
@@ -112,6 +114,7 @@ void take_header(Structure& structure, const Section& section) {
 
 void take_layers(Structure& structure, const Section& section) {
     for (const Record& record : section.records) {
+        if (record.type == "LTYPE" && record.integer(73, 0) > 0) structure.interrupted.insert(upper_case(record.text(2)));
         if (record.type != "LAYER") continue;
         Layer layer;
         const int color = record.integer(62, 7);
@@ -149,10 +152,30 @@ void take_section(Structure& structure, Section section) {
         structure.entities.emplace_back(structure.sections.back());
 }
 
+/// Variables of the header that stand behind its end, and a second ENDSEC.
+bool pass_over(Structure& structure, const Group& group, std::string& variable) {
+    if (group.code == 9)
+        variable = group.value;
+    else if (group.code != 0 && !variable.empty())
+        structure.header.emplace(variable, group.value);
+    const bool is_harmless = group.code == 9 || (group.code != 0 && !variable.empty()) || is_mark(group, "ENDSEC");
+    if (is_harmless && structure.warnings.empty())
+        structure.warnings.push_back(
+            {"'" + std::string(group.value.substr(0, 40)) + "' stands outside of any section and is passed over",
+             {0, 0},
+             {},
+             group.place,
+             "export the drawing again"});
+    return is_harmless;
+}
+
 void read_sections(Structure& structure) {
     GroupReader reader(structure.groups);
     bool has_section = false;
+    std::string variable;
     for (const Group* group = &reader.next(); !is_mark(*group, "EOF"); group = &reader.next()) {
+        if (has_section && pass_over(structure, *group, variable)) continue;
+        variable.clear();
         if (!is_mark(*group, "SECTION"))
             throw InputError(reader.where(group->place),
                              has_section ? "'" + std::string(group->value.substr(0, 40)) + "' stands outside of any section"

@@ -2,11 +2,13 @@
 // The structure of a DXF file: its sections, header, layers, blocks and entity records, with the line each stands in.
 #pragma once
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "geometry/dxf/dxf_groups.hpp"
+#include "geometry/sketch/sketch.hpp"
 
 namespace abut::geometry::dxf {
 
@@ -45,17 +47,20 @@ struct Structure {
     Groups groups;                                  ///< what the records point to
     std::map<std::string, std::string> header;      ///< first value of each variable: "$INSUNITS" -> "4"
     std::map<std::string, Layer> layers;            ///< by upper-case name: layer names are compared without regard to case
+    std::set<std::string> interrupted;              ///< upper-case names of line types that have gaps
     std::map<std::string, Block> blocks;            ///< by upper-case name
     std::vector<std::vector<Record>> sections;      ///< the records of BLOCKS and ENTITIES, in the file's order
     std::vector<std::span<const Record>> entities;  ///< of each section ENTITIES
+    std::vector<SketchProblem> warnings;            ///< what is out of place in the file
 
     Structure() = default;
     Structure(Structure&&) = default;
     Structure& operator=(Structure&&) = default;
 };
 
-/// Reads the structure of a DXF file. Throws InputError (file, line) if the file is missing, empty, truncated or no DXF. Cost:
-/// see split_groups().
+/// Reads the structure of a DXF file. Variables behind the header's end, a section's beginning that is written twice, and a
+/// second ENDSEC are read as they are meant, with a warning. Throws InputError (file, line) if the file is missing, empty,
+/// truncated or no DXF. Cost: see split_groups().
 Structure read_structure(const std::string& path);
 /// Reads the structure from a file's bytes; `file` is its name in messages.
 Structure structure_of(const std::string& file, std::string bytes);

@@ -2,6 +2,9 @@
 // A run of points is an arc where
 //   - a circle through its first and last point, with its centre where the others fit best, passes all within the tolerance;
 //   - seen from the centre, every facet turns the same way, by at most largest_facet_turn;
+//   - every facet's side is within the tolerance of the arc, too, or the facets are alike: none stands off by more than
+//     most_sagitta_of_median times what most do, and the points are on the arc far more closely than the facets. What follows a
+//     rounded corner is long beside its facets, and would bulge;
 //   - it has at least least_facets facets.
 // Runs are grown by doubling and then bisection: each costs O(n log n) of its own length, not of the polyline's.
 #include "geometry/sketch/arc_fit.hpp"
@@ -79,6 +82,24 @@ double best_offset(const PolylineWalk& p, std::size_t i, std::size_t j, const Ve
     return h;
 }
 
+/// How far each facet stands off the arc; the squares of their lengths over 8 R.
+std::vector<double> sagittas(const PolylineWalk& p, std::size_t i, std::size_t j, double radius) {
+    std::vector<double> found;
+    found.reserve(j - i);
+    for (std::size_t k = i; k < j; ++k) found.push_back((p[k + 1] - p[k]).squaredNorm() / (8 * radius));
+    return found;
+}
+
+/// Do the sides of the facets, not their ends alone, say that they stand for the arc?
+bool are_sides_of_arc(const PolylineWalk& p, std::size_t i, std::size_t j, double radius, double residual, double tolerance) {
+    std::vector<double> of_facets = sagittas(p, i, j, radius);
+    const double largest = *std::max_element(of_facets.begin(), of_facets.end());
+    if (largest + residual <= tolerance) return true;
+    const auto middle = of_facets.begin() + static_cast<std::ptrdiff_t>((of_facets.size() - 1) / 2);
+    std::nth_element(of_facets.begin(), middle, of_facets.end());
+    return largest <= std::max(tolerance, most_sagitta_of_median * *middle) && residual <= points_share * largest;
+}
+
 double largest_miss(const PolylineWalk& p, std::size_t i, std::size_t j, const Vec2& center, double radius) {
     double largest = 0;
     for (std::size_t k = i; k <= j; ++k) largest = std::max(largest, std::abs((p[k] - center).norm() - radius));
@@ -90,7 +111,8 @@ Arc arc_from(const Vec2& center, const Vec2& first, double sweep) {
     return {center, d.norm(), std::atan2(d.y(), d.x()), sweep};
 }
 
-std::optional<FittedPiece> arc_through(const PolylineWalk& p, std::size_t i, std::size_t j, double tolerance) {
+/// An arc through the points; their connections are another matter.
+std::optional<FittedPiece> arc_through_points(const PolylineWalk& p, std::size_t i, std::size_t j, double tolerance) {
     if (j - i < least_facets) return std::nullopt;
     const Vec2 chord = p[j] - p[i], middle = 0.5 * (p[i] + p[j]);
     if (chord.norm() <= tolerance) return std::nullopt;
@@ -103,6 +125,12 @@ std::optional<FittedPiece> arc_through(const PolylineWalk& p, std::size_t i, std
     const auto sweep = sweep_about(p, i, j, center);
     if (!sweep || std::abs(*sweep) >= two_pi) return std::nullopt;
     return FittedPiece{arc_from(center, p[i], *sweep), p.index(i), p.index(j), residual};
+}
+
+std::optional<FittedPiece> arc_through(const PolylineWalk& p, std::size_t i, std::size_t j, double tolerance) {
+    std::optional<FittedPiece> arc = arc_through_points(p, i, j, tolerance);
+    const bool is_arc = arc && are_sides_of_arc(p, i, j, std::get<Arc>(arc->curve).radius, arc->residual, tolerance);
+    return is_arc ? arc : std::nullopt;
 }
 
 /// The least-squares circle of all points (Kasa's linear form), about their mean.
@@ -129,8 +157,8 @@ std::optional<FittedPiece> full_circle(const std::vector<Vec2>& points, double t
     if (!center) return std::nullopt;
     const PolylineWalk p{points};
     const std::size_t n = points.size();
-    const double residual = largest_miss(p, 0, n, *center, (points[0] - *center).norm());
-    if (!(residual <= tolerance)) return std::nullopt;
+    const double radius = (points[0] - *center).norm(), residual = largest_miss(p, 0, n, *center, radius);
+    if (!(residual <= tolerance) || !are_sides_of_arc(p, 0, n, radius, residual, tolerance)) return std::nullopt;
     const auto sweep = sweep_about(p, 0, n, *center);
     // All facets turn one way: their sum is one turn, or more of a polyline that runs around several times.
     if (!sweep || std::abs(*sweep) > 1.5 * two_pi) return std::nullopt;
@@ -265,7 +293,7 @@ std::optional<Curve> as_line_or_arc(const Curve& curve, double tolerance) {
         return circle ? std::optional(circle->curve) : std::nullopt;
     }
     if (const auto line = line_through(p, 0, last, tolerance)) return line->curve;
-    const auto arc = arc_through(p, 0, last, tolerance);
+    const auto arc = arc_through_points(p, 0, last, tolerance);
     return arc ? std::optional(arc->curve) : std::nullopt;
 }
 

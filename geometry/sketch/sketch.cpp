@@ -14,12 +14,15 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "geometry/brep/message_text.hpp"
 #include "geometry/csg/exact_outline.hpp"
+#include "geometry/sketch/sketch_drafting.hpp"
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -59,11 +62,21 @@ std::vector<SketchEntity> moved(std::vector<SketchEntity> entities, const Vec2& 
     return entities;
 }
 
+std::vector<Hatch> moved(std::vector<Hatch> hatches, const Vec2& by) {
+    if (by == Vec2(0, 0)) return hatches;
+    for (Hatch& hatch : hatches)
+        for (std::vector<Curve>& loop : hatch.loops)
+            for (Curve& curve : loop) curve = transformed(curve, 1, 0, by);
+    return hatches;
+}
+
 void move(SketchParts& sketch, const Vec2& by) {
     if (by == Vec2(0, 0)) return;
     for (Part& part : sketch.parts) part = transformed(part, 1, 0, by);
     for (Repair& repair : sketch.repairs) repair.at += by;
     for (SketchProblem& problem : sketch.problems) problem.at += by;
+    for (SketchProblem& warning : sketch.warnings) warning.at += by;
+    for (SketchRegion& region : sketch.regions) region.at += by;
 }
 
 // ---- one group ----
@@ -101,6 +114,8 @@ void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch
     add_outlines(group.outlines, std::move(closed.outlines));
     append(sketch.repairs, std::move(closed.repairs));
     append(sketch.problems, std::move(closed.problems));
+    append(sketch.warnings, std::move(closed.warnings));
+    sketch.open_length += closed.open_length;
 }
 
 /// An insertion of a block that does not close by itself is a portion of something larger.
@@ -110,7 +125,7 @@ GroupOutlines close_group(const EntityGroup& group, const SketchOptions& options
     std::vector<SketchEntity> rest = std::move(instances.front());
     for (std::size_t k = 1; k < instances.size(); ++k) {
         ClosedOutlines closed = close_outlines(instances[k], options, rounding);
-        if (closed.problems.empty())
+        if (closed.problems.empty() && closed.open_length == 0)
             add_closed(found, std::move(closed), sketch);
         else
             append(rest, std::move(instances[k]));
@@ -123,23 +138,30 @@ struct FoundPart {
     Part part;
     std::string label;
     int line = 0;
+    int number = 0;  ///< in the order in which they were found
 };
 
-void add_parts(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch,
-               std::vector<FoundPart>& found) {
+/// `region_parts`: by region, its part among those found; -1 where it is none.
+void add_parts(const EntityGroup& group, const std::vector<Hatch>& hatches, const SketchOptions& options, double rounding,
+               SketchParts& sketch, std::vector<FoundPart>& found, std::vector<int>& region_parts) {
     const GroupOutlines closed = close_group(group, options, rounding, sketch);
     sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
-    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence);
+    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence,
+                              {hatches, options.regions, static_cast<int>(sketch.regions.size()) + 1, !group.name.empty()});
     append(sketch.problems, std::move(nested.problems));
-    append(sketch.repairs, std::move(nested.remarks));
+    append(sketch.warnings, std::move(nested.warnings));
+    for (std::size_t r = 0; r < nested.regions.size(); ++r)
+        region_parts.push_back(nested.part_of_region[r] < 0 ? -1 : static_cast<int>(found.size()) + nested.part_of_region[r]);
+    append(sketch.regions, std::move(nested.regions));
     for (std::size_t k = 0; k < nested.parts.size(); ++k) {
         std::vector<const SketchPiece*> entity;
         for (const int e : nested.entity[k]) entity.push_back(&closed.outlines.entities[static_cast<std::size_t>(e)]);
         Part& part = nested.parts[k];
         name_edges(part, entity);
         entity.resize(part.loops.front().edges.size());
-        part.name = part_name(entity, group.name);
-        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line});
+        part.name = nested.name[k].empty() ? part_name(entity, group.name) : nested.name[k];
+        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line,
+                         static_cast<int>(found.size())});
     }
 }
 
@@ -152,14 +174,20 @@ SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, Part
     SketchParts sketch;
     sketch.parts_by = parts_by;
     std::vector<FoundPart> found;
+    std::vector<int> region_parts;
+    const std::vector<Hatch> hatches = moved(drawing.hatches, -origin);
     for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
-        add_parts(group, options, rounding, sketch, found);
+        add_parts(group, hatches, options, rounding, sketch, found, region_parts);
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
         sketch.parts.push_back(std::move(one.part));
         sketch.layers.push_back(std::move(one.label));
     }
     number_parts(sketch.parts);
+    std::vector<std::size_t> place(found.size());
+    for (std::size_t k = 0; k < found.size(); ++k) place[at(found[k].number)] = k;
+    for (std::size_t r = 0; r < region_parts.size(); ++r)
+        if (region_parts[r] >= 0) sketch.regions[r].part = sketch.parts[place[at(region_parts[r])]].name;
     move(sketch, origin);
     return sketch;
 }
@@ -178,6 +206,18 @@ std::string quoted_layers(const std::set<std::string>& layers) {
 /// A drawing's diagonal times this: closer outlines touch. Exporters write six digits or more.
 constexpr double touching_fraction = 1e-6;
 
+/// Does all of it close?
+bool is_whole(const SketchParts& sketch) {
+    return sketch.problems.empty() && sketch.open_length == 0;
+}
+
+/// Does more of it close? Lines that bound nothing either way do not count.
+bool closes_more(const SketchParts& sketch, const SketchParts& other) {
+    constexpr double same = 1e-9;  // lengths are summed in another order
+    if (sketch.problems.empty() != other.problems.empty()) return sketch.problems.empty();
+    return sketch.open_length < (1 - same) * other.open_length;
+}
+
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
 /// holes of one of them.
 SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
@@ -185,7 +225,7 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
     const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
     const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
     const bool are_holes = is_inside && !is_assembly;
-    if (!are_holes && by_layer.problems.empty())
+    if (!are_holes && is_whole(by_layer))
         return with_reason(
             std::move(by_layer),
             is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
@@ -193,7 +233,7 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
     const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
-    if ((by_loop.problems.empty() && !is_cut_only) || (are_holes && !by_layer.problems.empty()))
+    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only)
         return with_reason(std::move(by_loop), reason);
     return with_reason(std::move(by_layer), why);
 }
@@ -207,32 +247,93 @@ SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options
     if (is_all_in_blocks(drawing.entities)) {
         SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
         why += ", and everything lies in several blocks";
-        if (!are_others_its_holes(by_block.parts, by_block.layers)) return with_reason(std::move(by_block), why);
+        if (!are_others_its_holes(by_block.parts, by_block.layers)) {
+            if (is_whole(by_block)) return with_reason(std::move(by_block), why);
+            SketchParts joined = sketch_by(drawing, options, PartsBy::loop);
+            if (!closes_more(joined, by_block)) return with_reason(std::move(by_block), why);
+            return with_reason(std::move(joined), why + ", but these close only together");
+        }
         why += ", but all others lie in the material of one, as holes do";
     }
     SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
     // What other layers hold cuts this one's parts and bounds nothing else: edges that are hidden, bent or engraved.
-    if (!by_layer.problems.empty() && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
+    if (!is_whole(by_layer) && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
     return with_reason(std::move(by_loop), why);
 }
 
-SketchParts checked(SketchParts sketch) {
+/// The drawing without its sheet and what explains it, which the warnings tell.
+Drawing without_drafting(Drawing drawing, const SketchOptions& options, std::vector<SketchProblem>& warnings) {
+    if (options.keep_drafting || are_bodies(drawing.entities)) return drawing;
+    const Vec2 origin = local_origin(box_of(drawing.entities));
+    Drawing local;
+    local.entities = moved(drawing.entities, -origin);
+    local.texts = drawing.texts;
+    for (DrawnText& text : local.texts) text.at -= origin;
+    for (const Vec2& tip : drawing.arrows) local.arrows.push_back(tip - origin);
+    DraftingFound found = find_drafting(local, options);
+    for (SketchProblem& warning : found.warnings) warning.at += origin;
+    append(warnings, std::move(found.warnings));
+    std::size_t i = 0;
+    std::erase_if(drawing.entities, [&](const SketchEntity&) { return found.is_drafting[i++]; });
+    return drawing;
+}
+
+/// Without any part, what does not close is a fault.
+void refuse_without_parts(SketchParts& sketch) {
+    if (!sketch.parts.empty() || !sketch.problems.empty()) return;
+    sketch.problems = std::exchange(sketch.warnings, {});
+}
+
+/// What was merged, in one warning for each kind: the repairs have all of it.
+void tell_repairs(SketchParts& sketch) {
+    for (const Repair::Kind kind : {Repair::Kind::removed, Repair::Kind::joined}) {
+        const Repair* largest = nullptr;
+        int n = 0;
+        for (const Repair& repair : sketch.repairs) {
+            if (repair.kind != kind) continue;
+            ++n;
+            if (!largest || repair.size > largest->size) largest = &repair;
+        }
+        if (!largest) continue;
+        const std::string what = kind == Repair::Kind::removed
+                                     ? "lines or arcs that lie on others, or have no length, merged with these"
+                                     : "gaps between ends closed";
+        sketch.warnings.push_back(
+            {std::to_string(n) + " " + what + "; the largest: " + largest->what + ", " + number_text(largest->size),
+             largest->at,
+             {},
+             0,
+             "abut inspect lists them"});
+    }
+}
+
+void check_exactly(SketchParts& sketch) {
     for (const Part& part : sketch.parts)
         if (const std::optional<OutlineFault> fault = exact_fault(part))
             sketch.problems.push_back(
                 {"part " + part.name + ": " + fault->what + " near " + place_text(fault->at), fault->at, "", 0, fault->hint});
+}
+
+SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {
+    std::vector<SketchProblem> warnings;
+    const Drawing outlines = without_drafting(drawing, options, warnings);
+    SketchParts sketch = way == PartsBy::automatic ? automatic_parts(outlines, options)
+                                                   : with_reason(sketch_by(outlines, options, way), "asked for");
+    sketch.warnings.insert(sketch.warnings.begin(), warnings.begin(), warnings.end());
+    refuse_without_parts(sketch);
+    tell_repairs(sketch);
+    check_exactly(sketch);
     return sketch;
 }
 
 }  // namespace
 
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
-    if (options.parts_by == PartsBy::automatic) return checked(automatic_parts(drawing, options));
-    return checked(with_reason(sketch_by(drawing, options, options.parts_by), "asked for"));
+    return sketch_of(drawing, options, options.parts_by);
 }
 
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
-    return checked(with_reason(sketch_by(drawing, options, PartsBy::layer), "asked for"));
+    return sketch_of(drawing, options, PartsBy::layer);
 }
 
 }  // namespace abut::geometry

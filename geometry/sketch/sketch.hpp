@@ -39,6 +39,21 @@ struct SketchProblem {
     std::string hint;
 };
 
+/// A text of a drawing: it tells balloons, leaders and tables from parts.
+struct DrawnText {
+    std::string text;
+    Vec2 at{0, 0};  ///< where it begins, or its middle
+    double height = 0;
+};
+
+/// A hatched or filled area: there is material.
+struct Hatch {
+    std::vector<std::vector<Curve>> loops;  ///< closed each; what lies in an odd number of them is hatched
+    std::string pattern;                    ///< "ANSI31, 90 degrees, scale 1": areas of one part look alike
+    std::string layer, name;
+    int line = 0;
+};
+
 /// The entities of a file, unordered, with what could not be read.
 struct Drawing {
     std::string file, format;  ///< format: "DXF AC1014"
@@ -47,8 +62,13 @@ struct Drawing {
     std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
     std::vector<Ignored> ignored;
     std::vector<SketchProblem> problems;  ///< unreadable entities
-    std::vector<Repair> repairs;          ///< of meshes: what was mended, arcs recovered, the plane moved
-    std::string replaced_unit;            ///< what the file states, where an option says that `unit` is meant
+    std::vector<SketchProblem> warnings;  ///< curves that were left out or projected, units that were guessed
+    std::vector<DrawnText> texts;
+    std::vector<Vec2> arrows;  ///< corners of small filled areas: tips of arrows
+    std::vector<Hatch> hatches;
+    std::vector<std::string> drafting_layers;  ///< those that were left out for their names
+    std::vector<Repair> repairs;               ///< of meshes: what was mended, arcs recovered, the plane moved
+    std::string replaced_unit;                 ///< what the file states, where an option says that `unit` is meant
 };
 
 /// What belongs to one part: what is on one layer, in one block instance, of one colour; or (loop) every outline by itself,
@@ -59,15 +79,31 @@ struct Drawing {
 /// only cuts the parts of one layer by lines of another.
 enum class PartsBy { automatic, layer, block, loop, color };
 
+/// Of what does not close, a gap below this fraction of the length of what is drawn is a fault of the drawing; wider ones
+/// belong to leaders, threads, arrows, and axes.
+inline constexpr double nearly_closed_fraction = 0.01;
+
 /// The choices of making parts from a drawing.
 struct SketchOptions {
     double tolerance = 0;  ///< endpoint joining distance; 0: joining_fraction of each part's diagonal or total length
     PartsBy parts_by = PartsBy::automatic;
     bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
+    bool keep_drafting = false;  ///< frames, tables and balloons are outlines like any other
+    bool leave_open = false;     ///< outlines that nearly close are set aside, too
+    /// What regions are, by their names (SketchRegion): "void", "part", or the name of the part.
+    std::map<std::string, std::string> regions;
 };
 /// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined, or of the total length of
 /// what is drawn where that is less (outlines far apart).
 inline constexpr double joining_fraction = 2e-5;
+
+/// An area that lines bound, material or not.
+struct SketchRegion {
+    std::string name;  ///< "r1", "r2", ... in the order of the file
+    Vec2 at{0, 0};     ///< a point inside, clear of its boundary
+    std::string part;  ///< the part's name; empty: no material
+    bool is_doubtful = false;
+};
 
 /// The parts of a drawing, how they were told apart, and what was mended and wrong.
 struct SketchParts {
@@ -77,15 +113,20 @@ struct SketchParts {
     std::string why;
     std::vector<Repair> repairs;
     std::vector<SketchProblem> problems;
-    double tolerance = 0;  ///< the largest that was used
+    std::vector<SketchProblem> warnings;  ///< what was set aside or guessed, each with its place
+    std::vector<SketchRegion> regions;
+    double open_length = 0;  ///< of all lines that were set aside since they bound nothing
+    double tolerance = 0;    ///< the largest that was used
 };
 
 /// Joins the entities of each group into closed outlines and sorts them by nesting into parts: one part per outer outline.
 /// Parts are named after the layer, the block or its instance, or `color3` (by loop: the layer); `LAYER#0`, `LAYER#1`, ...
 /// where several have one name, `INSTANCE:LAYER` where a repeated block's geometry is grouped by layer. Edges are named after
 /// their entities; adjacent ones are never merged but where facets stand for an arc. Where outlines share edges that are drawn
-/// once, each area is a part (sketch_faces.hpp). Open chains, branchings and crossings are problems with place, gap size and
-/// file line; everything that was mended is a repair. The numbers of the results are in the file's coordinates.
+/// once, each area is a part (sketch_faces.hpp). Lines that bound nothing are set aside with a warning, what belongs to the
+/// sheet or explains the drawing as well (sketch_drafting.hpp); outlines that nearly close (a gap below nearly_closed_fraction
+/// of their length) and crossings are problems with place, gap size and file line; everything that was mended is a repair. The
+/// numbers of the results are in the file's coordinates.
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
 /// Makes parts by layer, whatever options.parts_by says.
 SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);

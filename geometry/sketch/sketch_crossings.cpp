@@ -120,23 +120,48 @@ bool is_on_one_side(const Segment& line, const Segment& other, double tolerance)
     return (a > tolerance && b > tolerance) || (a < -tolerance && b < -tolerance);
 }
 
-/// By pair of chains, the earlier one first; of a chain with itself where its edges meet elsewhere than at their joints.
-std::map<std::pair<int, int>, std::vector<Meeting>> find_meetings(const Layout& layout, double tolerance) {
+using ChainPair = std::pair<int, int>;  ///< the earlier one first
+using EdgePairs = std::map<ChainPair, std::vector<std::pair<int, int>>>;
+
+/// Edges that may meet, by their chains.
+EdgePairs near_edges(const Layout& layout, double tolerance) {
     const EdgeTree tree(layout.all);
-    std::map<std::pair<int, int>, std::vector<Meeting>> found;
+    EdgePairs found;
     for (std::size_t i = 0; i < layout.all.edges.size(); ++i) {
         const Curve& a = layout.all.edges[i].curve;
-        for (int k : tree.near(bounding_box(a), tolerance)) {
+        for (const int k : tree.near(bounding_box(a), tolerance)) {
             if (k <= static_cast<int>(i)) continue;
-            const Curve& b = layout.all.edges[static_cast<std::size_t>(k)].curve;
             const int chain = layout.chain[i], other = layout.chain[static_cast<std::size_t>(k)];
-            const double within = tolerance_between(layout, chain, other, tolerance);
-            if (!may_meet(a, b, within)) continue;
-            for (const Vec2& p : meeting_points(a, b, within))
-                if (chain != other || !is_joint(a, b, p, within)) found[{chain, other}].push_back({static_cast<int>(i), k, p});
+            if (may_meet(a, layout.all.edges[static_cast<std::size_t>(k)].curve,
+                         tolerance_between(layout, chain, other, tolerance)))
+                found[{chain, other}].emplace_back(static_cast<int>(i), k);
         }
     }
     return found;
+}
+
+/// Of a chain with itself where its edges meet elsewhere than at their joints.
+std::vector<Meeting> find_meetings(const Layout& layout, const ChainPair& chains, const std::vector<std::pair<int, int>>& edges,
+                                   double within) {
+    std::vector<Meeting> found;
+    for (const auto& [i, k] : edges) {
+        const Curve &a = layout.all.edges[static_cast<std::size_t>(i)].curve,
+                    &b = layout.all.edges[static_cast<std::size_t>(k)].curve;
+        for (const Vec2& p : meeting_points(a, b, within))
+            if (chains.first != chains.second || !is_joint(a, b, p, within)) found.push_back({i, k, p});
+    }
+    return found;
+}
+
+/// Has the chain a corner wherever it meets the other? A chain of one closed curve has none.
+bool are_corners(const Layout& layout, int chain, const std::vector<Meeting>& meetings, double tolerance) {
+    const int first = layout.first[static_cast<std::size_t>(chain)], last = layout.first[static_cast<std::size_t>(chain) + 1];
+    return last - first > 1 && std::all_of(meetings.begin(), meetings.end(), [&](const Meeting& meeting) {
+               for (int e = first; e < last; ++e)
+                   if ((point(layout.all.edges[static_cast<std::size_t>(e)].curve, 0) - meeting.at).norm() <= tolerance)
+                       return true;
+               return false;
+           });
 }
 
 /// Edges of the chain that begin in its two joints that lie closest together.
@@ -194,13 +219,16 @@ std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, c
     };
     std::vector<Crossing> crossings;
     std::vector<bool> is_crossing_itself(chains.size(), false);
-    for (const auto& [pair, meetings] : find_meetings(layout, tolerance)) {
+    for (const auto& [pair, edges] : near_edges(layout, tolerance)) {
+        if (crossings.size() == most_crossings) return crossings;
         const auto [chain, other] = pair;
         const double within = tolerance_between(layout, chain, other, tolerance);
-        if (chain != other && !do_cross(layout, chain, other, meetings, within)) continue;
+        const std::vector<Meeting> meetings = find_meetings(layout, pair, edges, within);
+        if (meetings.empty() || (chain != other && !do_cross(layout, chain, other, meetings, within))) continue;
         const Meeting& first = meetings.front();
         crossings.push_back(
-            {chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other)});
+            {chain, other, crossing(entity_of(first.edge), entity_of(first.other_edge), first.at, chain == other),
+             are_corners(layout, chain, meetings, 2 * within), are_corners(layout, other, meetings, 2 * within)});
         if (chain == other) is_crossing_itself[static_cast<std::size_t>(chain)] = true;
     }
     for (std::size_t c = 0; c < chains.size(); ++c) {

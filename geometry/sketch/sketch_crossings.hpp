@@ -11,10 +11,15 @@ namespace abut::geometry {
 struct Crossing {
     int chain, other;  ///< the earlier one first; the same where one crosses itself
     SketchProblem problem;
+    bool at_corners = false;         ///< do they meet only where the chain has corners?
+    bool at_others_corners = false;  ///< ... where the other one has corners?
 };
+/// So many crossings and no more are looked for: a drawing with more is no assembly to be mended.
+inline constexpr std::size_t most_crossings = 20;
 
 /// The outlines that cross: one entry for each pair (or outline that crosses or touches itself), at one of their meetings:
-/// which side of them is material cannot be told. Two outlines may touch each other; none may touch itself.
+/// which side of them is material cannot be told. Two outlines may touch each other; none may touch itself. At most
+/// most_crossings.
 std::vector<Crossing> find_crossings(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance);
 

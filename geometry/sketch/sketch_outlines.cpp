@@ -2,8 +2,9 @@
 //   1. Entities without length go. Splines that are arcs become arcs (sketch_arcs).
 //   2. Of entities drawn twice the first stays (sketch_overlaps).
 //   3. Ends are joined (sketch_joints), and joined entities walked into closed chains (sketch_chains).
-//   4. Where some do not close: those that lie on others go; if none does, they are cut where others end on them, and the
-//   others
+//   4. Outlines that lines of others run through from corner to corner are drawn over them, and kept as they are
+//   (sketch_overlaid). Where some do not close: those that lie on others go; if none does, they are cut where others end on
+//   them, and the others
 //      where they end (sketch_splits). So are outlines that share edges (sketch_shared). Then 2 and 3 again.
 //   5. Facets that stand for arcs become arcs (sketch_arcs).
 //   6. Curves are moved to their joints (sketch_joints), and the areas of outlines that share edges are found (sketch_faces).
@@ -12,11 +13,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "geometry/sketch/sketch_arcs.hpp"
+#include "geometry/sketch/sketch_crossings.hpp"
+#include "geometry/sketch/sketch_open.hpp"
+#include "geometry/sketch/sketch_overlaid.hpp"
 #include "geometry/sketch/sketch_overlaps.hpp"
 #include "geometry/sketch/sketch_shared.hpp"
 #include "geometry/sketch/sketch_splits.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -32,7 +38,8 @@ Box2 box_of(const Pieces& entities) {
 
 Pieces pieces_of(const std::vector<SketchEntity>& entities) {
     Pieces pieces;
-    for (const SketchEntity& entity : entities) pieces.push_back({entity, entity.name});
+    for (const SketchEntity& entity : entities)
+        pieces.push_back({entity, entity.name, 0, 1, {static_cast<int>(pieces.size())}, length(entity.curve)});
     return pieces;
 }
 
@@ -41,7 +48,8 @@ void remove_without_length(Pieces& entities, double rounding, std::vector<Repair
     std::erase_if(entities, [&](const SketchPiece& entity) {
         const double own = length(entity.curve);
         if (own > shortest) return false;
-        repairs.push_back({entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own});
+        repairs.push_back(
+            {entity.kind + " " + entity.name + " without length removed", point(entity.curve, 0), own, Repair::Kind::removed});
         return true;
     });
 }
@@ -86,7 +94,7 @@ struct State {
         joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
         if (remove_twins(entities, joints, tolerances.joining, repairs))
             joints = join_ends(entities, tolerances.joining, tolerances.coincidence, tolerances.rounding);
-        chains = trace_chains(entities, joints, tolerances.joining);
+        chains = trace_chains(entities, joints);
     }
 };
 
@@ -101,6 +109,10 @@ std::vector<bool> not_closed(const EntityChains& chains) {
 /// What is to be cut where others end on it: all that is not closed by itself, and what outlines share that lie in each other.
 std::vector<bool> to_cut(const State& state, const Tolerances& tolerances) {
     std::vector<bool> found = shared_from_inside(state.entities, state.chains.closed, tolerances.coincidence);
+    if (std::find(found.begin(), found.end(), true) != found.end())  // what crosses is told as it is drawn
+        for (const Crossing& crossing : find_crossings(state.entities, state.chains.closed, tolerances.coincidence))
+            for (const int chain : {crossing.chain, crossing.other})
+                for (const ChainLink& link : state.chains.closed[at(chain)]) found[at(link.entity)] = false;
     for (std::size_t i = 0; i < found.size(); ++i) found[i] = found[i] || state.chains.is_loose[i];
     return found;
 }
@@ -110,12 +122,42 @@ void mend(State& state, const Tolerances& tolerances, std::vector<Repair>& repai
     constexpr int most_rounds = 8;  // each round only removes or cuts; what takes more is no drawing to be mended
     for (int round = 0; round < most_rounds; ++round) {
         const bool is_less =
-            !state.chains.problems.empty() &&
+            !state.chains.loose.empty() &&
             remove_covered(state.entities, state.joints, not_closed(state.chains), tolerances.coincidence, repairs);
         if (!is_less && !split_at_ends(state.entities, state.joints, to_cut(state, tolerances), tolerances.joining,
                                        tolerances.coincidence, repairs))
             return;
         state.trace(tolerances, repairs);
+    }
+}
+
+/// Takes out what is drawn over other outlines, which it would cut to pieces.
+Pieces take_overlaid(State& state, const Tolerances& tolerances, std::vector<EntityChain>& chains) {
+    const std::vector<bool> is_overlaid = overlaid_chains(state.entities, state.chains.closed, tolerances.coincidence);
+    std::vector<bool> is_taken(state.entities.size(), false);
+    Pieces taken;
+    for (std::size_t c = 0; c < is_overlaid.size(); ++c) {
+        if (!is_overlaid[c]) continue;
+        chains.emplace_back();
+        for (const ChainLink& link : state.chains.closed[c]) {
+            is_taken[at(link.entity)] = true;
+            chains.back().push_back({static_cast<int>(taken.size()), link.along});
+            taken.push_back(state.entities[at(link.entity)]);
+        }
+    }
+    std::size_t i = 0;
+    std::erase_if(state.entities, [&](const SketchPiece&) { return is_taken[i++]; });
+    return taken;
+}
+
+/// Puts back what take_overlaid took out, its ends joined.
+void put_back(Outlines& outlines, Pieces taken, std::vector<EntityChain> chains, const Tolerances& tolerances) {
+    close_joints(taken, join_ends(taken, tolerances.joining, tolerances.coincidence, tolerances.rounding), tolerances.rounding);
+    const int offset = static_cast<int>(outlines.entities.size());
+    outlines.entities.insert(outlines.entities.end(), taken.begin(), taken.end());
+    for (EntityChain& chain : chains) {
+        for (ChainLink& link : chain) link.entity += offset;
+        outlines.closed.push_back(std::move(chain));
     }
 }
 
@@ -128,13 +170,39 @@ void report_joints(const State& state, double rounding, std::vector<Repair>& rep
                       : i + 1 == joint.ends.size() ? " and "
                                                    : ", ") +
                      state.entities[static_cast<std::size_t>(joint.ends[i].entity)].name;
-        repairs.push_back({"gap closed between " + names, joint.at, joint.gap});
+        repairs.push_back({"gap closed between " + names, joint.at, joint.gap, Repair::Kind::joined});
     }
+}
+
+/// Euler's formula: where lines cross without a joint, the areas about them are too few.
+bool is_plane(const DividedOutline& divided, const Joints& joints, const std::vector<int>& block) {
+    std::set<int> corners;
+    for (const int e : block) corners.insert({joints.at_begin[at(e)], joints.at_end[at(e)]});
+    return corners.size() + divided.faces.size() + 1 == block.size() + 2;
+}
+
+/// Blocks whose lines cross are cut there; the numbers of entities change with each.
+void cut_tables(State& state, const Tolerances& tolerances, std::vector<Repair>& repairs) {
+    for (std::size_t k = 0; k < state.chains.divided.size(); ++k) {
+        const std::vector<int> block = state.chains.divided[k];
+        if (is_plane(walk_faces(state.entities, state.joints, block), state.joints, block)) continue;
+        if (!split_at_crossings(state.entities, block, tolerances.coincidence, repairs)) continue;
+        state.trace(tolerances, repairs);
+        mend(state, tolerances, repairs);
+        k = static_cast<std::size_t>(-1);  // from the first again; a block that was cut is plane, or cannot be cut any more
+    }
+}
+
+SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
+    const SketchPiece& first = entities[at(block.front())];
+    return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5),
+            first.name, first.line, "put each part on a layer of its own, or mend it in CAD"};
 }
 
 }  // namespace
 
-ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
+ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
+                              bool are_tables_cut) {
     ClosedOutlines found;
     State state{pieces_of(entities), {}, {}};
     remove_without_length(state.entities, rounding, found.repairs);
@@ -145,17 +213,31 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
     found.coincidence = tolerances.coincidence;
 
     state.trace(tolerances, found.repairs);
+    std::vector<EntityChain> overlaid;
+    Pieces over = take_overlaid(state, tolerances, overlaid);
+    if (!over.empty()) state.trace(tolerances, found.repairs);
     mend(state, tolerances, found.repairs);
+    if (are_tables_cut) cut_tables(state, tolerances, found.repairs);
     report_joints(state, rounding, found.repairs);
     if (options.recognise_arcs && recognise_facets(state.entities, state.joints, tolerances.facets, found.repairs))
         state.trace(tolerances, found.repairs);
     close_joints(state.entities, state.joints, rounding);
 
-    found.problems = state.chains.problems;
+    OpenLines open = tell_open_lines(state.entities, state.chains, tolerances.joining, options.leave_open);
+    found.problems = std::move(open.problems);
+    found.warnings = std::move(open.warnings);
+    found.open_length = open.length;
+    found.loose = state.chains.loose;
     found.outlines.closed = state.chains.closed;
-    for (const std::vector<int>& block : state.chains.divided)
-        found.outlines.divided.push_back(walk_faces(state.entities, state.joints, block));
+    for (const std::vector<int>& block : state.chains.divided) {
+        DividedOutline divided = walk_faces(state.entities, state.joints, block);
+        if (is_plane(divided, state.joints, block))
+            found.outlines.divided.push_back(std::move(divided));
+        else
+            found.problems.push_back(crossing_lines(state.entities, block));
+    }
     found.outlines.entities = std::move(state.entities);
+    put_back(found.outlines, std::move(over), std::move(overlaid), tolerances);
     return found;
 }
 

@@ -11,7 +11,10 @@ namespace abut::geometry {
 struct ClosedOutlines {
     Outlines outlines;
     std::vector<Repair> repairs;
-    std::vector<SketchProblem> problems;  ///< what does not close, and what keeps it from closing
+    std::vector<LooseEntities> loose;     ///< what bounds nothing, among `outlines.entities`
+    std::vector<SketchProblem> problems;  ///< outlines that nearly close
+    std::vector<SketchProblem> warnings;  ///< what was set aside since it bounds nothing
+    double open_length = 0;               ///< of all that
     double tolerance = 0;                 ///< ends within this were joined
     double coincidence = 0;               ///< curves within this count as one
 };
@@ -19,6 +22,8 @@ struct ClosedOutlines {
 /// Closes the outlines of entities that may belong together; ends of others are none of their business. The tolerance asked for
 /// (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
 /// `rounding`: what the coordinates' own rounding amounts to in the file.
-ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding);
+/// `are_tables_cut`: upright lines that share areas are cut where they cross, as in tables.
+ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
+                              bool are_tables_cut = false);
 
 }  // namespace abut::geometry

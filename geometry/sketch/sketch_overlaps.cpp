@@ -22,7 +22,8 @@ bool lies_on(const Curve& curve, const Curve& other, double tolerance) {
 }
 
 Repair removal(const SketchPiece& gone, const SketchPiece& kept) {
-    return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve)};
+    return {gone.kind + " " + gone.name + " removed: it lies on " + kept.name, point(gone.curve, 0.5), length(gone.curve),
+            Repair::Kind::removed};
 }
 
 /// Two segments of one polyline that run against each other: a spur, or the cut from an outline to a hole.
@@ -35,7 +36,7 @@ bool is_there_and_back(const SketchPiece& a, const SketchPiece& b) {
 
 Repair removal_of_both(const SketchPiece& a, const SketchPiece& b) {
     return {b.kind + " " + b.name + " and " + a.name + " removed: there and back they bound nothing", point(a.curve, 0.5),
-            length(a.curve)};
+            length(a.curve), Repair::Kind::removed};
 }
 
 /// Is there any to erase?
@@ -53,6 +54,8 @@ bool merge_twins(std::vector<SketchPiece>& entities, std::size_t j, std::size_t 
     is_gone[j] = is_there_and_back(entities[i], entities[j]);
     repairs.push_back(is_gone[j] ? removal_of_both(entities[i], entities[j]) : removal(entities[i], entities[j]));
     entities[j].times_drawn += entities[i].times_drawn;
+    entities[j].of.insert(entities[j].of.end(), entities[i].of.begin(), entities[i].of.end());
+    entities[j].whole_length = std::max(entities[j].whole_length, entities[i].whole_length);
     return true;
 }
 

@@ -12,6 +12,8 @@ struct SketchPiece : SketchEntity {
     std::string source;       ///< the entity's name; `name` is "h2F#1" where it was cut
     double source_begin = 0;  ///< arc length on the entity where the piece begins
     int times_drawn = 1;      ///< how often the drawing holds it
+    std::vector<int> of{};    ///< the entities that it is (a piece of), by their place among those given
+    double whole_length = 0;  ///< of the longest of these entities, uncut
 };
 
 }  // namespace abut::geometry

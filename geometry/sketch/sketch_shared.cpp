@@ -39,6 +39,9 @@ std::vector<Side> sides_of(const std::vector<SketchPiece>& entities, const std::
 /// Circles that only come close would seem to share what lies within the tolerance about the place where they touch.
 bool may_be_one(const Curve& a, const Curve& b, double tolerance) {
     const auto *arc = std::get_if<Arc>(&a), *other = std::get_if<Arc>(&b);
+    const auto *ellipse = std::get_if<EllipticArc>(&a), *other_ellipse = std::get_if<EllipticArc>(&b);
+    if (ellipse && other_ellipse && (ellipse->center - other_ellipse->center).norm() > tolerance) return false;
+    if ((ellipse && (other || b.index() == 0)) || (other_ellipse && (arc || a.index() == 0))) return false;
     if (!arc || !other) return a.index() == b.index() || a.index() > 1 || b.index() > 1;  // a line and a circle are never one
     return (arc->center - other->center).norm() + std::abs(arc->radius - other->radius) <= tolerance;
 }

@@ -155,12 +155,7 @@ void add_pieces(std::vector<SketchPiece>& to, const SketchPiece& entity, const s
     }
 }
 
-}  // namespace
-
-bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
-                   double tolerance, double coincidence, std::vector<Repair>& repairs) {
-    const Cuts cuts = find_cuts(entities, joints, troubled, tolerance, coincidence, repairs);
-    if (cuts.empty()) return false;
+void cut(std::vector<SketchPiece>& entities, const Cuts& cuts) {
     std::vector<SketchPiece> pieces;
     for (std::size_t i = 0; i < entities.size(); ++i) {
         const auto found = cuts.find(i);
@@ -170,6 +165,47 @@ bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, con
             add_pieces(pieces, entities[i], found->second);
     }
     entities = std::move(pieces);
+}
+
+/// 0: along x, 1: along y, -1: neither.
+int axis_of(const Curve& curve) {
+    const auto* line = std::get_if<Segment>(&curve);
+    if (!line) return -1;
+    return line->from.y() == line->to.y() ? 0 : line->from.x() == line->to.x() ? 1 : -1;
+}
+
+}  // namespace
+
+bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
+                   double tolerance, double coincidence, std::vector<Repair>& repairs) {
+    const Cuts cuts = find_cuts(entities, joints, troubled, tolerance, coincidence, repairs);
+    if (cuts.empty()) return false;
+    cut(entities, cuts);
+    return true;
+}
+
+bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, double coincidence,
+                        std::vector<Repair>& repairs) {
+    Cuts cuts;
+    for (const int along : among)
+        for (const int across : among) {
+            const Curve &a = entities[static_cast<std::size_t>(along)].curve,
+                        &b = entities[static_cast<std::size_t>(across)].curve;
+            if (axis_of(a) != 0 || axis_of(b) != 1) continue;
+            const Vec2 p(point(b, 0).x(), point(a, 0).y());
+            for (const auto& [e, curve] : {std::pair(along, &a), std::pair(across, &b)}) {
+                const SketchPiece& other = entities[static_cast<std::size_t>(e == along ? across : along)];
+                const double t = closest_parameter(other.curve, p);
+                if ((point(other.curve, t) - p).norm() > coincidence) continue;
+                const std::optional<double> at =
+                    place_inside(entities[static_cast<std::size_t>(e)], p, coincidence, coincidence);
+                if (at && note(cuts, entities[static_cast<std::size_t>(e)], static_cast<std::size_t>(e), *at, coincidence))
+                    repairs.push_back(
+                        {entities[static_cast<std::size_t>(e)].name + " cut where " + other.name + " crosses it", p, 0});
+            }
+        }
+    if (cuts.empty()) return false;
+    cut(entities, cuts);
     return true;
 }
 

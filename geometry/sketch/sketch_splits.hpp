@@ -15,4 +15,8 @@ namespace abut::geometry {
 bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
                    double tolerance, double coincidence, std::vector<Repair>& repairs);
 
+/// Cuts upright segments among the given ones where they cross each other, as the lines of a table do. Returns whether any did.
+bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, double coincidence,
+                        std::vector<Repair>& repairs);
+
 }  // namespace abut::geometry

@@ -49,8 +49,9 @@ std::string detection_json(const Scene& scene, const Detection& detection) {
     const Json json{{"abut", 1},
                     {"unit", scene.length_unit},
                     {"pairs", pairs_json(detection.pairs, false)},
-                    {"near_misses", pairs_json(detection.near_misses, true)}};
-    return json.dump(2) + "\n";
+                    {"near_misses", pairs_json(detection.near_misses, true)},
+                    {"warnings", names(scene.warnings)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace abut

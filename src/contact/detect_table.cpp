@@ -37,11 +37,13 @@ std::string near_miss_lines(const std::vector<DetectedPair>& pairs) {
 }  // namespace
 
 std::string detection_table(const Scene& scene, const Detection& detection) {
-    if (scene.parts.size() < 2) return "no contacts: there is one part only\n";
+    std::string warnings;
+    for (const std::string& warning : scene.warnings) warnings += "warning: " + warning + "\n";
+    if (scene.parts.size() < 2) return warnings + "no contacts: there is one part only\n";
     std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " +
                                                      with_unit(detection.distance, 4, scene.length_unit) + " of each other\n"
                                                : pair_rows(scene, detection.pairs);
-    return text + near_miss_lines(detection.near_misses);
+    return warnings + text + near_miss_lines(detection.near_misses);
 }
 
 }  // namespace abut

@@ -46,8 +46,6 @@ std::vector<geometry::Curve> loose_curves(const SketchReading& reading) {
 std::vector<std::string> notes_of(const SketchReading& reading) {
     const geometry::Drawing& drawing = reading.drawing;
     std::vector<std::string> notes;
-    if (drawing.unit.empty())
-        notes.push_back("warning: the file states no unit of length; --units mm, or another one, says what its numbers mean");
     if (!drawing.replaced_unit.empty())
         notes.push_back("the file states " + drawing.replaced_unit + "; its numbers are taken as " + drawing.unit +
                         ", as asked for");
@@ -67,9 +65,7 @@ Inspection inspect_drawing(const std::string& path, const ImportOptions& options
     inspection.loose = loose_curves(reading);
     inspection.notes = notes_of(reading);
     inspection.imports = reading.scene.imports;
-    if (inspection.imports.empty())
-        inspection.imports.push_back({path, reading.drawing.format, reading.drawing.unit, 1, reading.drawing.counts,
-                                      reading.drawing.ignored, reading.sketch.repairs});
+    inspection.regions = reading.sketch.regions;
     inspection.scene = std::move(reading.scene);
     return inspection;
 }
@@ -146,6 +142,8 @@ std::string inspection_json(const Inspection& inspection) {
               {"parts", Json::array()},
               {"repairs", Json::array()},
               {"ignored", Json::array()},
+              {"regions", Json::array()},
+              {"warnings", inspection.scene.warnings},
               {"problems", Json::array()}};
     for (const ScenePart& part : inspection.scene.parts) json["parts"].push_back(part_json(part));
     for (const geometry::Repair& r : all_repairs(inspection))
@@ -153,6 +151,8 @@ std::string inspection_json(const Inspection& inspection) {
     for (const ImportRecord& record : inspection.imports)
         for (const geometry::Ignored& i : record.ignored)
             json["ignored"].push_back({{"what", i.what}, {"count", i.count}, {"why", i.why}});
+    for (const geometry::SketchRegion& r : inspection.regions)
+        json["regions"].push_back({{"name", r.name}, {"at", point_json(r.at)}, {"part", r.part}, {"doubtful", r.is_doubtful}});
     for (const geometry::SketchProblem& p : inspection.problems)
         json["problems"].push_back(
             {{"what", p.what}, {"at", point_json(p.at)}, {"entity", p.entity}, {"line", p.line}, {"hint", p.hint}});

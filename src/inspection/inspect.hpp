@@ -16,6 +16,7 @@ struct Inspection {
     Scene scene;                     ///< with the parts that could be read
     std::vector<std::string> notes;  ///< of drawings: how the parts were told apart; units that are missing, or replaced
     std::vector<ImportRecord> imports;
+    std::vector<geometry::SketchRegion> regions;  ///< of drawings: the areas that lines bound
     std::vector<geometry::SketchProblem> problems;
     std::vector<geometry::Curve> loose;  ///< lines and arcs of a drawing that belong to no part, for the picture
 };

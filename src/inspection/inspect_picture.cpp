@@ -83,6 +83,20 @@ std::optional<Vec2> place_for_name(const ScenePart& part, const View& view, cons
     return best;
 }
 
+/// Names of regions, by which a scene says what they are; of many only those that leave something open.
+std::string region_names(const Inspection& inspection, const View& view, LabelPlacement& labels) {
+    constexpr std::size_t many = 40;
+    std::string svg;
+    for (const geometry::SketchRegion& region : inspection.regions) {
+        if (inspection.regions.size() > many && !region.is_doubtful) continue;
+        const Vec2 p = view(region.at);
+        labels.take(text_box(region.name, edge_size, p));
+        svg +=
+            text_element({p.x(), p.y() + 0.35 * edge_size}, "region", "middle", region.name + (region.is_doubtful ? "?" : ""));
+    }
+    return svg;
+}
+
 std::string part_names(const Inspection& inspection, const View& view, LabelPlacement& labels) {
     std::string svg;
     for (std::size_t i = 0; i < inspection.scene.parts.size(); ++i) {
@@ -251,7 +265,8 @@ std::string legend(const std::vector<LegendLine>& lines, double top) {
 }
 
 std::string style() {
-    return ".part{stroke:#222;stroke-width:1.2;fill-opacity:.55;fill-rule:evenodd}.loose{fill:none;stroke:#b00020;stroke-width:"
+    return ".region{font-size:10px;fill:#555;font-style:italic}.part{stroke:#222;stroke-width:1.2;fill-opacity:.55;fill-rule:"
+           "evenodd}.loose{fill:none;stroke:#b00020;stroke-width:"
            "1.5;stroke-dasharray:5 3}"
            ".name{font-size:" +
            coordinate_text(name_size) + "px;font-weight:bold}.edge{font-size:" + coordinate_text(edge_size) +
@@ -289,7 +304,8 @@ std::string picture_of(const Inspection& inspection, bool with_targets) {
     std::string svg = page_opening(height, std::filesystem::path(inspection.file).filename().string(), style()) +
                       page_axes(view, inspection.unit) + part_shapes(inspection, view) + edge_directions(inspection, view);
     // What is placed first finds room first.
-    const std::string names = part_names(inspection, view, labels), marks = mark_elements(some, view, labels);
+    const std::string names = part_names(inspection, view, labels) + region_names(inspection, view, labels),
+                      marks = mark_elements(some, view, labels);
     svg += edge_names(inspection, view, labels) + names + marks + legend(lines, legend_top);
     return svg + (with_targets ? edge_targets(inspection, view) : "") + "</svg>\n";
 }

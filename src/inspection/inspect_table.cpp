@@ -49,6 +49,7 @@ std::string title(const Inspection& inspection) {
         text += " (" + number_text(to_mm * box.size().x(), 5) + " x " + number_text(to_mm * box.size().y(), 5) + " mm)";
     text += "\n";
     for (const std::string& note : inspection.notes) text += note + "\n";
+    for (const std::string& warning : inspection.scene.warnings) text += "warning: " + warning + "\n";
     return text;
 }
 

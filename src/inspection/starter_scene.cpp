@@ -126,6 +126,25 @@ void write_material(std::ostream& out, const geometry::Drawing& drawing, const S
         << "}},  // for lengths in " << units.length << ", E in " << units.force << "/" << units.length << "^2\n";
 }
 
+/// What was assumed about layers and regions: the next run need not guess.
+void write_assumptions(std::ostream& out, const SketchReading& reading, const ImportOptions& options) {
+    if (!options.layers.only.empty()) out << "    \"only_layers\": " << nlohmann::json(options.layers.only).dump() << ",\n";
+    std::vector<std::string> ignored = options.layers.ignore;
+    ignored.insert(ignored.end(), reading.drawing.drafting_layers.begin(), reading.drawing.drafting_layers.end());
+    if (!ignored.empty())
+        out << "    \"ignore_layers\": " << nlohmann::json(ignored).dump()
+            << (reading.drawing.drafting_layers.empty() ? ",\n" : ",  // for their names\n");
+    if (options.leave_open) out << "    \"leave_open\": true,\n";
+    if (options.keep_drafting) out << "    \"keep_drafting\": true,\n";
+    nlohmann::ordered_json regions = nlohmann::ordered_json::object();
+    for (const auto& [name, what] : options.regions) regions[name] = what;
+    for (const geometry::SketchRegion& region : reading.sketch.regions)
+        if (region.is_doubtful && !regions.contains(region.name)) regions[region.name] = region.part.empty() ? "void" : "part";
+    if (!regions.empty())
+        out << "    \"regions\": " << regions.dump()
+            << ",  // check: void, part, or the part's name (abut inspect -o DIR draws them)\n";
+}
+
 /// What the file was read with, so that the scene reads it the same way.
 void write_import(std::ostream& out, const SketchReading& reading, const ImportOptions& options, const std::string& folder) {
     constexpr const char* axes[] = {"x", "y", "z"};
@@ -135,6 +154,7 @@ void write_import(std::ostream& out, const SketchReading& reading, const ImportO
         << "    \"parts_by\": " << quoted(parts_by_name(reading.sketch.parts_by)) << ",\n";
     if (options.tolerance > 0) out << "    \"tolerance\": " << nlohmann::json(options.tolerance).dump() << ",\n";
     if (!options.recognise_arcs) out << "    \"recognise_arcs\": false,\n";
+    write_assumptions(out, reading, options);
     nlohmann::ordered_json section;
     if (options.section.axis >= 0) section["axis"] = axes[options.section.axis];
     if (options.section.at) section["at"] = *options.section.at;

@@ -22,6 +22,15 @@ void scale(Drawing& drawing, double factor) {
     larger.scale = factor;
     for (geometry::SketchEntity& entity : drawing.entities) entity.curve = transformed(entity.curve, larger);
     for (geometry::SketchProblem& problem : drawing.problems) problem.at *= factor;
+    for (geometry::SketchProblem& warning : drawing.warnings) warning.at *= factor;
+    for (Vec2& tip : drawing.arrows) tip *= factor;
+    for (geometry::DrawnText& text : drawing.texts) {
+        text.at *= factor;
+        text.height *= factor;
+    }
+    for (geometry::Hatch& hatch : drawing.hatches)
+        for (std::vector<geometry::Curve>& loop : hatch.loops)
+            for (geometry::Curve& curve : loop) curve = transformed(curve, larger);
     for (geometry::Repair& repair : drawing.repairs) {
         repair.at *= factor;
         repair.size *= factor;
@@ -58,6 +67,10 @@ void add_record(Imports& imports, ImportRecord record) {
             const auto same = [&](const geometry::Repair& r) { return r.what == repair.what && r.at == repair.at; };
             if (std::none_of(known.repairs.begin(), known.repairs.end(), same)) known.repairs.push_back(std::move(repair));
         }
+        for (geometry::SketchProblem& warning : record.warnings) {
+            const auto same = [&](const geometry::SketchProblem& w) { return w.what == warning.what && w.at == warning.at; };
+            if (std::none_of(known.warnings.begin(), known.warnings.end(), same)) known.warnings.push_back(std::move(warning));
+        }
         return;
     }
     imports.records.push_back(std::move(record));
@@ -73,17 +86,24 @@ std::vector<std::string> layers_of(const Drawing& drawing) {
     return layers;
 }
 
-ImportRecord import_record(const Drawing& drawing, double factor, std::vector<geometry::Repair> repairs) {
+ImportRecord import_record(const Drawing& drawing, double factor, std::vector<geometry::Repair> repairs,
+                           const std::vector<geometry::SketchProblem>& warnings) {
     repairs.insert(repairs.begin(), drawing.repairs.begin(), drawing.repairs.end());
-    return {drawing.file, drawing.format, drawing.unit, factor, drawing.counts, drawing.ignored, std::move(repairs)};
+    std::vector<geometry::SketchProblem> all = drawing.warnings;
+    all.insert(all.end(), warnings.begin(), warnings.end());
+    return {drawing.file,   drawing.format,  drawing.unit,       factor,
+            drawing.counts, drawing.ignored, std::move(repairs), std::move(all)};
 }
 
 namespace {
 
 std::string key_of(const std::string& name, const ImportOptions& options) {
     constexpr int all_digits = 17;
-    std::string key = name + "|" + std::to_string(options.section.axis) + "|" + number_text(options.tolerance, all_digits) +
-                      "|" + std::to_string(options.recognise_arcs);
+    std::string layers;
+    for (const std::string& pattern : options.layers.only) layers += "+" + pattern;
+    for (const std::string& pattern : options.layers.ignore) layers += "-" + pattern;
+    std::string key = name + "|" + layers + "|" + std::to_string(options.section.axis) + "|" +
+                      number_text(options.tolerance, all_digits) + "|" + std::to_string(options.recognise_arcs);
     return options.section.at ? key + "|" + number_text(*options.section.at, all_digits) : key;
 }
 
@@ -96,6 +116,29 @@ void read_section(SceneReading& reading, const JsonValue& section, ImportOptions
     }
     if (const JsonValue* at = find_member(section, "at"))
         options.section.at = read_number(reading, *at, dimension::none);  // in the file's unit
+}
+
+std::vector<std::string> read_texts(SceneReading& reading, const JsonValue& object, const char* key) {
+    std::vector<std::string> texts;
+    const JsonValue* list = find_member(object, key);
+    if (!list) return texts;
+    if (list->kind != JsonValue::Kind::array) {
+        report_problem(reading, *list, "expected a list of texts, found " + described(*list));
+        return texts;
+    }
+    for (const JsonValue& item : list->items)
+        if (const auto text = read_text(reading, item)) texts.push_back(*text);
+    return texts;
+}
+
+/// {"r3": "PIN", "r4": "void"}
+void read_regions(SceneReading& reading, const JsonValue& regions, ImportOptions& options) {
+    if (regions.kind != JsonValue::Kind::object) {
+        report_problem(reading, regions, "expected an object with a key for each region, found " + described(regions));
+        return;
+    }
+    for (const JsonValue& item : regions.items)
+        if (const auto text = read_text(reading, item)) options.regions[item.key] = *text;
 }
 
 bool matches_block(const geometry::SketchEntity& entity, const std::string& name) {
@@ -176,6 +219,11 @@ ImportOptions read_import_options(SceneReading& reading, const JsonValue& object
     }
     options.recognise_arcs = member_or(reading, object, "recognise_arcs", true, read_flag);
     if (const JsonValue* section = find_member(object, "section")) read_section(reading, *section, options);
+    options.layers.only = read_texts(reading, object, "only_layers");
+    options.layers.ignore = read_texts(reading, object, "ignore_layers");
+    options.leave_open = member_or(reading, object, "leave_open", false, read_flag);
+    options.keep_drafting = member_or(reading, object, "keep_drafting", false, read_flag);
+    if (const JsonValue* regions = find_member(object, "regions")) read_regions(reading, *regions, options);
     return options;
 }
 
@@ -184,16 +232,12 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
                                                   const std::function<bool(const geometry::SketchEntity&)>& wanted) {
     Drawing drawing = import.drawing;
     std::erase_if(drawing.entities, [&](const geometry::SketchEntity& entity) { return !wanted(entity); });
-    geometry::SketchOptions sketch_options;
-    sketch_options.tolerance = options.tolerance;
-    sketch_options.parts_by = options.parts_by;
-    sketch_options.recognise_arcs = options.recognise_arcs && !is_solid_file(drawing.file);  // the section has done that
-    geometry::SketchParts sketch = geometry::parts_of(drawing, sketch_options);
+    geometry::SketchParts sketch = geometry::parts_of(drawing, sketch_options(drawing, options));
     const std::size_t before = reading.problems.size();
     for (const auto& problem : drawing.problems) report_sketch_problem(reading, at, drawing, problem);
     for (const auto& problem : sketch.problems) report_sketch_problem(reading, at, drawing, problem);
     if (reading.problems.size() > before) return std::nullopt;
-    add_record(imports, import_record(drawing, import.factor, sketch.repairs));
+    add_record(imports, import_record(drawing, import.factor, sketch.repairs, sketch.warnings));
     return sketch;
 }
 

@@ -32,8 +32,8 @@ struct Imports {
 const ImportedDrawing* import_drawing(SceneReading& reading, Imports& imports, const JsonValue& file,
                                       const ImportOptions& options);
 
-/// Reads the keys "tolerance", "parts_by" and "section" of an assembly or of a `dxf`, `mesh` or `step` node, those that are
-/// there.
+/// Reads the keys "tolerance", "parts_by", "section" and those about layers, open lines and regions of an assembly or of a
+/// `dxf`, `mesh` or `step` node, those that are there.
 ImportOptions read_import_options(SceneReading& reading, const JsonValue& object);
 
 /// The parts of those entities that are wanted. Every problem found in them is reported at `at`; nothing then.
@@ -53,6 +53,7 @@ std::optional<geometry::Part> import_body(SceneReading& reading, Imports& import
 std::vector<std::string> layers_of(const geometry::Drawing& drawing);
 
 /// The record of what was read, repaired and left out.
-ImportRecord import_record(const geometry::Drawing& drawing, double factor, std::vector<geometry::Repair> repairs);
+ImportRecord import_record(const geometry::Drawing& drawing, double factor, std::vector<geometry::Repair> repairs,
+                           const std::vector<geometry::SketchProblem>& warnings);
 
 }  // namespace abut

@@ -105,8 +105,10 @@ int default_material(SceneReading& reading, const JsonValue& assembly, Scene& sc
 
 void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& assembly, double thickness, Scene& scene) {
     const std::size_t before = reading.problems.size();
-    const bool is_object = check_object(
-        reading, assembly, {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "material", "parts"}, {}});
+    const bool is_object = check_object(reading, assembly,
+                                        {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "only_layers",
+                                          "ignore_layers", "leave_open", "keep_drafting", "regions", "material", "parts"},
+                                         {}});
     const JsonValue* file = is_object ? required(reading, assembly, "file") : nullptr;
     const ImportOptions options = is_object ? read_import_options(reading, assembly) : ImportOptions{};
     const int material = default_material(reading, assembly, scene);
@@ -121,6 +123,13 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
     if (!sketch) {
         reading.all_parts_named = false;
         return;
+    }
+    for (const auto& [name, what] : options.regions) {
+        const auto same = [&](const geometry::SketchRegion& region) { return region.name == name; };
+        if (std::none_of(sketch->regions.begin(), sketch->regions.end(), same))
+            report_problem(reading, *find_member(*find_member(assembly, "regions"), name),
+                           "the drawing has no region '" + shortened(name) + "'",
+                           "abut inspect -o DIR draws them, r1 to r" + std::to_string(sketch->regions.size()));
     }
     check_rules_used(reading, rules, layers_of(import->drawing), *sketch);
     // With faults in the rules a part may go by another name than the one meant.

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "geometry/brep/input_error.hpp"
+#include "geometry/brep/message_text.hpp"
 #include "geometry/dxf/dxf.hpp"
 #include "geometry/step/step.hpp"
 
@@ -54,7 +55,7 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
     } else if (geometry::is_step_file(path)) {
         drawing = geometry::read_step_file(path, options.section);
     } else if (is_dxf_file(path)) {
-        drawing = geometry::read_dxf(path);
+        drawing = geometry::read_dxf(path, options.layers);
     } else {
         const std::string extension = std::filesystem::path(path).extension().string();
         throw InputError(
@@ -66,6 +67,23 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
         drawing.unit = options.units;
     }
     return drawing;
+}
+
+geometry::SketchOptions sketch_options(const geometry::Drawing& drawing, const ImportOptions& options) {
+    geometry::SketchOptions sketch;
+    sketch.tolerance = options.tolerance;
+    sketch.parts_by = options.parts_by;
+    sketch.recognise_arcs = options.recognise_arcs && !is_solid_file(drawing.file);  // the section has done that
+    sketch.leave_open = options.leave_open;
+    sketch.keep_drafting = options.keep_drafting;
+    sketch.regions = options.regions;
+    return sketch;
+}
+
+std::string warning_text(const std::string& file, const geometry::SketchProblem& warning) {
+    std::string text = file + (warning.line > 0 ? ":" + std::to_string(warning.line) : "") + ": " + warning.what;
+    if (warning.line > 0 || !warning.entity.empty()) text += ", at " + geometry::place_text(warning.at);
+    return warning.hint.empty() ? text : text + "; " + warning.hint;
 }
 
 std::string parts_by_name(PartsBy parts_by) {

@@ -2,9 +2,11 @@
 // Files that parts can be imported from, whatever their format: drawings (DXF), and solids (STEP) and meshes (STL, OBJ, 3MF,
 // ...), which are cut by a plane into one.
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 
+#include "geometry/dxf/dxf.hpp"
 #include "geometry/mesh/section.hpp"
 #include "geometry/sketch/sketch.hpp"
 
@@ -18,6 +20,9 @@ struct ImportOptions {
     geometry::PartsBy parts_by = geometry::PartsBy::automatic;
     geometry::SectionChoice section;  ///< its place in the file's unit
     bool recognise_arcs = true;       ///< facets and splines that are arcs, or stand for a curve, become arcs
+    geometry::LayerFilter layers;     ///< of drawings
+    bool leave_open = false, keep_drafting = false;
+    std::map<std::string, std::string> regions;  ///< what regions are: "void", "part", or the part's name
 };
 
 /// Are there bodies in space in the file, by its ending? Their section has its lines and arcs already.
@@ -30,6 +35,12 @@ std::string importable_kinds();
 /// Reads a drawing, or the section of solids or a mesh as one. Throws InputError where nothing can be read; problems of single
 /// entities or bodies are in the drawing.
 geometry::Drawing read_drawing(const std::string& path, const ImportOptions& options);
+
+/// What these options mean for the making of parts.
+geometry::SketchOptions sketch_options(const geometry::Drawing& drawing, const ImportOptions& options);
+
+/// A warning about an import as one line: what, where in the drawing and the file, what to do.
+std::string warning_text(const std::string& file, const geometry::SketchProblem& warning);
 
 /// The word of scenes for a way to tell parts apart: "layer", "block", "loop", "color"; "auto" for automatic.
 std::string parts_by_name(geometry::PartsBy parts_by);

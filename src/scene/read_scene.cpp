@@ -69,6 +69,13 @@ void read_all_parts(SceneReading& reading, Scene& scene) {
     if (parts) read_parts(reading, imports, *parts, thickness, scene);
     if (assembly) read_assembly(reading, imports, *assembly, thickness, scene);
     scene.imports = std::move(imports.records);
+    for (const ImportRecord& record : scene.imports) {
+        if (record.unit.empty() && !scene.length_unit.empty())
+            scene.warnings.push_back(record.file + ": the file states no unit of length; its numbers are taken as " +
+                                     scene.length_unit);
+        for (const geometry::SketchProblem& warning : record.warnings)
+            scene.warnings.push_back(warning_text(record.file, warning));
+    }
 }
 
 /// The dissertation's method has contact by penalty alone, searched on its grid.

@@ -27,16 +27,18 @@ void check_any_parts(SketchReading& reading) {
 SketchReading read_sketch(const std::string& path, const ImportOptions& options) {
     SketchReading reading;
     reading.drawing = read_drawing(path, options);
-    geometry::SketchOptions sketch_options;
-    sketch_options.tolerance = options.tolerance;
-    sketch_options.parts_by = options.parts_by;
-    sketch_options.recognise_arcs = options.recognise_arcs && !is_solid_file(path);  // the section has done that
-    reading.sketch = geometry::parts_of(reading.drawing, sketch_options);
+    reading.sketch = geometry::parts_of(reading.drawing, sketch_options(reading.drawing, options));
     check_any_parts(reading);
+    if (reading.drawing.unit.empty())
+        reading.drawing.warnings.insert(
+            reading.drawing.warnings.begin(),
+            {"the file states no unit of length", {0, 0}, {}, 0, "--units mm, or another one, says what its numbers mean"});
     reading.scene.file = path;
     reading.scene.length_unit = reading.drawing.unit;
     for (const geometry::Part& part : reading.sketch.parts) reading.scene.parts.push_back({part.name, part, -1, 1, ""});
-    reading.scene.imports.push_back(import_record(reading.drawing, 1, reading.sketch.repairs));
+    reading.scene.imports.push_back(import_record(reading.drawing, 1, reading.sketch.repairs, reading.sketch.warnings));
+    for (const geometry::SketchProblem& warning : reading.scene.imports.back().warnings)
+        reading.scene.warnings.push_back(warning_text(path, warning));
     return reading;
 }
 

@@ -189,6 +189,7 @@ struct ImportRecord {
     std::map<std::string, geometry::EntityCount> counts;
     std::vector<geometry::Ignored> ignored;
     std::vector<geometry::Repair> repairs;
+    std::vector<geometry::SketchProblem> warnings;  ///< what was left out, merged, projected or guessed
 };
 
 /// All that a scene file says, its geometry evaluated.

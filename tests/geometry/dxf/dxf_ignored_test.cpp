@@ -71,10 +71,12 @@ TEST(DxfIgnored, KnowsConstructionLinesByLineTypeAndLayer) {
         const std::string typed = std::string("0\nLINE\n8\nA\n6\n") + name + "\n10\n0\n20\n0\n11\n1\n21\n1\n";
         EXPECT_TRUE(ignored_of(typed).empty()) << name;
     }
-    for (const char* name : {"centerlines", "Center Line", "CENTRE_LINE", "Construction-Lines", "DIMS", "xref|Hidden",
-                             "Mittellinien", "Verdeckt", "Title Block", "BORDER", "Bema\xC3\x9Fung", "notes"})
+    for (const char* name :
+         {"centerlines", "Center Line", "CENTRE_LINE", "Construction-Lines", "DIMS", "xref|Hidden", "Mittellinien", "Verdeckt",
+          "Title Block", "BORDER", "Bema\xC3\x9Fung", "notes", "HATCH", "Hatch (ISO)", "01-Mittellinien", "AM_7", "SLD-Border",
+          "\xE4\xB8\xAD\xE5\xBF\x83\xE7\xBA\xBF", "\xD1\x88\xD1\x82\xD0\xB0\xD0\xBC\xD0\xBF"})
         EXPECT_EQ(ignored_of(dxf_line("2", name, 0, 0, 1, 1)).size(), 1u) << name;
-    for (const char* name : {"0", "CENTERPIECE", "HIDDENLATCH", "DIMPLE", "FRAME", "AXIS", "HATCH", "BORDERPLATE"})
+    for (const char* name : {"0", "CENTERPIECE", "HIDDENLATCH", "DIMPLE", "FRAME", "AXIS", "BORDERPLATE", "IV_OUTER_PROFILE"})
         EXPECT_TRUE(ignored_of(dxf_line("2", name, 0, 0, 1, 1)).empty()) << name;
 }
 

@@ -207,7 +207,8 @@ TEST(Dxf, FindsTheUnit) {
     };
     EXPECT_EQ(unit("9\n$INSUNITS\n70\n4\n"), "mm");
     EXPECT_EQ(unit("9\n$INSUNITS\n70\n1\n9\n$MEASUREMENT\n70\n1\n"), "in");
-    EXPECT_EQ(unit("9\n$INSUNITS\n70\n0\n9\n$MEASUREMENT\n70\n0\n"), "in");
+    EXPECT_EQ(unit("9\n$INSUNITS\n70\n0\n9\n$MEASUREMENT\n70\n0\n"), "");  // stated to have none
+    EXPECT_EQ(unit("9\n$MEASUREMENT\n70\n0\n"), "in");
     EXPECT_EQ(unit("9\n$MEASUREMENT\n70\n1\n"), "mm");
     EXPECT_EQ(unit("9\n$ACADVER\n1\nAC1015\n"), "");
     EXPECT_EQ(unit("9\n$INSUNITS\n70\n18\n9\n$MEASUREMENT\n70\n1\n"), "");  // astronomical units have no name here

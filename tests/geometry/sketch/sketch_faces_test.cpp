@@ -38,8 +38,9 @@ TEST(SketchFaces, AnEdgeDrawnOnceBoundsTwoParts) {
     EXPECT_FALSE(bottom->along_source);
     EXPECT_TRUE(std::any_of(sketch.repairs.begin(), sketch.repairs.end(),
                             [](const Repair& r) { return says(r.what, "LINE a2 cut where b0 ends on it"); }));
-    EXPECT_TRUE(std::any_of(sketch.repairs.begin(), sketch.repairs.end(),
-                            [](const Repair& r) { return says(r.what, "taken as 2 parts that touch"); }));
+    EXPECT_TRUE(std::any_of(sketch.warnings.begin(), sketch.warnings.end(), [](const SketchProblem& w) {
+        return says(w.what, "share lines that are drawn once; areas on both sides are taken as parts: r1, r2");
+    }));
 }
 
 TEST(SketchFaces, AnEdgeDrawnTwiceBoundsTwoParts) {
@@ -153,8 +154,12 @@ TEST(SketchFaces, WhatBoundsNothingIsReported) {
     const SketchParts sketch = parts_by(drawn_rectangle({0, 0}, {10, 10}, "a") + drawn_rectangle({20, 0}, {30, 10}, "b") +
                                             Entities{drawn_line({10, 5}, {20, 5}, "c")},
                                         PartsBy::loop);
-    ASSERT_EQ(sketch.problems.size(), 3u);  // two branchings and the line between them
-    EXPECT_TRUE(says(sketch.problems.back().what, "LINE c on layer 0 joins two outlines and bounds nothing"));
+    EXPECT_TRUE(sketch.problems.empty());
+    EXPECT_EQ(sorted_areas(sketch), (std::vector<double>{100, 100}));
+    ASSERT_EQ(sketch.warnings.size(), 1u);
+    EXPECT_TRUE(says(sketch.warnings[0].what, "LINE on layer 0 bounds nothing (joining outlines, 10 long)"))
+        << sketch.warnings[0].what;
+    EXPECT_EQ(sketch.warnings[0].at, Vec2(15, 5));
 }
 
 // ---- random subdivisions ----

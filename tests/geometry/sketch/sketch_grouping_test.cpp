@@ -59,7 +59,7 @@ TEST(SketchGrouping, ByLoopWhereLayersCloseOnlyTogether) {
     EXPECT_EQ(sketch.parts_by, PartsBy::loop);
     EXPECT_EQ(sketch.why, "2 layers hold closed outlines, but not all close without what is on other layers");
     EXPECT_EQ(part_names(sketch), (Names{"A", "B"}));
-    EXPECT_FALSE(parts_by(square + post, PartsBy::layer).problems.empty());
+    EXPECT_GT(parts_by(square + post, PartsBy::layer).open_length, 0);
 }
 
 TEST(SketchGrouping, ByLoopWhereALayerOnlyHoldsHoles) {
@@ -214,8 +214,9 @@ TEST(SketchGrouping, LinesOfOtherLayersDoNotCutAPart) {
     const Entities plate = drawn_rectangle({0, 0}, {100, 50}, "p", "PLATE");
     const SketchParts bent = parts_by(plate + Entities{drawn_line({30, 0}, {30, 50}, "b", "BEND")}, PartsBy::automatic);
     EXPECT_EQ(part_names(bent), std::vector<std::string>{"PLATE"});
-    ASSERT_EQ(bent.problems.size(), 1u);
-    EXPECT_TRUE(says(bent.problems[0].what, "LINE b on layer BEND is joined to nothing")) << bent.problems[0].what;
+    EXPECT_TRUE(bent.problems.empty());
+    ASSERT_EQ(bent.warnings.size(), 1u);
+    EXPECT_TRUE(says(bent.warnings[0].what, "LINE on layer BEND bounds nothing")) << bent.warnings[0].what;
     // On the part's own layer it divides it, and with an area of its own it is a second part.
     const SketchParts divided = parts_by(plate + Entities{drawn_line({30, 0}, {30, 50}, "b", "PLATE")}, PartsBy::automatic);
     EXPECT_EQ(sorted_areas(divided), (std::vector<double>{1500, 3500}));
@@ -226,17 +227,18 @@ TEST(SketchGrouping, LinesOfOtherLayersDoNotCutAPart) {
     EXPECT_TRUE(shared.problems.empty());
 }
 
-TEST(SketchGrouping, LoneLinesAreToldOnceEach) {
-    // Centre lines as continuous lines on the part's layer: two problems, not one for each end.
+TEST(SketchGrouping, LoneLinesAreSetAsideAndTold) {
+    // Centre lines as continuous lines on the part's layer.
     Entities entities = drawn_rectangle({0, 0}, {100, 50}, "p") + Entities{drawn_circle({50, 25}, 10, "c")} +
                         Entities{drawn_line({35, 25}, {65, 25}, "x"), drawn_line({50, 10}, {50, 40}, "y")};
     const SketchParts sketch = parts_by(entities, PartsBy::automatic);
-    ASSERT_EQ(sketch.problems.size(), 2u);
-    for (const SketchProblem& problem : sketch.problems) {
-        EXPECT_TRUE(says(problem.what, "joined to nothing")) << problem.what;
-        EXPECT_TRUE(says(problem.hint, "CENTER"));
-        EXPECT_EQ(problem.at, Vec2(50, 25));
-    }
+    EXPECT_TRUE(sketch.problems.empty());
+    ASSERT_EQ(sketch.parts.size(), 1u);
+    EXPECT_EQ(sketch.parts[0].loops.size(), 2u);
+    ASSERT_EQ(sketch.warnings.size(), 1u);
+    EXPECT_TRUE(says(sketch.warnings[0].what, "(joined to nothing, the longest 30 long) and were set aside: x, y"))
+        << sketch.warnings[0].what;
+    EXPECT_EQ(sketch.warnings[0].at, Vec2(50, 25));
     // Ends that something nearly continues are a gap.
     entities = drawn_rectangle({0, 0}, {100, 50}, "p");
     entities[1] = drawn_line({100, 0.1}, {100, 49.9}, "p1");

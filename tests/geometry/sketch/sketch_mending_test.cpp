@@ -167,8 +167,15 @@ TEST(SketchMending, CirclesOfConstructionAreLeftOut) {
     EXPECT_TRUE(sketch.problems.empty());
     ASSERT_EQ(sketch.parts.size(), 1u);
     EXPECT_NEAR(area(sketch.parts[0]), 800 - 25 * pi, 1e-9);
-    ASSERT_EQ(sketch.repairs.size(), 1u);
-    EXPECT_EQ(sketch.repairs[0].what, "ARC c on layer 0 left out: it crosses an outline, as circles of construction do");
+    ASSERT_EQ(sketch.warnings.size(), 1u);
+    EXPECT_EQ(sketch.warnings[0].what,
+              "ARC c on layer 0 left out: it crosses the outline of its layer, as circles of construction do");
+    // where a layer does not stand for a part, it may be one: a dowel, a roller
+    const SketchParts dowel = parts_by(plate + Entities{drawn_circle({0, 10}, 5, "c")}, PartsBy::loop);
+    EXPECT_TRUE(dowel.problems.empty());
+    EXPECT_EQ(dowel.parts.size(), 2u);
+    ASSERT_EQ(dowel.warnings.size(), 1u);
+    EXPECT_TRUE(says(dowel.warnings[0].what, "both are taken as parts that overlap")) << dowel.warnings[0].what;
     // two circles that cross are none: which of them is meant cannot be told
     const SketchParts circles = parts_by({drawn_circle({0, 0}, 5, "b"), drawn_circle({6, 0}, 5, "c")}, PartsBy::layer);
     EXPECT_EQ(circles.problems.size(), 1u);

@@ -155,19 +155,19 @@ TEST(Sketch, TellsOfManyOpenEndsBriefly) {
     for (int i = 0; i < 100; ++i) strokes += dxf_line(std::to_string(i + 10), "A", i, 0, i, 10);
     const SketchParts sketch = parts_of(strokes);
     ASSERT_EQ(sketch.problems.size(), 21u);
-    EXPECT_TRUE(has(sketch.problems.back().what, "more open ends")) << sketch.problems.back().what;
+    EXPECT_TRUE(has(sketch.problems.back().what, "more gaps of open outlines")) << sketch.problems.back().what;
 }
 
-TEST(Sketch, ReportsBranchings) {
+TEST(Sketch, SetsAsideWhatBranchesOff) {
     const SketchParts sketch =
         parts_of(dxf_rectangle("A", "P", 0, 0, 10, 10) + dxf_line("B", "P", 10, 10, 20, 20) + dxf_circle("C", "Q", 0, 0, 1));
-    ASSERT_EQ(sketch.parts.size(), 1u);  // the other layer's is found all the same
-    EXPECT_EQ(sketch.parts[0].name, "Q");
-    const auto branching =
-        std::find_if(sketch.problems.begin(), sketch.problems.end(), [](const auto& p) { return has(p.what, "3 ends meet"); });
-    ASSERT_NE(branching, sketch.problems.end());
-    EXPECT_EQ(branching->entity, "hA1, hA2, hB");
-    EXPECT_LE((branching->at - Vec2(10, 10)).norm(), 1e-12);
+    ASSERT_EQ(sketch.parts.size(), 2u);
+    EXPECT_TRUE(sketch.problems.empty());
+    ASSERT_EQ(sketch.warnings.size(), 1u);
+    EXPECT_EQ(sketch.warnings[0].entity, "hB");
+    EXPECT_TRUE(has(sketch.warnings[0].what, "LINE on layer P bounds nothing (ending on an outline"))
+        << sketch.warnings[0].what;
+    EXPECT_LE((sketch.warnings[0].at - Vec2(15, 15)).norm(), 1e-12);
 }
 
 TEST(Sketch, RemovesWhatIsDrawnTwice) {

@@ -45,7 +45,9 @@ std::string refusal(const std::string& text) {
     try {
         const Scene scene = read_scene_text(text, "scene.json");
         resolve_conditions(scene);
-    } catch (const InputError& error) { return error.problems().front().where + ": " + error.problems().front().what + "; " + error.problems().front().hint; }
+    } catch (const InputError& error) {
+        return error.problems().front().where + ": " + error.problems().front().what + "; " + error.problems().front().hint;
+    }
     return "none";
 }
 

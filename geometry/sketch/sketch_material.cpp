@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/sketch/sketch_material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "geometry/brep/closest_points.hpp"
+#include "geometry/brep/message_text.hpp"
+#include "src/base/index.hpp"
+
+namespace abut::geometry {
+
+namespace {
+
+/// A hatch as areas that can be asked, one for each loop.
+struct HatchedArea {
+    Box2 box;
+    std::vector<std::vector<MonotonePiece>> loops;
+};
+
+std::vector<MonotonePiece> inside_of(const std::vector<Curve>& loop) {
+    Part part;
+    for (const Curve& curve : loop) part.edges.push_back({curve, {}, {}, true, 0.0});
+    if (area(part) < 0) {
+        std::reverse(part.edges.begin(), part.edges.end());
+        for (Edge& edge : part.edges) edge.curve = reversed(edge.curve);
+    }
+    return monotone_pieces(part);
+}
+
+std::vector<HatchedArea> areas_of(const std::vector<Hatch>& hatches) {
+    std::vector<HatchedArea> areas;
+    for (const Hatch& hatch : hatches) {
+        areas.emplace_back();
+        for (const std::vector<Curve>& loop : hatch.loops) {
+            for (const Curve& curve : loop) areas.back().box.extend(bounding_box(curve));
+            areas.back().loops.push_back(inside_of(loop));
+        }
+    }
+    return areas;
+}
+
+/// The hatch that the point lies in; -1: none.
+int hatch_at(const std::vector<HatchedArea>& areas, const Vec2& p) {
+    Box2 here;
+    here.extend(p);
+    for (std::size_t h = 0; h < areas.size(); ++h) {
+        if (!here.is_within(areas[h].box, 0)) continue;
+        const auto n = std::count_if(areas[h].loops.begin(), areas[h].loops.end(),
+                                     [&](const std::vector<MonotonePiece>& loop) { return contains(loop, p); });
+        if (n % 2 != 0) return static_cast<int>(h);
+    }
+    return -1;
+}
+
+/// As near as this fraction of the smaller diagonal, parts are looked at as a pair.
+constexpr double near_fraction = 0.02;
+
+struct Decision {
+    std::vector<Region>& regions;
+    const Outlines& outlines;
+    const MaterialHints& hints;
+    std::vector<SketchProblem>& warnings;
+    std::vector<int> hatch{};                     ///< by region
+    std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
+    std::vector<int> n_faces_at{};                ///< by entity: faces of divided outlines
+    bool is_all_twice = false;
+
+    const SketchPiece& piece(int entity) const { return outlines.entities[at(entity)]; }
+    std::string name(int region) const { return "r" + std::to_string(hints.first_number + region); }
+
+    bool is_twice(const Region& region) const {
+        return std::all_of(region.entity.begin(), region.entity.end(), [&](int e) { return piece(e).times_drawn % 2 == 0; });
+    }
+
+    bool is_inside_material(const Region& region) const { return region.around >= 0 && regions[at(region.around)].is_filled; }
+
+    // ---- areas that share edges ----
+
+    /// Are there areas on all sides?
+    bool is_enclosed(const Region& region) const {
+        return std::all_of(region.entity.begin(), region.entity.end(), [&](int e) { return n_faces_at[at(e)] == 2; }) ||
+               (is_inside_material(region) && !region.entity.empty());
+    }
+
+    /// Does some line of its boundary go on beyond it?
+    bool has_lines_that_go_on(const Region& region) const {
+        std::map<int, double> own;
+        for (const int e : region.entity)
+            for (const int source : piece(e).of) own[source] += length(piece(e).curve);
+        constexpr double same = 1e-6;
+        return std::any_of(region.entity.begin(), region.entity.end(), [&](int e) {
+            const SketchPiece& p = piece(e);
+            return p.of.size() == 1 && own[p.of.front()] < (1 - same) * p.whole_length;
+        });
+    }
+
+    /// A clearance is a narrow strip: wide areas that nobody drew may as well be parts whose lines were shortened to others'.
+    bool is_narrow(const Region& region) const {
+        constexpr double most = 0.1;  // of 4 area / perimeter^2, width by length of a strip
+        const double around = perimeter(region.outline);
+        return 4 * region.area < most * around * around;
+    }
+
+    bool is_cavity(const Region& region) const {
+        return is_narrow(region) && is_enclosed(region) && has_lines_that_go_on(region) &&
+               std::none_of(region.entity.begin(), region.entity.end(), [&](int e) { return piece(e).times_drawn > 1; });
+    }
+
+    /// Does a line that was drawn once have it on one side and another area on the other?
+    bool has_shared_lines(const Region& region) const {
+        return std::any_of(region.entity.begin(), region.entity.end(),
+                           [&](int e) { return n_faces_at[at(e)] == 2 && piece(e).times_drawn == 1; });
+    }
+
+    bool fill_face(Region& region) {
+        const bool is_even_odd = outlines.divided[at(region.divided)].is_even_odd;
+        if (is_even_odd) return region.is_face_filled != is_inside_material(region);
+        if (!is_cavity(region)) return true;
+        region.is_doubtful = true;
+        return false;
+    }
+
+    // ---- all ----
+
+    // ---- clearances around pins ----
+
+    /// The strip between two outlines, one in the other, that come as near as parts of a pair: air, for what is in it would
+    /// hang in the air otherwise, and inside a hole nothing as thin is made.
+    void find_strips() {
+        std::vector<int> n_inside(regions.size(), 0), inside(regions.size(), -1);
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (regions[i].around >= 0) {
+                ++n_inside[at(regions[i].around)];
+                inside[at(regions[i].around)] = static_cast<int>(i);
+            }
+        is_strip.assign(regions.size(), false);
+        holds_strip.assign(regions.size(), false);
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0 || regions[i].around < 0)
+                continue;
+            const Region &outer = regions[i], &inner = regions[at(inside[i])];
+            const double width = 2 * (outer.area - inner.area) / (perimeter(outer.outline) + perimeter(inner.outline));
+            is_strip[i] = width < near_fraction * inner.box.diagonal();
+            if (is_strip[i]) holds_strip[at(outer.around)] = true;
+        }
+    }
+
+    bool fill(int i) {
+        Region& region = regions[at(i)];
+        const auto choice = hints.choices.find(name(i));
+        if (choice != hints.choices.end()) {
+            if (choice->second != "void" && choice->second != "part") region.name = choice->second;
+            return choice->second != "void";
+        }
+        const bool is_inside = is_inside_material(region);
+        if (hatch[at(i)] >= 0) {
+            region.is_edge = region.divided < 0 && is_inside && hatch[at(region.around)] == hatch[at(i)];
+            return !region.is_edge;
+        }
+        if (region.is_overlaid) return true;
+        if (region.divided >= 0) return fill_face(region);
+        if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
+        if (is_strip[at(i)]) return false;
+        if (is_inside && holds_strip[at(i)]) region.is_doubtful = true;  // a bush whose fit is drawn once
+        return !is_inside || holds_strip[at(i)];
+    }
+
+    void count_faces() {
+        n_faces_at.assign(outlines.entities.size(), 0);
+        for (const Region& region : regions)
+            if (region.divided >= 0)
+                for (const int e : region.entity) ++n_faces_at[at(e)];
+    }
+
+    void find_hatches(const std::vector<Vec2>& points) {
+        hatch.assign(regions.size(), -1);
+        if (hints.hatches.empty()) return;
+        const std::vector<HatchedArea> areas = areas_of(hints.hatches);
+        for (std::size_t i = 0; i < regions.size(); ++i) hatch[i] = hatch_at(areas, points[i]);
+    }
+
+    void decide(const std::vector<Vec2>& points) {
+        count_faces();
+        find_hatches(points);
+        find_strips();
+        is_all_twice = std::all_of(regions.begin(), regions.end(), [&](const Region& r) { return is_twice(r); });
+        std::vector<int> outermost_first(regions.size());
+        std::iota(outermost_first.begin(), outermost_first.end(), 0);
+        std::stable_sort(outermost_first.begin(), outermost_first.end(),
+                         [&](int a, int b) { return regions[at(a)].area > regions[at(b)].area; });
+        for (const int i : outermost_first) {
+            if (regions[at(i)].around >= 0 && regions[at(regions[at(i)].around)].is_edge)
+                regions[at(i)].around = regions[at(regions[at(i)].around)].around;
+            regions[at(i)].is_filled = fill(i);
+        }
+    }
+
+    // ---- what was taken ----
+
+    void tell(int i, const std::string& what, const Vec2& where, const std::string& hint) {
+        const SketchPiece& first = piece(regions[at(i)].first_entity);
+        warnings.push_back({what, where, first.name, first.line, hint});
+    }
+
+    std::string listed(const std::vector<int>& numbers) const {
+        constexpr std::size_t most = 12;
+        std::string text;
+        for (std::size_t k = 0; k < std::min(numbers.size(), most); ++k) text += (k == 0 ? "" : ", ") + name(numbers[k]);
+        return numbers.size() > most ? text + ", ..." : text;
+    }
+
+    bool is_chosen(int i) const { return hatch[at(i)] >= 0 || hints.choices.contains(name(i)); }
+
+    /// One warning for each divided outline in which something was not certain.
+    void tell_divided(const std::vector<Vec2>& points) {
+        for (std::size_t d = 0; d < outlines.divided.size(); ++d) {
+            std::vector<int> filled, open;
+            for (std::size_t i = 0; i < regions.size(); ++i) {
+                if (regions[i].divided != static_cast<int>(d) || is_chosen(static_cast<int>(i))) continue;
+                if (!regions[i].is_filled)
+                    open.push_back(static_cast<int>(i));
+                else if (has_shared_lines(regions[i]))
+                    filled.push_back(static_cast<int>(i));
+            }
+            for (const int i : open) regions[at(i)].is_doubtful = true;
+            for (const int i : filled) regions[at(i)].is_doubtful = true;
+            const std::string& layer = piece(outlines.divided[d].contour.front().entity).layer;
+            const std::string hint = "where that is wrong, say so in the scene: \"regions\": {\"" +
+                                     name(open.empty() ? (filled.empty() ? 0 : filled.front()) : open.front()) +
+                                     (open.empty() ? "\": \"void\"}" : "\": \"part\"}");
+            if (!open.empty())
+                tell(open.front(),
+                     "areas on layer " + layer + " that other outlines enclose are taken as empty: " + listed(open),
+                     points[at(open.front())], hint);
+            if (filled.size() > 1)
+                tell(filled.front(),
+                     "outlines on layer " + layer +
+                         " share lines that are drawn once; areas on both sides are taken as parts: " + listed(filled),
+                     points[at(filled.front())], hint);
+        }
+    }
+
+    bool is_near_another(int i) const {
+        const Region& own = regions[at(i)];
+        for (std::size_t k = 0; k < regions.size(); ++k) {
+            const Region& other = regions[k];
+            const bool is_hole_around = static_cast<int>(k) == own.around;
+            if (static_cast<int>(k) == i || (!is_hole_around && !other.is_filled)) continue;
+            const double reach = near_fraction * std::min(own.box.diagonal(), other.box.diagonal());
+            if (own.box.overlaps(other.box, reach) && closest_points(own.outline, other.outline, reach)) return true;
+        }
+        return false;
+    }
+
+    void tell_floating(const std::vector<Vec2>& points) {
+        std::vector<int> floating;
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            const Region& own = regions[i];
+            if (!own.is_filled || own.around < 0 || regions[at(own.around)].is_filled || own.divided >= 0) continue;
+            if (!is_chosen(static_cast<int>(i)) && !is_near_another(static_cast<int>(i)))
+                floating.push_back(static_cast<int>(i));
+        }
+        if (floating.empty()) return;
+        for (const int i : floating) regions[at(i)].is_doubtful = true;
+        const int around = regions[at(floating.front())].around;
+        tell(floating.front(),
+             "outlines inside a hole that touch nothing are taken as parts with air around them, not as bushes or edges: " +
+                 listed(floating),
+             points[at(floating.front())],
+             "draw a bush by both of its parts or hatch it, or say what the area around is: \"regions\": {\"" + name(around) +
+                 "\": \"part\"}");
+    }
+
+    void tell_bushes(const std::vector<Vec2>& points) {
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (holds_strip[i] && regions[i].divided < 0 && regions[i].is_doubtful && regions[i].is_filled)
+                tell(static_cast<int>(i),
+                     "an outline in a part with another and its clearance inside is taken as a bush that fits the part "
+                     "around: " +
+                         name(static_cast<int>(i)),
+                     points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is air");
+    }
+
+    void tell_edges(const std::vector<Vec2>& points) {
+        for (std::size_t i = 0; i < regions.size(); ++i)
+            if (regions[i].is_edge)
+                tell(static_cast<int>(i),
+                     "an outline within a hatched area is taken as an edge drawn on the part: " + name(static_cast<int>(i)),
+                     points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is a hole");
+    }
+};
+
+}  // namespace
+
+std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Outlines& outlines, const MaterialHints& hints,
+                                          std::vector<SketchProblem>& warnings) {
+    const std::vector<Vec2> points = inner_points(regions);
+    Decision decision{regions, outlines, hints, warnings};
+    decision.decide(points);
+    decision.tell_divided(points);
+    decision.tell_floating(points);
+    decision.tell_bushes(points);
+    decision.tell_edges(points);
+    std::vector<SketchRegion> named;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        named.push_back({decision.name(static_cast<int>(i)), points[i], {}, regions[i].is_doubtful});
+    return named;
+}
+
+}  // namespace abut::geometry

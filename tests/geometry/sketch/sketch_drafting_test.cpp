@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a drawing is its sheet, and what explains it.
+#include <gtest/gtest.h>
+
+#include "tests/geometry/sketch/drawings.hpp"
+
+namespace abut::geometry::sketch_drafting_test {
+namespace {
+
+const Entities blocks = drawn_rectangle({0, 0}, {40, 20}, "a") + drawn_rectangle({0, 20}, {40, 40}, "b");
+
+SketchParts parts_with(const Entities& entities, std::vector<DrawnText> texts = {}, SketchOptions options = {}) {
+    Drawing drawing = drawing_of(entities);
+    drawing.texts = std::move(texts);
+    options.parts_by = PartsBy::loop;
+    return parts_of(drawing, options);
+}
+
+bool tells(const SketchParts& sketch, const std::string& what) {
+    return std::any_of(sketch.warnings.begin(), sketch.warnings.end(),
+                       [&](const SketchProblem& warning) { return says(warning.what, what); });
+}
+
+TEST(SketchDrafting, FramesAreSetAside) {
+    const Entities frame = drawn_rectangle({-50, -50}, {150, 150}, "f");
+    const SketchParts single = parts_with(frame + blocks);
+    EXPECT_EQ(sorted_areas(single), (std::vector<double>{800, 800}));
+    EXPECT_TRUE(tells(single, "4 entities, the first on layer 0, set aside as frame of a sheet: f0, f1, f2, f3"));
+    const SketchParts twofold = parts_with(frame + drawn_rectangle({-40, -40}, {140, 140}, "g") + blocks);
+    EXPECT_EQ(sorted_areas(twofold), (std::vector<double>{800, 800}));
+    SketchOptions kept;
+    kept.keep_drafting = true;
+    EXPECT_EQ(parts_with(frame + drawn_rectangle({-40, -40}, {140, 140}, "g") + blocks, {}, kept).parts.size(), 3u);
+}
+
+TEST(SketchDrafting, APlateWithWindowsStaysAPlate) {
+    const Entities plate = drawn_rectangle({0, 0}, {100, 60}, "p") + drawn_rectangle({10, 10}, {40, 50}, "v") +
+                           drawn_rectangle({60, 10}, {90, 50}, "w");
+    const SketchParts sketch = parts_with(plate);
+    ASSERT_EQ(sketch.parts.size(), 1u);
+    EXPECT_EQ(count_holes(sketch.parts[0]), 2);
+    EXPECT_TRUE(sketch.warnings.empty());
+    // windows with next to nothing between them may be parts that nearly touch
+    const SketchParts near = parts_with(drawn_rectangle({0, 0}, {100, 60}, "p") + drawn_rectangle({10, 10}, {49.9, 50}, "v") +
+                                        drawn_rectangle({50.1, 10}, {90, 50}, "w"));
+    EXPECT_EQ(near.parts.size(), 1u);
+    EXPECT_TRUE(tells(near, "it may be the frame of a sheet"));
+}
+
+TEST(SketchDrafting, TitleBlocksGoWithTheirContent) {
+    Entities sheet = drawn_rectangle({-100, -100}, {197, 110}, "f") + drawn_rectangle({-80, -90}, {187, 100}, "g") + blocks;
+    for (const double y : {-80.0, -70.0}) sheet.push_back(drawn_line({87, y}, {187, y}, "row"));
+    for (const double x : {87.0, 137.0}) sheet.push_back(drawn_line({x, -90}, {x, -70}, "column"));  // one crosses a row
+    sheet.push_back(drawn_circle({150, -85}, 2, "symbol"));
+    const SketchParts sketch = parts_with(sheet, {{"TITLE", {90, -88}, 3}, {"1:1", {140, -78}, 3}});
+    EXPECT_TRUE(sketch.problems.empty());
+    EXPECT_EQ(sorted_areas(sketch), (std::vector<double>{800, 800}));
+    EXPECT_TRUE(tells(sketch, "set aside as content of the sheet"));
+}
+
+TEST(SketchDrafting, BalloonsGoWithTheirLeaders) {
+    const Entities balloon{drawn_line({10, 10}, {-26.8, 37.6}, "leader"), drawn_circle({-30, 40}, 4, "balloon"),
+                           drawn_circle({10, 10}, 0.5, "dot")};
+    for (const bool has_text : {true, false}) {
+        const SketchParts sketch =
+            parts_with(blocks + balloon, has_text ? std::vector<DrawnText>{{"1", {-31, 38}, 3}} : std::vector<DrawnText>{});
+        EXPECT_EQ(sorted_areas(sketch), (std::vector<double>{800, 800})) << has_text;
+        EXPECT_TRUE(tells(sketch, "1 entity on layer 0, set aside as balloon: balloon"));
+        EXPECT_TRUE(tells(sketch, "1 entity on layer 0, set aside as leader or arrow: leader"));
+        EXPECT_TRUE(tells(sketch, "1 entity on layer 0, set aside as dot of a leader: dot"));
+    }
+    // a roller on a flat is none, whatever is written on it
+    const SketchParts roller = parts_with(blocks + Entities{drawn_circle({20, 45}, 5, "roller")}, {{"A", {19, 44}, 3}});
+    EXPECT_EQ(roller.parts.size(), 3u);
+}
+
+TEST(SketchDrafting, OutlinesThatNearlyCloseAreFaults) {
+    Entities square = drawn_rectangle({0, 0}, {100, 100}, "a");
+    square[3] = drawn_line({0, 100}, {0, 3.9}, "a3");  // of 396 less than 1 %
+    const SketchParts nearly = parts_with(square + drawn_rectangle({200, 0}, {240, 20}, "b"));
+    ASSERT_EQ(nearly.problems.size(), 1u);
+    EXPECT_TRUE(says(nearly.problems[0].what, "3.9 apart"));
+    SketchOptions open;
+    open.leave_open = true;
+    const SketchParts left = parts_with(square + drawn_rectangle({200, 0}, {240, 20}, "b"), {}, open);
+    EXPECT_TRUE(left.problems.empty());
+    EXPECT_EQ(left.parts.size(), 1u);
+    EXPECT_NEAR(left.open_length, 396.1, 1e-9);
+    square[3] = drawn_line({0, 100}, {0, 4.1}, "a3");
+    EXPECT_TRUE(parts_with(square + drawn_rectangle({200, 0}, {240, 20}, "b")).problems.empty());
+}
+
+}  // namespace
+}  // namespace abut::geometry::sketch_drafting_test
