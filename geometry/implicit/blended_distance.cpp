@@ -189,7 +189,7 @@ ImplicitField blended_distance(const Part& part, const BlendedDistance& options)
     return make_field(Blend(part, part, true, options));
 }
 
-ImplicitField blended_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options) {
+ImplicitField blended_edge_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options) {
     ENSURE(!edges.empty(), "a field is of some edges");
     Part chosen;
     for (const int e : edges) {

@@ -118,7 +118,7 @@ std::vector<WeightField> whole_fields(const Part& part, std::vector<int> edges, 
 }
 
 WeightField blended_weight(const Part& part, const std::vector<int>& edges, double size) {
-    const geometry::ImplicitField field = geometry::blended_distance(part, edges);
+    const geometry::ImplicitField field = geometry::blended_edge_distance(part, edges);
     return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
 }
 

@@ -67,7 +67,7 @@ TEST(BlendedDistance, VanishesOnTheEdgesWithUnitNormalDerivative) {
 TEST(BlendedDistance, OfSomeEdgesKnowsNoOthers) {
     for (const NamedBody& each : all_bodies()) {
         if (each.part.edges.size() < 2) continue;
-        const ImplicitField field = blended_distance(each.part, {0});
+        const ImplicitField field = blended_edge_distance(each.part, {0});
         for (std::size_t e = 0; e < each.part.edges.size(); ++e)
             for (const double t : {0.13, 0.5, 0.81}) {
                 const FieldValue w = evaluate(field, point(each.part.edges[e].curve, t));
@@ -80,11 +80,9 @@ TEST(BlendedDistance, OfSomeEdgesKnowsNoOthers) {
             }
         // positive on both sides
         const Vec2 at = point(each.part.edges[0].curve, 0.5), n = outward_normal(each.part.edges[0].curve, 0.5);
-        for (const double side : {1e-3, -1e-3})
-            EXPECT_NEAR(value(field, at + side * size_of(each.part) * n), 1e-3 * size_of(each.part), 2e-4 * size_of(each.part))
-                << each.name;
-        EXPECT_THROW(blended_distance(each.part, std::vector<int>{}), std::logic_error);
-        EXPECT_THROW(blended_distance(each.part, {-1}), std::logic_error);
+        for (const double side : {1e-3, -1e-3}) EXPECT_GT(value(field, at + side * size_of(each.part) * n), 0) << each.name;
+        EXPECT_THROW(blended_edge_distance(each.part, {}), std::logic_error);
+        EXPECT_THROW(blended_edge_distance(each.part, {-1}), std::logic_error);
     }
 }
 

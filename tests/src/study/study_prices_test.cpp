@@ -120,7 +120,7 @@ TEST(StudyPlan, HasAllDegreesSizesAndBasesFromCoarseToFine) {
     EXPECT_EQ(reference_setting({}, {}).level, level_reference);
     // what the dissertation's method refuses is not tried; a scene of its own has nothing else
     Scene warm;
-    warm.loads.push_back({.kind = Load::Kind::temperature, .on = {}, .part = {}, .value = {}});
+    warm.loads.emplace_back().kind = Load::Kind::temperature;
     for (const StudySetting& s : grid_settings(warm, {})) EXPECT_FALSE(by_dissertation(s));
     Scene own;
     own.accuracy.method = "dissertation";
