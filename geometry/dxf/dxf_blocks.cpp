@@ -5,15 +5,18 @@
 #include <array>
 #include <charconv>
 #include <cstdint>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "geometry/brep/message_text.hpp"
+#include "geometry/dxf/doubtful_layers.hpp"
 #include "geometry/dxf/drafting_layers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
 #include "geometry/dxf/dxf_hatches.hpp"
 #include "geometry/dxf/dxf_ignored.hpp"
 #include "geometry/dxf/dxf_inserts.hpp"
+#include "geometry/dxf/dxf_lists.hpp"
 #include "geometry/dxf/dxf_numbers.hpp"
 
 namespace abut::geometry::dxf {
@@ -53,54 +56,6 @@ public:
 private:
     std::string place_letter_;
     std::unordered_set<std::uint64_t> handles_;
-};
-
-/// What is listed as ignored, summed up by kind and reason in the order of first appearance.
-class IgnoredList {
-public:
-    explicit IgnoredList(std::vector<Ignored>& list) : list_(list) {}
-
-    void add(const Record& record, const Look& look, const std::string& path, const std::string& why) {
-        std::string what = record.type;
-        if (why.starts_with("layer is")) what += " on layer " + look.layer;
-        if (!path.empty()) what += " in block " + path;
-        const auto [found, is_new] = places_.emplace(what + "\n" + why, list_.size());
-        if (is_new) list_.push_back({what, 0, why});
-        ++list_[found->second].count;
-    }
-
-private:
-    std::vector<Ignored>& list_;
-    std::unordered_map<std::string, std::size_t> places_;
-};
-
-/// Curves that were left out, summed up by layer and reason in the order of first appearance, as warnings.
-class LeftOut {
-public:
-    void add(const Record& record, const std::string& name, const Look& look, const std::string& why, const Vec2& where) {
-        const auto [found, is_new] = places_.emplace(look.layer + "\n" + why, list_.size());
-        if (is_new) list_.push_back({record.type, look.layer, why, name, record.line, where, 0});
-        ++list_[found->second].count;
-    }
-
-    void tell(std::vector<SketchProblem>& warnings) const {
-        for (const Sum& sum : list_)
-            warnings.push_back({(sum.count == 1 ? sum.type + " " + sum.name
-                                                : std::to_string(sum.count) + " lines, arcs or other curves, first " +
-                                                      sum.type + " " + sum.name + ",") +
-                                    " on layer " + sum.layer + " left out: " + sum.why,
-                                sum.at, sum.name, sum.line, "--only-layer names layers to be read whatever they are called"});
-    }
-
-private:
-    struct Sum {
-        std::string type, layer, why, name;
-        int line;
-        Vec2 at;
-        int count;
-    };
-    std::vector<Sum> list_;
-    std::unordered_map<std::string, std::size_t> places_;
 };
 
 /// An outline of a block, read once for all instances.
@@ -159,12 +114,7 @@ private:
                                   point(again.entities.front().curve, 0), again.entities.front().name,
                                   again.entities.front().line, "draw outlines on a layer of their own"});
         left_out_ = {};
-        drawing_.entities = std::move(again.entities);
-        drawing_.counts = std::move(again.counts);
-        drawing_.problems = std::move(again.problems);
-        drawing_.warnings = std::move(again.warnings);
-        drawing_.ignored = std::move(again.ignored);
-        drawing_.repairs = std::move(again.repairs);
+        drawing_ = std::move(again);
     }
 
     /// Boundaries of hatches as outlines, where there is nothing else.
@@ -182,34 +132,13 @@ private:
                                          drawing_.hatches.front().line, "export the outlines, too"});
     }
 
-    /// A layer whose name may mean a part or lines of drafting holds the latter where no two of its lines are joined and none
-    /// is closed.
+    /// Leaves out the lines of layers whose names may mean a part or lines of drafting, where they hold the latter.
     void leave_doubtful_layers() {
-        std::unordered_map<std::string, bool> is_left;
-        std::unordered_map<std::string, std::vector<Vec2>> ends;
-        for (const SketchEntity& entity : drawing_.entities) {
-            const auto [found, is_new] = is_left.emplace(entity.layer, false);
-            if (is_new) {
-                const auto kind = drafting_layer(entity.layer);
-                found->second = kind && !kind->is_sure && !is_asked(entity.layer);
-            }
-            if (!found->second) continue;
-            const Vec2 from = point(entity.curve, 0), to = point(entity.curve, 1);
-            std::vector<Vec2>& known = ends[entity.layer];
-            const double near = 1e-6 * (to - from).norm();
-            const auto is_known = [&](const Vec2& p) {
-                return std::any_of(known.begin(), known.end(), [&](const Vec2& q) { return (p - q).norm() <= near; });
-            };
-            if ((to - from).norm() <= merge_fraction * length(entity.curve) || is_known(from) || is_known(to) ||
-                known.size() > 2000)
-                found->second = false;
-            known.push_back(from);
-            known.push_back(to);
-        }
+        const std::set<std::string> layers = layers_of_loose_lines(drawing_.entities);
         std::erase_if(drawing_.entities, [&](const SketchEntity& entity) {
-            if (!is_left[entity.layer]) return false;
-            Record record;
+            if (!layers.contains(entity.layer) || is_asked(entity.layer)) return false;
             note_layer(entity.layer);
+            Record record;
             record.type = entity.kind;
             record.line = entity.line;
             Look look;

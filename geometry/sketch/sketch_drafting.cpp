@@ -2,14 +2,11 @@
 #include "geometry/sketch/sketch_drafting.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 #include <optional>
 
 #include "geometry/brep/closest_points.hpp"
-#include "geometry/sketch/sketch_outlines.hpp"
+#include "geometry/sketch/drafting_shapes.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -18,49 +15,14 @@ namespace {
 
 /// Parts fill more of the plate that they are holes of, or fit into.
 constexpr double most_filled = 0.1;
-/// Sides of a sheet: ISO 216, and ANSI A to F with their halves.
-constexpr std::array paper_proportions{std::numbers::sqrt2, 11.0 / 8.5, 17.0 / 11, 36.0 / 24, 48.0 / 36, 40.0 / 28};
-constexpr double paper_accuracy = 0.005;  ///< sheets are trimmed to the millimetre
 /// Margins of a sheet are narrower than this part of it.
 constexpr double widest_margin = 0.1;
-
-/// A closed outline of everything that is drawn, or a divided one.
-struct Shape {
-    Part outline;               ///< counter-clockwise
-    std::vector<int> entities;  ///< given entities that it is made of
-    Box2 box;
-    double area = 0;
-    std::vector<Part> faces;  ///< of divided ones
-};
 
 struct Kinds {
     const char *frame = "frame of a sheet", *table = "title block or table", *sheet = "content of the sheet",
                *balloon = "balloon", *leader = "leader or arrow", *dot = "dot of a leader";
 };
 constexpr Kinds kinds;
-
-bool is_upright_rectangle(const Shape& shape) {
-    const Vec2 size = shape.box.size();
-    return size.minCoeff() > 0 && std::abs(size.prod() - shape.area) <= merge_fraction * shape.area &&
-           std::all_of(shape.outline.edges.begin(), shape.outline.edges.end(),
-                       [](const Edge& edge) { return std::holds_alternative<Segment>(edge.curve); });
-}
-
-bool has_proportions_of_paper(const Box2& box) {
-    const double ratio = box.size().maxCoeff() / box.size().minCoeff();
-    return std::any_of(paper_proportions.begin(), paper_proportions.end(),
-                       [&](double paper) { return std::abs(ratio / paper - 1) <= paper_accuracy; });
-}
-
-Box2 grown(Box2 box, double by) {
-    box.min -= Vec2(by, by);
-    box.max += Vec2(by, by);
-    return box;
-}
-
-bool holds(const Box2& box, const Vec2& p) {
-    return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
-}
 
 class Drafting {
 public:
@@ -72,15 +34,14 @@ public:
         for (const SketchEntity& entity : entities_) box.extend(bounding_box(entity.curve));
         closed_ =
             close_outlines(entities_, plain, rounding_fraction * std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff()), true);
-        size_ = box.diagonal();
         tolerance_ = closed_.tolerance;
-        for (const EntityChain& chain : closed_.outlines.closed) shapes_.push_back(shape_of(chain));
+        for (const EntityChain& chain : closed_.outlines.closed) shapes_.push_back(shape_of(closed_.outlines, chain));
         for (const DividedOutline& divided : closed_.outlines.divided) {
-            shapes_.push_back(shape_of(divided.contour));
+            shapes_.push_back(shape_of(closed_.outlines, divided.contour));
             Shape& shape = shapes_.back();
             shape.entities.clear();
             for (const Face& face : divided.faces) {
-                const Shape one = shape_of(face.boundary);
+                const Shape one = shape_of(closed_.outlines, face.boundary);
                 shape.entities.insert(shape.entities.end(), one.entities.begin(), one.entities.end());
                 shape.faces.push_back(one.outline);
             }
@@ -105,23 +66,7 @@ public:
 
 private:
     static constexpr std::size_t most_letters = 12;  ///< of a balloon
-
-    Shape shape_of(const EntityChain& chain) const {
-        Shape shape;
-        for (const ChainLink& link : chain) {
-            const SketchPiece& piece = closed_.outlines.entities[at(link.entity)];
-            shape.outline.edges.push_back({link.along ? piece.curve : reversed(piece.curve), {}, {}, true, 0.0});
-            shape.entities.insert(shape.entities.end(), piece.of.begin(), piece.of.end());
-        }
-        shape.area = area(shape.outline);
-        if (shape.area < 0) {
-            std::reverse(shape.outline.edges.begin(), shape.outline.edges.end());
-            for (Edge& edge : shape.outline.edges) edge.curve = reversed(edge.curve);
-            shape.area = -shape.area;
-        }
-        shape.box = bounding_box(shape.outline);
-        return shape;
-    }
+    static constexpr int most_frames = 4;            ///< one in the other
 
     void leave(const std::vector<int>& entities, const char* kind) {
         for (const int e : entities)
@@ -133,25 +78,14 @@ private:
     }
     std::vector<int> given(const LooseEntities& loose) const {
         std::vector<int> all;
-        for (const int e : loose.entities) {
-            const std::vector<int>& of = closed_.outlines.entities[at(e)].of;
-            all.insert(all.end(), of.begin(), of.end());
-        }
+        for (const int e : loose.entities)
+            for (const int of : closed_.outlines.entities[at(e)].of) all.push_back(of);
         return all;
     }
 
     // ---- balloons and leaders ----
 
-    std::optional<Arc> circle(const Shape& shape) const {
-        const auto* first = std::get_if<Arc>(&shape.outline.edges.front().curve);
-        if (!first || !shape.faces.empty()) return std::nullopt;
-        for (const Edge& edge : shape.outline.edges) {
-            const auto* arc = std::get_if<Arc>(&edge.curve);
-            if (!arc || (arc->center - first->center).norm() + std::abs(arc->radius - first->radius) > tolerance_)
-                return std::nullopt;
-        }
-        return *first;
-    }
+    std::optional<Arc> circle(const Shape& shape) const { return circle_of(shape, tolerance_); }
 
     /// Does no other outline touch it, lie in it, or lie around it?
     bool is_clear(std::size_t shape) const {
@@ -168,9 +102,9 @@ private:
         return true;
     }
 
-    bool has_text(const Arc& circle, std::size_t most_letters) const {
+    bool has_text(const Arc& circle, std::size_t most) const {
         return std::any_of(drawing_.texts.begin(), drawing_.texts.end(), [&](const DrawnText& text) {
-            return text.text.size() <= most_letters && (text.at - circle.center).norm() < circle.radius &&
+            return text.text.size() <= most && (text.at - circle.center).norm() < circle.radius &&
                    text.height < 2 * circle.radius;
         });
     }
@@ -279,7 +213,7 @@ private:
             std::count_if(drawing_.texts.begin(), drawing_.texts.end(), [&](const DrawnText& t) { return holds(box, t.at); }));
     }
 
-    /// Is the face a table's cell with a text, or a cell of a table at all?
+    /// Is the face a rectangle?
     static bool is_cell(const Part& face) {
         const Box2 box = bounding_box(face);
         return std::abs(box.size().prod() - area(face)) <= 1e-3 * area(face);
@@ -370,7 +304,6 @@ private:
     }
 
     void find_frames() {
-        constexpr int most_frames = 4;  // one in the other
         for (int k = 0; k < most_frames; ++k) {
             std::size_t outermost = shapes_.size();
             for (std::size_t s = 0; s < shapes_.size(); ++s)
@@ -378,8 +311,7 @@ private:
             if (outermost == shapes_.size() || !is_upright_rectangle(shapes_[outermost])) return;
             const std::vector<std::size_t> inside = inside_of(outermost);
             if (inside.empty()) return;
-            const bool is_second = k > 0 && has_frame_;
-            if (!is_frame(outermost, inside) && !(is_second && is_upright_frame_in(outermost, last_frame_))) {
+            if (!is_frame(outermost, inside) && !(has_frame_ && is_upright_frame_in(outermost, last_frame_))) {
                 doubt_frame(outermost, inside);
                 return;
             }
@@ -438,9 +370,8 @@ private:
                 if (n++ < most_names) names += (names.empty() ? "" : ", ") + entities_[i].name;
             }
             if (!first) continue;
-            if (n > most_names) names += ", ...";
             warnings.push_back({std::to_string(n) + (n == 1 ? " entity on layer " : " entities, the first on layer ") +
-                                    first->layer + ", set aside as " + kind + ": " + names,
+                                    first->layer + ", set aside as " + kind + ": " + names + (n > most_names ? ", ..." : ""),
                                 point(first->curve, 0.5), first->name, first->line,
                                 "--keep-drafting (in a scene \"keep_drafting\": true) takes such things for parts"});
         }
@@ -452,7 +383,7 @@ private:
     const std::vector<SketchEntity>& entities_;
     std::vector<const char*> kind_;  ///< by entity; null of what is kept
     ClosedOutlines closed_;
-    double size_ = 0, tolerance_ = 0;
+    double tolerance_ = 0;
     std::vector<Shape> shapes_;
     std::vector<bool> is_out_;  ///< by shape
     std::vector<Arc> balloons_;

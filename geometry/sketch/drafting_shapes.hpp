@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all lines of a drawing close to together, as shapes that may be frames, tables or balloons.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "geometry/sketch/sketch_outlines.hpp"
+
+namespace abut::geometry {
+
+/// A closed outline of everything that is drawn, or a divided one.
+struct Shape {
+    Part outline;               ///< counter-clockwise
+    std::vector<int> entities;  ///< given entities that it is made of
+    Box2 box;
+    double area = 0;
+    std::vector<Part> faces;  ///< of divided ones
+};
+
+/// The shape inside a chain; `faces` are left empty.
+Shape shape_of(const Outlines& outlines, const EntityChain& chain);
+/// Is it a rectangle with sides along the axes?
+bool is_upright_rectangle(const Shape& shape);
+/// The circle that it is, in one piece or cut; nothing where it is none.
+std::optional<Arc> circle_of(const Shape& shape, double tolerance);
+
+/// Has the box the proportions of a sheet of paper, upright or not?
+bool has_proportions_of_paper(const Box2& box);
+/// The box, larger by so much on all sides.
+Box2 grown(Box2 box, double by);
+/// Is the point in the box, or on its boundary?
+bool holds(const Box2& box, const Vec2& p);
+
+}  // namespace abut::geometry
