@@ -25,7 +25,7 @@ bool is_family_mate(const StudySetting& a, const StudySetting& b) {
 /// There is nothing that a level could change.
 bool gives_grids(const Accuracy& accuracy) {
     return accuracy.method == "dissertation" ||
-           (accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false);
+           ((accuracy.cell_size || !accuracy.grids.empty()) && !accuracy.adapt.value_or(false));
 }
 
 StudySetting level_setting(const Accuracy& accuracy, const char* level) {

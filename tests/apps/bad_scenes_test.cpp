@@ -62,8 +62,8 @@ std::vector<BadScene> bad_scenes() {
          {"/parts/0/geometry/circle/radius", "greater than 0"}},
         {"poisson", with(&S::material, R"({"E": 210000, "nu": 0.7})").text(), {"/materials/steel/nu", "0.5"}},
         {"key_of_a_later_version",
-         with(&S::loads, R"([{"part": "block", "at": [0, 0], "force": [0, 1]}])").text(),
-         {"/loads/0", "at", "not supported yet"}},
+         with(&S::more, R"(, "contacts": {"friction": 0.2})").text(),
+         {"/contacts/friction", "friction", "not supported yet"}},
     };
 }
 

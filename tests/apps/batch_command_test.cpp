@@ -59,7 +59,7 @@ TEST_F(BatchCommand, OneBadFileIsItsOwnResultAndStopsNothing) {
     write_sketches(2);
     write("in/bad.dxf", "0\nSECTION\n");
     write("in/b.json", "{\"some\": \"thing\"}");
-    write("in/c.step", "ISO-10303-21;");
+    write("in/c.igs", "");
     write("in/read.me", "");
     write("in/LICENCE", "");
     const Outcome run = abut({"batch", "in", "-o", "o", "-j", "2"});
@@ -68,7 +68,7 @@ TEST_F(BatchCommand, OneBadFileIsItsOwnResultAndStopsNothing) {
     ASSERT_EQ(run.errors.size(), 4U) << joined(run.errors);
     EXPECT_TRUE(any_line_has(run.errors, {"left out", "1 without an ending, 1 .me"}));
     EXPECT_TRUE(any_line_has(run.errors, {"b.json", "no scene", "'abut'"}));
-    EXPECT_TRUE(any_line_has(run.errors, {"c.step", "'.step' cannot be read"}));
+    EXPECT_TRUE(any_line_has(run.errors, {"c.igs", "'.igs' cannot be read"}));
     EXPECT_TRUE(any_line_has(run.errors, {"bad.dxf", "refused"}));
     const std::string page = read(folder_ / "o/index.html");
     EXPECT_LT(page.find(">bad.dxf<"), page.find(">s0.dxf<"));  // failures first

@@ -40,10 +40,12 @@ TEST_F(Outputs, ResultsHaveTheKeysOfTheirSchema) {
     write("loose.json",
           two_blocks(R"([{"on": "low/bottom", "fix": ["y"]}])", R"(, "accuracy": {"target": 1e-4, "cell_size": 1})"));
     write("moving.json", two_blocks(R"([{"on": "low/left", "fix": ["x"]}])", ""));
+    write("written.json", two_blocks(R"([{"on": "low/bottom", "fix": ["x", "y"]}, {"on": "high/left", "fix": ["x"]}])",
+                                     R"(, "accuracy": {"method": "dissertation", "cell_size": 0.5})"));
     for (const std::string& scene :
-         {data + "scenes/pin_bracket.json", data + "scenes/case_b.json", data + "verification/shrink_fit_rz.json",
-          data + "verification/heated_pin.json", std::string("bonded.json"), std::string("structure.json"),
-          std::string("loose.json"), std::string("moving.json")}) {
+         {std::string("written.json"), data + "scenes/pin_bracket.json", data + "scenes/case_b.json",
+          data + "verification/shrink_fit_rz.json", data + "verification/heated_pin.json", std::string("bonded.json"),
+          std::string("structure.json"), std::string("loose.json"), std::string("moving.json")}) {
         abut({"analyze", scene, "-o", "out", "--quiet"});
         EXPECT_EQ(in_lines(check.faults(written("out/result.json"))), "") << scene;
         fs::remove_all(folder_ / "out");

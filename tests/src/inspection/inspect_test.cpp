@@ -111,7 +111,7 @@ TEST(Inspect, TellsOfUnitsAndOfHowPartsWereToldApart) {
     const std::string bare = folder.write("bare.dxf", dxf_file(plate));
     const std::string inches =
         folder.write("in.dxf", dxf_file(plate, geometry::dxf_section("HEADER", "9\n$INSUNITS\n70\n1\n")));
-    EXPECT_TRUE(has(inspection_table(inspect_file(bare, {})), "warning: the file states no unit of length"));
+    EXPECT_TRUE(has(inspection_table(inspect_file(bare, {})), ": the file states no unit of length; --units mm"));
     EXPECT_TRUE(has(inspection_table(inspect_file(bare, {})), "parts by loop: layer plate alone holds closed outlines"));
     EXPECT_FALSE(has(inspection_table(inspect_file(bare, in_unit("mm"))), "states"));
     EXPECT_TRUE(has(inspection_table(inspect_file(inches, {})), "in, 10 x 5 (254 x 127 mm)"));

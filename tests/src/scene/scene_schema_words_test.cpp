@@ -51,6 +51,8 @@ const std::map<std::string, std::string> places{
     {"/$defs/accuracy/properties/basis", "/accuracy/basis"},
     {"/$defs/accuracy/properties/dirichlet", "/accuracy/dirichlet"},
     {"/$defs/accuracy/properties/solver", "/accuracy/solver"},
+    {"/$defs/accuracy/properties/method", "/accuracy/method"},
+    {"/$defs/accuracy/properties/weights", "/accuracy/weights"},
     {"/$defs/output/properties/formats/items", "/output/formats/0"}};
 
 /// A scene that has all these places, so that the one of `pointer` can be set.
@@ -67,6 +69,7 @@ Json scene_with(const std::string& pointer, const std::string& word) {
     else
         scene["parts"].erase(1);
     if (!pointer.starts_with("/assembly")) scene.erase("assembly");
+    if (pointer == "/accuracy/weights") scene["accuracy"]["dirichlet"] = "solution_structure";  // theirs
     scene[Json::json_pointer(pointer)] = word;
     return scene;
 }

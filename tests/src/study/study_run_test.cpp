@@ -59,9 +59,12 @@ Study StudyOfTwoBlocks::study_;
 TEST_F(StudyOfTwoBlocks, EverySettingGivesAnAnswer) {
     EXPECT_GE(study_.runs.size(), 3U + 1 + 2 * (2 * 2 + 1));  // levels, reference, two sizes
     for (const StudyRun& run : study_.runs) {
-        // the normalized basis has no bound on its condition number: by chance of the grid it is refused
+        // the normalized basis has no bound on its condition number: by chance of the grid it is refused; the dissertation's
+        // method has no formulation for parts that their supports leave a motion
         const bool is_refused =
-            run.setting.basis == "normalized" && run.message.find("take basis \"web\"") != std::string::npos;
+            (run.setting.basis == "normalized" && run.message.find("take basis \"web\"") != std::string::npos) ||
+            (run.setting.basis == basis_of_dissertation &&
+             run.message.find("that weight functions cannot follow") != std::string::npos);
         EXPECT_TRUE(run.status == Status::ok || is_refused) << setting_text(run.setting) << run.message;
     }
 }
