@@ -13,7 +13,7 @@ test_packages=(libgtest-dev libbenchmark-dev)
 # STEP files need OpenCASCADE (libocct-data-exchange-dev): 134 packages more, 115 MB to load and 442 MB installed, beside 203 and
 # 1168 MB of the above and the compiler. So it is not installed here; where it is there, its reader is built.
 step_header=/usr/include/opencascade/STEPCAFControl_Reader.hxx
-sources=(geometry solver src apps data/materials CMakeLists.txt CMakePresets.json)
+sources=(geometry solver src apps data/materials data/drafting_layers.csv CMakeLists.txt CMakePresets.json)
 
 fail() {
     printf '%s: %s\n' "$program" "$1" >&2

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run at every build: cmake -D SOURCE_DIR=... -D VERSION=... -D FILE=... -P build_id.cmake writes FILE where its text changed.
 set(sources)
-foreach(floor base geometry solver src apps)
+foreach(floor geometry solver src apps)
   file(GLOB_RECURSE of_floor ${SOURCE_DIR}/${floor}/*.cpp ${SOURCE_DIR}/${floor}/*.hpp ${SOURCE_DIR}/${floor}/CMakeLists.txt)
   list(APPEND sources ${of_floor})
 endforeach()
-file(GLOB materials ${SOURCE_DIR}/data/materials/*.json)  # compiled in
-list(APPEND sources ${materials})
+file(GLOB tables ${SOURCE_DIR}/data/materials/*.json ${SOURCE_DIR}/data/drafting_layers.csv)  # compiled in
+list(APPEND sources ${tables})
 set(all)
 foreach(source IN LISTS sources)
   file(SHA1 ${source} hash)
