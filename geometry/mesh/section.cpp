@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/section.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -178,12 +179,36 @@ std::vector<const Mesh*> sound_bodies(const MeshFile& mesh, std::vector<SketchPr
     return sound;
 }
 
+/// Facets of walls lean by what rounding makes of them, and small ones by more: a share of the area may.
+constexpr double most_leaning = 1e-3;  ///< sine
+constexpr double leaning_share = 1e-3;
+
+WallAxes wall_axes(const std::vector<Mesh>& bodies) {
+    double all = 0;
+    Vec3 leaning = Vec3::Zero();  // by axis: area of facets that are neither along it nor across
+    for (const Mesh& body : bodies)
+        for (const std::array<int, 3>& t : body.triangles) {
+            const auto corner = [&](std::size_t k) -> const Vec3& { return body.vertices[static_cast<std::size_t>(t[k])]; };
+            const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2;
+            const double area = normal.norm();
+            all += area;
+            for (int axis = 0; axis < 3; ++axis) {
+                Vec3 within = normal;
+                within[axis] = 0;
+                if (std::min(std::abs(normal[axis]), within.norm()) > most_leaning * area) leaning[axis] += area;
+            }
+        }
+    WallAxes axes{};
+    for (int axis = 0; axis < 3; ++axis) axes[static_cast<std::size_t>(axis)] = leaning[axis] <= leaning_share * all;
+    return axes;
+}
+
 }  // namespace
 
 SectionPlane plane_of(const SectionChoice& choice, const std::vector<Mesh>& bodies) {
     Box3 box;
     for (const Mesh& body : bodies) box.add(box_of(body));
-    return plane_of(choice, box);
+    return plane_of(choice, box, choice.axis < 0 ? wall_axes(bodies) : WallAxes{});
 }
 
 SectionPlane default_plane(const std::vector<Mesh>& bodies) {

@@ -31,15 +31,15 @@ void Box3::add(const Box3& box) {
     high = high.cwiseMax(box.high);
 }
 
-SectionPlane plane_of(const SectionChoice& choice, const Box3& box) {
+SectionPlane plane_of(const SectionChoice& choice, const Box3& box, const WallAxes& along_walls) {
     const Vec3 size = box.size();
     if (!size.allFinite() || !box.low.allFinite()) return {choice.axis < 0 ? 2 : choice.axis, choice.at.value_or(0)};
     int axis = choice.axis;
-    if (axis < 0) {
-        axis = 2;
-        const double rounding = face_band_fraction * size.norm();
-        for (int other : {1, 0})
-            if (size[other] < size[axis] - rounding) axis = other;
+    const bool any_walls = along_walls[0] || along_walls[1] || along_walls[2];
+    const double rounding = face_band_fraction * size.norm();
+    for (int other : {2, 1, 0}) {
+        if (choice.axis >= 0 || (any_walls && !along_walls[static_cast<std::size_t>(other)])) continue;
+        if (axis < 0 || size[other] < size[axis] - rounding) axis = other;
     }
     return {axis, choice.at.value_or(0.5 * (box.low[axis] + box.high[axis]))};
 }

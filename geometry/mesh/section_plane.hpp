@@ -2,6 +2,7 @@
 // Where solid bodies are cut, whatever they are made of.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
@@ -34,15 +35,18 @@ struct Box3 {
     void add(const Box3& box);
 };
 
-/// What is asked for: an axis (-1: the thinnest direction of all bodies together; of directions equally thin z, else y), and a
-/// place along it (unset: the middle).
+/// What is asked for: an axis (-1: of the directions along which all walls run the thinnest, without any such direction the
+/// thinnest of all; of directions equally thin z, else y), and a place along it (unset: the middle).
 struct SectionChoice {
     int axis = -1;
     std::optional<double> at;
 };
 
+/// Do all walls run along an axis (x, y, z)? An extrusion along it has that section anywhere.
+using WallAxes = std::array<bool, 3>;
+
 /// The plane of a choice, where all bodies together lie in `box`.
-SectionPlane plane_of(const SectionChoice& choice, const Box3& box);
+SectionPlane plane_of(const SectionChoice& choice, const Box3& box, const WallAxes& along_walls = {});
 
 /// Heights above the plane's coordinate 0: of a face that is parallel to it, of a body.
 struct HeightRange {

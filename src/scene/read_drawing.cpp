@@ -52,6 +52,12 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
                           geometry::SectionOptions{tolerance_in_file(mesh, options), options.recognise_arcs});
         drawing = std::move(section.drawing);
         drawing.repairs = std::move(section.repairs);
+        if (options.section.axis < 0 || !options.section.at)
+            drawing.warnings.push_back({"cut at " + geometry::text_of(section.plane) + ", where nobody asked for another plane",
+                                        {0, 0},
+                                        {},
+                                        0,
+                                        "--section (in a scene \"section\") gives axis and place"});
     } else if (geometry::is_step_file(path)) {
         drawing = geometry::read_step_file(path, options.section);
     } else if (is_dxf_file(path)) {

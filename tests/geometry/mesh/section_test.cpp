@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <random>
 
@@ -66,6 +67,30 @@ TEST(Section, DefaultPlaneIsTheMiddleOfTheThinnestDirection) {
     EXPECT_EQ(default_plane({box({0, 0, 0}, {1, 1, 1})}).axis, 2);
     EXPECT_EQ(default_plane({box({0, 0, 0}, {1, 1, 4}), box({0, 0, 4}, {1, 5, 5})}).axis, 0) << "all bodies together";
     EXPECT_EQ(default_plane({}).at, 0);
+}
+
+TEST(Section, DefaultPlaneIsAcrossTheWalls) {
+    // A prism of six sides along each axis in turn, longer than wide.
+    for (int axis = 0; axis < 3; ++axis) {
+        Mesh prism;
+        for (const double height : {0.0, 30.0})
+            for (int k = 0; k < 6; ++k) {
+                Vec3 p;
+                p[axis] = height;
+                p[(axis + 1) % 3] = 5 * std::cos(k + 0.2);
+                p[(axis + 2) % 3] = 5 * std::sin(k + 0.2);
+                prism.vertices.push_back(p);
+            }
+        for (int k = 0; k < 6; ++k) {
+            const int next = (k + 1) % 6;
+            prism.triangles.push_back({k, next, 6 + next});
+            prism.triangles.push_back({k, 6 + next, 6 + k});
+            if (k >= 1 && k <= 4) prism.triangles.push_back({0, k + 1, k});
+            if (k >= 1 && k <= 4) prism.triangles.push_back({6, 6 + k, 6 + k + 1});
+        }
+        EXPECT_EQ(default_plane({prism}).axis, axis);
+        EXPECT_EQ(default_plane({prism}).at, 15);
+    }
 }
 
 TEST(Section, ABoxGivesFourLinesOnEveryAxis) {
