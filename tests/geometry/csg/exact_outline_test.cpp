@@ -13,12 +13,14 @@
 #include "geometry/csg/loops.hpp"
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/spline_shape.hpp"
+#include "tests/geometry/csg/outlines.hpp"
 
 namespace exact_outline_test {
 
 namespace {
 
 using namespace abut::geometry;
+using namespace abut::geometry::outlines;
 constexpr double pi = std::numbers::pi;
 
 Part part_of(const std::vector<std::vector<Curve>>& loops) {
@@ -33,17 +35,6 @@ Part part_of(const std::vector<std::vector<Curve>>& loops) {
     return part;
 }
 
-std::vector<Curve> closed(const std::vector<Vec2>& points) {
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < points.size(); ++i) curves.push_back(Segment{points[i], points[(i + 1) % points.size()]});
-    return curves;
-}
-std::vector<Curve> box(double x0, double y0, double x1, double y1) {
-    return closed({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
-}
-std::vector<Curve> disc(double x, double y, double r, double turns = 1) {
-    return {Arc{{x, y}, r, 0, 2 * pi * turns}};
-}
 std::vector<Curve> backwards(const std::vector<Curve>& loop) {
     std::vector<Curve> curves;
     for (auto curve = loop.rbegin(); curve != loop.rend(); ++curve) curves.push_back(reversed(*curve));

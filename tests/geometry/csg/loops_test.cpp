@@ -14,12 +14,14 @@
 #include "geometry/curves/curve_meetings.hpp"
 #include "geometry/curves/elliptic_arc.hpp"
 #include "geometry/curves/spline_shape.hpp"
+#include "tests/geometry/csg/outlines.hpp"
 
 namespace loops_test {
 
 namespace {
 
 using namespace abut::geometry;
+using namespace abut::geometry::outlines;
 constexpr double pi = std::numbers::pi;
 using EdgeList = std::vector<LoopEdge>;
 
@@ -35,18 +37,6 @@ Loops named(std::vector<std::vector<Curve>> curves) {
         }
     }
     return loops;
-}
-
-std::vector<Curve> closed(const std::vector<Vec2>& points) {
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < points.size(); ++i) curves.push_back(Segment{points[i], points[(i + 1) % points.size()]});
-    return curves;
-}
-std::vector<Curve> box(double x0, double y0, double x1, double y1) {
-    return closed({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
-}
-std::vector<Curve> disc(double x, double y, double r) {
-    return {Arc{{x, y}, r, 0, 2 * pi}};
 }
 
 Boundary check(std::vector<std::vector<Curve>> curves) {
