@@ -54,9 +54,10 @@ END
 
 make_copy() {
     rm -rf -- "${work:?}"/*
-    mkdir -p "$top"/{apps,base,geometry,solver,src,tests,data/materials} "$tools" "$work/elsewhere"
+    mkdir -p "$top"/{apps,geometry,solver,src,tests,data/materials} "$tools" "$work/elsewhere"
     cp "$here/../apps/abut" "$here/../apps/prepare.sh" "$top/apps"
     cp "$here/../CMakePresets.json" "$top"
+    : >"$top/data/drafting_layers.csv"
     printf '%s\n' 'cmake_minimum_required(VERSION 3.25)' 'project(trial LANGUAGES CXX)' 'add_subdirectory(apps)' >"$top/CMakeLists.txt"
     echo 'add_executable(abut main.cpp)' >"$top/apps/CMakeLists.txt"
     program_of first
