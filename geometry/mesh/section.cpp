@@ -222,6 +222,7 @@ Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOption
     for (const Mesh* body : bodies) box.add(box_of(*body));
     if (bodies.empty() || !box.size().allFinite()) return section;
     section.plane = off_faces(bodies, plane, box.size().norm());
+    section.drawing.cut_at = text_of(section.plane);
     if (section.plane.at != plane.at)
         section.repairs.push_back({"the plane " + text_of(plane) + " runs along faces: cut at " + text_of(section.plane),
                                    Vec2::Zero(), std::abs(section.plane.at - plane.at)});

@@ -58,6 +58,7 @@ struct Hatch {
 struct Drawing {
     std::string file, format;  ///< format: "DXF AC1014"
     std::string unit;          ///< "mm", "in", ...; empty when the file states none
+    std::string cut_at;        ///< of solids: the plane, "z = 5"
     std::vector<SketchEntity> entities;
     std::map<std::string, EntityCount> counts;  ///< by entity type; the sum of read is every entity of the model space
     std::vector<Ignored> ignored;

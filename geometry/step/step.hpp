@@ -19,7 +19,7 @@ bool is_step_file(const std::string& path);
 /// ones of the name are `name#1`, ...; the solids of a product of several `name#0`, `name#1`, ...; `solid1`, ... without
 /// one), where the assembly places it. Lines, circles, ellipses and splines are those of the file; what the library had to
 /// approximate is a repair, with its tolerance. A solid whose walls all run along the plane's normal gives the outline of its
-/// end. The drawing's numbers, and choice.at, are in the file's unit. That a plane was chosen or moved, a closed shell taken
+/// end. The drawing's numbers, and choice.at, are in the file's unit. That the plane was moved, a closed shell taken
 /// for a solid, or a solid is open are repairs; solids that the plane does not meet, and what is no solid, are ignored with
 /// the reason. Throws InputError where nothing can be read: missing, empty, too large or damaged files, no solids, and no
 /// program that reads STEP.

@@ -10,8 +10,9 @@ namespace abut::geometry {
 
 namespace {
 
-constexpr char unit_record = 'u', body_record = 's', missed_record = 'm', repair_record = 'r', ignored_record = 'i',
-               problem_record = 'p', segment_record = 'l', arc_record = 'a', ellipse_record = 'e', nurbs_record = 'n';
+constexpr char unit_record = 'u', plane_record = 'c', body_record = 's', missed_record = 'm', repair_record = 'r',
+               ignored_record = 'i', problem_record = 'p', segment_record = 'l', arc_record = 'a', ellipse_record = 'e',
+               nurbs_record = 'n';
 
 static_assert(sizeof(Vec2) == 2 * sizeof(double));
 
@@ -98,6 +99,7 @@ public:
 
     void read(char kind) {
         if (kind == unit_record) drawing_.unit = records_.text();
+        if (kind == plane_record) drawing_.cut_at = records_.text();
         if (kind == body_record) begin_body();
         if (kind == missed_record) read_missed();
         if (kind == ignored_record) read_ignored();
@@ -110,7 +112,7 @@ public:
         if (kind == arc_record) add("ARC", read_arc(records_));
         if (kind == ellipse_record) add("ELLIPSE", read_ellipse(records_));
         if (kind == nurbs_record) add_spline(read_nurbs(records_));
-        if (std::string("usmirplaen").find(kind) == std::string::npos) records_.refuse();
+        if (std::string("ucsmirplaen").find(kind) == std::string::npos) records_.refuse();
     }
 
 private:
@@ -173,6 +175,11 @@ private:
 void StepRecords::unit(const std::string& unit) {
     records_.kind(unit_record);
     records_.text(unit);
+}
+
+void StepRecords::plane(const std::string& plane) {
+    records_.kind(plane_record);
+    records_.text(plane);
 }
 
 void StepRecords::body(const std::string& name) {

@@ -25,6 +25,8 @@ public:
     explicit StepRecords(RecordWriter& records) : records_(records) {}
 
     void unit(const std::string& unit);
+    /// The plane of the section, as text_of gives it, in the file's unit.
+    void plane(const std::string& plane);
     /// A solid of this name: the curves that follow are its section's.
     void body(const std::string& name);
     /// A solid that is not in the section.

@@ -52,12 +52,6 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
                           geometry::SectionOptions{tolerance_in_file(mesh, options), options.recognise_arcs});
         drawing = std::move(section.drawing);
         drawing.repairs = std::move(section.repairs);
-        if (options.section.axis < 0 || !options.section.at)
-            drawing.warnings.push_back({"cut at " + geometry::text_of(section.plane) + ", where nobody asked for another plane",
-                                        {0, 0},
-                                        {},
-                                        0,
-                                        "--section (in a scene \"section\") gives axis and place"});
     } else if (geometry::is_step_file(path)) {
         drawing = geometry::read_step_file(path, options.section);
     } else if (is_dxf_file(path)) {
@@ -68,6 +62,12 @@ geometry::Drawing read_drawing(const std::string& path, const ImportOptions& opt
             path, extension.empty() ? "the name has no extension" : "files of the kind '" + extension + "' cannot be read",
             "give " + importable_kinds());
     }
+    if (!drawing.cut_at.empty() && (options.section.axis < 0 || !options.section.at))
+        drawing.warnings.push_back({"cut at " + drawing.cut_at + ", where nobody asked for another plane",
+                                    {0, 0},
+                                    {},
+                                    0,
+                                    "--section (in a scene \"section\") gives axis and place"});
     if (!options.units.empty()) {
         if (drawing.unit != options.units) drawing.replaced_unit = drawing.unit;
         drawing.unit = options.units;

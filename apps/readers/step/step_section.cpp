@@ -30,22 +30,22 @@ std::vector<HeightRange> flat_faces(const std::vector<StepSolid>& solids, int ax
     return faces;
 }
 
+WallAxes wall_axes(const std::vector<StepSolid>& solids) {
+    WallAxes axes{true, true, true};
+    for (const StepSolid& solid : solids)
+        for (TopExp_Explorer at(solid.shape, TopAbs_FACE); at.More(); at.Next()) {
+            const TopoDS_Face face = TopoDS::Face(at.Current());
+            for (int axis = 0; axis < 3; ++axis) {
+                bool& holds = axes[static_cast<std::size_t>(axis)];
+                holds = holds && (cap_height(face, axis) || is_wall(face, axis));
+            }
+        }
+    return axes;
+}
+
 SectionPlane scaled(SectionPlane plane, double factor) {
     plane.at *= factor;
     return plane;
-}
-
-/// What was chosen for the user, and what was asked for and moved.
-void tell_plane(const SectionChoice& choice, const SectionPlane& asked, const SectionPlane& plane, double scale,
-                StepRecords& records) {
-    if (!choice.at)
-        records.repair({"no place of the section is given: cut at " + text_of(scaled(asked, scale)) + ", the middle" +
-                            (choice.axis < 0 ? " of the thinnest direction" : ""),
-                        Vec2::Zero(), 0});
-    if (plane.at != asked.at)
-        records.repair(
-            {"the plane " + text_of(scaled(asked, scale)) + " runs along faces: cut at " + text_of(scaled(plane, scale)),
-             Vec2::Zero(), scale * std::abs(plane.at - asked.at)});
 }
 
 }  // namespace
@@ -60,13 +60,17 @@ void write_section(const StepFile& file, const SectionChoice& choice, StepRecord
     }
     SectionChoice in_millimetres = choice;
     if (choice.at) *in_millimetres.at *= file.unit_size;
-    const SectionPlane asked = plane_of(in_millimetres, all);
+    const SectionPlane asked = plane_of(in_millimetres, all, choice.axis < 0 ? wall_axes(file.solids) : WallAxes{});
     std::vector<HeightRange> heights;
     for (const Box3& box : boxes) heights.push_back({box.low[asked.axis], box.high[asked.axis]});
     const double size = all.size().norm();
     const SectionPlane plane = off_faces(flat_faces(file.solids, asked.axis), heights, asked, size);
     records.unit(file.unit);
-    tell_plane(choice, asked, plane, scale, records);
+    records.plane(text_of(scaled(plane, scale)));
+    if (plane.at != asked.at)
+        records.repair(
+            {"the plane " + text_of(scaled(asked, scale)) + " runs along faces: cut at " + text_of(scaled(plane, scale)),
+             Vec2::Zero(), scale * std::abs(plane.at - asked.at)});
     int n_met = 0;
     for (std::size_t k = 0; k < file.solids.size(); ++k) {
         if (!(heights[k].low < plane.at && plane.at < heights[k].high)) {

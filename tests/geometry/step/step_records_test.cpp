@@ -17,6 +17,7 @@ std::string written() {
     StepRecords records(writer);
     writer.kind(begin_record);
     records.unit("in");
+    records.plane("x = 3");
     records.body("plate");
     records.curve(Segment{{0, 1}, {2, 3}});
     records.curve(Arc{{1, 2}, 3, 0.5, -1});
@@ -46,6 +47,7 @@ Drawing read(const std::string& bytes) {
 TEST(StepRecords, ArriveAsTheyWere) {
     const Drawing drawing = read(written());
     EXPECT_EQ(drawing.unit, "in");
+    EXPECT_EQ(drawing.cut_at, "x = 3");
     ASSERT_EQ(drawing.entities.size(), 4u);
     for (std::size_t k = 0; k < 4; ++k) {
         EXPECT_EQ(drawing.entities[k].layer, "plate");

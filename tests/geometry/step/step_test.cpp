@@ -83,7 +83,7 @@ TEST_F(Step, AnAssemblyHasThePartsOfItsDrawing) {
     EXPECT_EQ(drawing.unit, "mm");
     EXPECT_TRUE(drawing.problems.empty());
     EXPECT_TRUE(drawing.ignored.empty());
-    EXPECT_TRUE(has_repair(drawing, "cut at z = 5, the middle of the thinnest direction"));
+    EXPECT_EQ(drawing.cut_at, "z = 5");
     const auto areas = areas_of(drawing), drawn = areas_of(read_dxf(sketches + "pin_bracket_r14.dxf"));
     ASSERT_EQ(areas.size(), 3u);
     for (const auto& [name, size] : drawn) {
@@ -95,6 +95,14 @@ TEST_F(Step, AnAssemblyHasThePartsOfItsDrawing) {
     for (const SketchEntity& entity : drawing.entities) EXPECT_TRUE(entity.kind == "LINE" || entity.kind == "ARC");
 }
 
+TEST_F(Step, TallPartsAreCutAcrossTheirWalls) {
+    // The bracket drawn out to a height that no other direction of it has.
+    const std::string tall = replaced_all(text_of_file(sketches + "pin_bracket.step"), ",10.))", ",400.))");
+    const Drawing drawing = read_text(tall);
+    EXPECT_EQ(drawing.cut_at, "z = 200");
+    EXPECT_NEAR(areas_of(drawing).at("pin"), 100 * std::numbers::pi, 1e-9 * 314);
+}
+
 TEST_F(Step, TurnedPartsAreCutAlongTheirAxis) {
     for (const int axis : {2, 1}) {
         const Drawing drawing = read_step_file(shaft_and_hub, {axis, 0.0});
@@ -104,7 +112,7 @@ TEST_F(Step, TurnedPartsAreCutAlongTheirAxis) {
         EXPECT_NEAR(areas.at("hub#0"), 600, 1e-9 * 600);
         EXPECT_NEAR(areas.at("hub#1"), 600, 1e-9 * 600);
         EXPECT_TRUE(has_repair(drawing, "curves of shaft are approximated")) << "the library has no closed form of the fillet";
-        EXPECT_FALSE(has_repair(drawing, "middle")) << "the plane was asked for";
+        EXPECT_EQ(drawing.cut_at, axis == 2 ? "z = 0" : "y = 0");
     }
 }
 

@@ -15,11 +15,13 @@
 #include "src/inspection/cell_sheet.hpp"
 #include "src/inspection/detect_pictures.hpp"
 #include "src/report/boxes_apart.hpp"
+#include "tests/src/io/xml_fault.hpp"
 #include "tests/src/results/synthetic_result.hpp"
 
 namespace abut::cells_picture_test {
 namespace {
 
+using abut_tests::fault_of_xml;
 using geometry::CellClass;
 using geometry::CommonGrid;
 using geometry::Part;
@@ -66,40 +68,6 @@ CommonGrid grid_of(const Scene& scene) {
 }
 
 // ---- reading back ----
-
-/// Empty, or what is wrong: tags that do not match, stray characters.
-std::string fault_of_xml(const std::string& text) {
-    static const std::regex tag(R"(^<(/?)([a-zA-Z]+)((?: [a-zA-Z0-9-]+="[^"<]*")*)(/?)>)");
-    static const std::regex entity("^&(amp|lt|gt|quot|apos|#[0-9]+);");
-    std::vector<std::string> open;
-    for (std::size_t i = 0; i < text.size();) {
-        std::smatch found;
-        if (text[i] == '&') {
-            const std::string rest = text.substr(i, 8);
-            if (!std::regex_search(rest, found, entity)) return "stray & at " + rest;
-        }
-        if (text[i] != '<') {
-            ++i;
-            continue;
-        }
-        const std::size_t end = text.find('>', i);
-        if (end == std::string::npos) return "unclosed tag";
-        const std::string rest = text.substr(i, end + 1 - i);
-        if (rest.find(" d=\"") != std::string::npos) {  // path data are too long for a regular expression
-            if (rest.find_first_of("<&", 1) != std::string::npos) return "stray character in path data";
-            if (rest[rest.size() - 2] != '/') open.push_back("path");
-        } else if (!std::regex_search(rest, found, tag)) {
-            return "no tag: " + rest;
-        } else if (found[1].length() != 0) {
-            if (open.empty() || open.back() != found[2]) return "closes nothing: " + rest;
-            open.pop_back();
-        } else if (found[4].length() == 0) {
-            open.push_back(found[2]);
-        }
-        i = end + 1;
-    }
-    return open.empty() ? "" : "never closed: " + open.back();
-}
 
 /// The text from one mark to the next.
 std::string between(const std::string& text, const std::string& from, const std::string& to) {
@@ -235,12 +203,6 @@ TEST(CellsPicture, NamesAreEscaped) {
     EXPECT_EQ(svg.find("a<b"), std::string::npos);
     EXPECT_NE(svg.find("base - a&lt;b &amp; "), std::string::npos);
     EXPECT_NE(svg.find("<title>Cells of 1 &lt; 2 &amp; 3</title>"), std::string::npos);
-}
-
-TEST(CellsPicture, TheXmlCheckSeesFaults) {
-    for (const char* text : {"<a><b></a></b>", "<a>", "</a>", "<a>1 & 2</a>", "<a b=1/>", "<a><b</a>"})
-        EXPECT_NE(fault_of_xml(text), "") << text;
-    EXPECT_EQ(fault_of_xml("<a b=\"1\"><c/>1 &amp; 2</a>"), "");
 }
 
 TEST(CellsPicture, SaysWhenTheCellsAreLargerThanThoseOfTheDetection) {
