@@ -20,6 +20,7 @@
 #include "src/results/result.hpp"
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
+#include "src/scene/load_cases.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 #include "src/verification/expectations.hpp"
@@ -45,12 +46,14 @@ std::string remarks(const Scene& scene) {
     return text;
 }
 
-Result analyze_with_progress(const Scene& scene, bool quiet, int threads) {
+/// analysis: analyze or analyze_cases.
+template <class Analysis>
+auto with_progress(Analysis analysis, const Scene& scene, bool quiet, int threads) {
     ProgressLine line(!quiet);
     AnalyzeOptions options;
     options.threads = threads;
     options.progress = [&line](const std::string& message) { line.show(message); };
-    return analyze(scene, options);
+    return analysis(scene, options);
 }
 
 void print_result(const Result& result, const std::string& folder, const Arguments& arguments, const Output& output) {
@@ -84,6 +87,42 @@ bool tell_expectations(const Scene& scene, const Result& result, const Arguments
     return all_pass;
 }
 
+/// Says on standard error why the status is not 0. why: the reasons, or the message of a failure.
+int exit_status(const Arguments& arguments, Verdict verdict, bool as_expected, const std::string& why) {
+    if (verdict == Verdict::reached && (as_expected || !has(arguments, "--strict"))) return exit_done;
+    if (verdict == Verdict::solved_but && !has(arguments, "--strict")) return exit_done;
+    if (verdict == Verdict::reached) return exit_failed;
+    std::cout.flush();
+    std::cerr << "abut: " << arguments.operand << ": "
+              << one_line_text((verdict == Verdict::failed ? "the analysis failed: " : "solved, but: ") + why) << "\n";
+    return exit_failed;
+}
+
+/// What is said against the cases of the worst verdict, by case.
+std::string why_not(const std::vector<CaseResult>& cases) {
+    std::string why;
+    for (const CaseResult& c : cases) {
+        if (verdict_of(c.result) != verdict_of(cases)) continue;
+        why +=
+            (why.empty() ? "" : "; ") + c.name + ": " + (c.result.status == "ok" ? reasons_text(c.result) : c.result.message);
+    }
+    return why;
+}
+
+int analyze_all_cases(const Scene& scene, const std::string& folder, const Arguments& arguments, const Stopwatch& watch) {
+    const bool quiet = has(arguments, "--quiet");
+    std::vector<CaseResult> cases = with_progress(analyze_cases, scene, quiet, threads_of(arguments));
+    write_case_results(cases, folder, scene.output.formats, watch);
+    if (has(arguments, "--json"))
+        print_text(cases_json(cases));
+    else if (!quiet)
+        print_text(cases_table(cases) + main_file_line(folder, scene.output, true));
+    bool as_expected = true;
+    for (std::size_t k = 0; k < cases.size(); ++k)
+        as_expected = tell_expectations(scene_of_case(scene, scene.cases[k]), cases[k].result, arguments) && as_expected;
+    return exit_status(arguments, verdict_of(cases), as_expected, why_not(cases));
+}
+
 }  // namespace
 
 CommandSpec analyze_spec() {
@@ -92,6 +131,7 @@ CommandSpec analyze_spec() {
             "Analyses one scene and writes its results.",
             {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
              {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
+             {"--case", "NAME", "the load case of this name alone, as if the scene had no others"},
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
@@ -102,12 +142,16 @@ CommandSpec analyze_spec() {
             "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
             "known;\n"
             "the exit status is 1 then. An answer is \"reached\" (as accurate as asked for) or \"solved_but\", with reasons:\n"
-            "\"verdict\" and \"reasons\" in result.json, the last lines of the table, the first of the report.\n"};
+            "\"verdict\" and \"reasons\" in result.json, the last lines of the table, the first of the report.\n"
+            "Of a scene with load cases (/cases) all are solved together: cases.json and envelope.csv have what is largest in "
+            "any,\n"
+            "report.html leads to the cases, case_<k>/ has the files of each.\n"};
 }
 
 int analyze_command(const Arguments& arguments) {
     const Stopwatch watch;
     Scene scene = read_scene(arguments.operand);
+    if (has(arguments, "--case")) scene = scene_of_case(scene, case_named(scene, arguments.options.at("--case")));
     const double reading_seconds = watch.seconds();
     refuse_guesses(scene, arguments);
     override_accuracy(scene.accuracy, arguments);
@@ -120,21 +164,14 @@ int analyze_command(const Arguments& arguments) {
     check_formats(scene);
     const std::string folder = value_or(arguments, "-o", "out");
     prepare_output_folder(folder);
-    Result result = analyze_with_progress(scene, has(arguments, "--quiet"), threads);
+    if (!scene.cases.empty()) return analyze_all_cases(scene, folder, arguments, watch);
+    Result result = with_progress(analyze, scene, has(arguments, "--quiet"), threads);
     complete_import_time(result, reading_seconds);
     write_results(result, folder, scene.output.formats, watch);
     print_result(result, folder, arguments, scene.output);
     const bool as_expected = tell_expectations(scene, result, arguments);
-    const Verdict verdict = verdict_of(result);
-    if (verdict == Verdict::reached && (as_expected || !has(arguments, "--strict"))) return exit_done;
-    if (verdict == Verdict::solved_but && !has(arguments, "--strict")) return exit_done;
-    if (verdict == Verdict::reached) return exit_failed;
-    std::cout.flush();
-    std::cerr << "abut: " << arguments.operand << ": "
-              << one_line_text(verdict == Verdict::failed ? "the analysis failed: " + result.message
-                                                          : "solved, but: " + reasons_text(result))
-              << "\n";
-    return exit_failed;
+    return exit_status(arguments, verdict_of(result), as_expected,
+                       result.status == "ok" ? reasons_text(result) : result.message);
 }
 
 }  // namespace abut

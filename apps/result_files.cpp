@@ -35,11 +35,36 @@ std::string contact_file(std::size_t k) {
     return "contact_" + contact_number(k) + ".csv";
 }
 
-void write_contacts(const Result& result, const std::string& folder) {
-    std::size_t k = 0;
-    for (; k < result.contacts.size(); ++k) write_file(folder, contact_file(k), contact_csv(result.contacts[k]));
+void remove_contacts_from(std::size_t k, const std::string& folder) {
     std::error_code ignored;  // a left-over that cannot be removed is no reason to fail
     while (std::filesystem::remove(std::filesystem::path(folder) / contact_file(k), ignored)) ++k;
+}
+
+void write_contacts(const Result& result, const std::string& folder) {
+    for (std::size_t k = 0; k < result.contacts.size(); ++k)
+        write_file(folder, contact_file(k), contact_csv(result.contacts[k]));
+    remove_contacts_from(result.contacts.size(), folder);
+}
+
+void remove_result(const std::string& folder) {
+    std::error_code ignored;
+    std::filesystem::remove(std::filesystem::path(folder) / "result.json", ignored);
+    remove_contacts_from(0, folder);
+}
+
+/// Load cases of an earlier run would look like this one's. k = 0: all that was written of cases.
+void remove_cases_from(std::size_t k, const std::string& folder) {
+    std::error_code ignored;
+    if (k == 0)
+        for (const char* file : {"cases.json", "envelope.csv"})
+            std::filesystem::remove(std::filesystem::path(folder) / file, ignored);
+    for (;; ++k) {
+        const std::filesystem::path own = std::filesystem::path(folder) / case_folder(k);
+        if (!std::filesystem::is_directory(own, ignored)) return;
+        remove_result(own.string());
+        std::filesystem::remove(own / "report.html", ignored);
+        std::filesystem::remove(own, ignored);  // if nothing else is there
+    }
 }
 
 }  // namespace
@@ -68,6 +93,7 @@ void write_results(Result& result, const std::string& folder, const std::vector<
                    const Stopwatch& since_start) {
     const Stopwatch output;
     set_time(result, "output", 0);
+    remove_cases_from(0, folder);
     if (holds(formats, "csv")) write_contacts(result, folder);
     set_time(result, "total", since_start.seconds());
     if (holds(formats, "html")) write_file(folder, "report.html", report_html(result));
@@ -77,9 +103,23 @@ void write_results(Result& result, const std::string& folder, const std::vector<
     if (holds(formats, "json")) write_file(folder, "result.json", result_json(result));
 }
 
-std::string main_file_line(const std::string& folder, const Output& output) {
+void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
+                        const Stopwatch& since_start) {
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const std::string own = path_in(folder, case_folder(k));
+        prepare_output_folder(own);
+        write_results(cases[k].result, own, formats, since_start);
+    }
+    remove_cases_from(cases.size(), folder);
+    remove_result(folder);
+    if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
+    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases));
+    if (holds(formats, "json")) write_file(folder, "cases.json", cases_json(cases));
+}
+
+std::string main_file_line(const std::string& folder, const Output& output, bool has_cases) {
     if (holds(output.formats, "html")) return "report: " + path_in(folder, "report.html") + "\n";
-    if (holds(output.formats, "json")) return "result: " + path_in(folder, "result.json") + "\n";
+    if (holds(output.formats, "json")) return "result: " + path_in(folder, has_cases ? "cases.json" : "result.json") + "\n";
     return "";
 }
 

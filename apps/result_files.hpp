@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/stopwatch.hpp"
-#include "src/results/result.hpp"
+#include "src/results/case_result.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {
@@ -21,8 +21,13 @@ void complete_import_time(Result& result, double seconds);
 void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start);
 
+/// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
+/// of its own; removes the folders' files of an earlier run with more cases.
+void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
+                        const Stopwatch& since_start);
+
 /// The line that names the report, "report: DIR/report.html", or the first file there is where no report is asked for; empty
 /// where none is.
-std::string main_file_line(const std::string& folder, const Output& output);
+std::string main_file_line(const std::string& folder, const Output& output, bool has_cases = false);
 
 }  // namespace abut

@@ -178,14 +178,10 @@ struct Factorization::Data {
     }
 };
 
-Factorization::Factorization() = default;
-Factorization::Factorization(Factorization&&) noexcept = default;
-Factorization& Factorization::operator=(Factorization&&) noexcept = default;
-Factorization::~Factorization() = default;
-
-Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads)
-    : data_(new Data{structure_for(matrix, hints), {}, 0, -1, {}, {}}) {
-    Data& d = *data_;
+Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int threads) {
+    const std::shared_ptr<Data> data(new Data{structure_for(matrix, hints), {}, 0, -1, {}, {}});
+    data_ = data;
+    Data& d = *data;
     d.failed_at = scale_to_unit_diagonal(matrix, matrix.n, d.scale, d.norm_one);
     if (d.failed_at >= 0 || matrix.n == 0) return;
     if (const Band* band = std::get_if<Band>(&d.structure))
@@ -197,9 +193,10 @@ Factorization::Factorization(SparseSymmetric matrix, const RowHints& hints, int 
     d.failed_at = d.failed_row();
 }
 
-Factorization::Factorization(SparseSymmetric matrix, int n_eliminated)
-    : data_(new Data{SupernodalStructure(matrix, merged_pattern(matrix)), {}, 0, -1, {}, {}}) {
-    Data& d = *data_;
+Factorization::Factorization(SparseSymmetric matrix, int n_eliminated) {
+    const std::shared_ptr<Data> data(new Data{SupernodalStructure(matrix, merged_pattern(matrix)), {}, 0, -1, {}, {}});
+    data_ = data;
+    Data& d = *data;
     const int n_positive = matrix.n - n_eliminated;
     d.schur.emplace(matrix, n_eliminated);
     d.failed_at = scale_to_unit_diagonal(matrix, n_positive, d.scale, d.norm_one);

@@ -53,19 +53,17 @@ struct RowHints {
     std::optional<FactorMethod> method{};  ///< in place of the one that the rule picks
 };
 
-/// P S A S P' = L L', S the inverse root of the diagonal. Move-only. The same input gives the same factor bit for bit.
+/// P S A S P' = L L', S the inverse root of the diagonal. Copies share the factor, which nothing changes. The same input gives
+/// the same factor bit for bit.
 class Factorization {
 public:
-    Factorization();
+    Factorization() = default;
     /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the
     /// same for any number.
     explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {}, int threads = 1);
     /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of
     /// M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
     Factorization(SparseSymmetric matrix, int n_eliminated);
-    Factorization(Factorization&&) noexcept;
-    Factorization& operator=(Factorization&&) noexcept;
-    ~Factorization();
 
     /// False: the matrix is not positive definite to working precision; failed_at() tells the row, nothing else may be called.
     bool ok() const;
@@ -94,10 +92,8 @@ public:
     Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
 
 private:
-    void factorize(SparseSymmetric matrix, int threads);
-
     struct Data;
-    std::unique_ptr<Data> data_;
+    std::shared_ptr<const Data> data_;
 };
 
 }  // namespace abut::solver

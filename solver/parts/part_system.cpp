@@ -63,7 +63,7 @@ void apply_support(PartSystem& s, SupportRecord& record) {
         }
     }
     record.method = SupportMethod::nitsche;
-    add_nitsche(s.input, record.set, s.stiffness, s.load);
+    add_nitsche(s.input, record.set, s.stiffness, s.held_load);
 }
 
 void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
@@ -73,7 +73,7 @@ void apply_supports(PartSystem& s, std::vector<SupportSet> sets) {
     }
     if (s.springs.empty()) return;
     const auto begin = std::chrono::steady_clock::now();
-    for (const SpringSet& set : s.springs) add_springs(s.input, set, s.stiffness, s.load);
+    for (const SpringSet& set : s.springs) add_springs(s.input, set, s.stiffness, s.held_load);
     s.seconds.springs = seconds_since(begin);
 }
 
@@ -99,17 +99,23 @@ bool follow_structure(PartSystem& s, double size) {
     return true;
 }
 
-/// The stiffness and the loads before any support but the structure.
-void assemble(PartSystem& s, const Eigen::VectorXd& weighted) {
+/// The stiffness before any support but the structure.
+void assemble(PartSystem& s) {
     if (s.input.structure) {
         WeightedStiffness k = assemble_weighted(s.input);
         s.stiffness = std::move(k.stiffness);
-        s.load = weighted + k.load;
+        s.held_load = std::move(k.load);
     } else {
         s.stiffness = assemble_stiffness(s.input);
-        s.load = s.applied;
+        s.held_load = Eigen::VectorXd::Zero(2 * s.n());
     }
-    if (s.input.free_strain) s.load += free_strain_load(s.input);
+    if (s.input.free_strain) s.held_load += free_strain_load(s.input);
+}
+
+void set_loads(PartSystem& s, Eigen::VectorXd applied, const Eigen::VectorXd& weighted) {
+    ENSURE(applied.size() == 2 * s.n(), "a load has two numbers for every function");
+    s.applied = std::move(applied);
+    s.load = (s.input.structure ? weighted : s.applied) + s.held_load;
 }
 
 void set_modes(PartSystem& s) {
@@ -126,7 +132,7 @@ void project_dilatation(PartSystem& s) {
         if (record.method == SupportMethod::nitsche) by_nitsche.push_back(&record.set);
     s.input.dilatation = make_dilatation(s.input, by_nitsche);
     s.failure = s.input.dilatation->failure;
-    if (s.failure.empty()) s.load += volume_load(*s.input.dilatation);
+    if (s.failure.empty()) s.held_load += volume_load(*s.input.dilatation);
     s.seconds.dilatation = seconds_since(begin);
 }
 
@@ -187,10 +193,8 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
                             double size, std::vector<SpringSet> springs, const Eigen::VectorXd& weighted) {
     const auto begin = std::chrono::steady_clock::now();
     ensure_rules(input);
-    ENSURE(applied.size() == 2 * input.space.n_functions, "a load has two numbers for every function");
     PartSystem s;
     s.input = std::move(input);
-    s.applied = std::move(applied);
     s.springs = std::move(springs);
     if (s.input.structure && s.input.is_projected) {
         s.failure = "supports by weight functions do not go with a nearly incompressible material; take dirichlet \"nitsche\"";
@@ -201,11 +205,12 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
                     (s.input.axis ? "an axisymmetric analysis" : "a temperature") + "; take dirichlet \"nitsche\"";
         return s;
     }
-    assemble(s, weighted);
+    assemble(s);
     s.dropped.assign(static_cast<std::size_t>(2 * s.n()), 0);
     s.prescribed = Eigen::VectorXd::Zero(2 * s.n());
     apply_supports(s, std::move(supports));
     if (s.input.is_projected) project_dilatation(s);
+    set_loads(s, std::move(applied), weighted);
     if (s.input.touches_axis) hold_axis(s);
     if (!s.failure.empty()) return s;
     s.free_motions = free_motions(s, center, size);
@@ -225,6 +230,12 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
         note_failure(s);
     else if (!s.springs.empty() && condition_estimate(s) > largest_spring_condition)
         s.failure = failure_text(s);
+    return s;
+}
+
+PartSystem with_loads(const PartSystem& system, Eigen::VectorXd applied, const Eigen::VectorXd& weighted) {
+    PartSystem s = system;
+    set_loads(s, std::move(applied), weighted);
     return s;
 }
 

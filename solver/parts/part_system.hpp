@@ -55,8 +55,9 @@ struct PartSystem {
     /// The stiffness with Nitsche's terms, nothing dropped; without what a projected dilatation adds: stiffness_times() has
     /// that, too.
     BlockMatrix stiffness;
-    Eigen::VectorXd load;     ///< (2n) on the weighted functions where there is a structure, with Nitsche's and its data
+    Eigen::VectorXd load;     ///< (2n) all: external ones, on the weighted functions where there is a structure, and held_load
     Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
+    Eigen::VectorXd held_load;  ///< (2n) what supports, springs and the free strain add to them
     std::vector<SupportRecord> supports;
     std::vector<SpringSet> springs;
     std::string axis_hold;       ///< how u_x is held on the axis that the part touches; empty: it touches none
@@ -83,6 +84,9 @@ struct PartSystem {
 /// weighted ones, with a structure only.
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
+
+/// The same part under other external loads (as make_part_system takes them); both share the factor. Its free strain stays.
+PartSystem with_loads(const PartSystem& system, Eigen::VectorXd applied, const Eigen::VectorXd& weighted = {});
 
 /// The coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);

@@ -81,6 +81,7 @@ PartSystem make_rigid_system(PartInput input, std::vector<MotionCondition> condi
     PartSystem s;
     s.input = std::move(input);
     s.load = s.applied = std::move(applied);
+    s.held_load = Eigen::VectorXd::Zero(s.load.size());
     RigidBody body{center, size, std::move(conditions)};
     s.free_motions = s.input.axis ? split_motion_along_axis(body) : split_motions(body);
     s.prescribed = coefficients_of(s.input.space, prescribed_motion(body));

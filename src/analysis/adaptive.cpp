@@ -2,399 +2,109 @@
 #include "src/analysis/adaptive.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 #include "solver/linear_algebra/blas_threads.hpp"
-#include "src/analysis/extent_by_theory.hpp"
-#include "src/analysis/grading.hpp"
-#include "src/analysis/missed_contacts.hpp"
-#include "src/analysis/next_candidates.hpp"
-#include "src/analysis/next_grids.hpp"
+#include "src/analysis/grid_walk.hpp"
 #include "src/analysis/part_groups.hpp"
-#include "src/analysis/placement.hpp"
-#include "src/analysis/singular_errors.hpp"
-#include "src/analysis/stress_error.hpp"
-#include "src/analysis/stress_raisers.hpp"
-#include "src/io/number_text.hpp"
-#include "src/plan/plan.hpp"
-#include "src/scene/accuracy_goal.hpp"
-#include "src/scene/dissertation_method.hpp"
-#include "src/solution/contact_measures.hpp"
 
 namespace abut {
 
 namespace {
 
-constexpr int max_search_widenings = 5;
-/// The search goes no farther than the smaller part is large: what moves farther is not paired where it comes to rest.
-constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
-constexpr int max_passes = 7;  // on the same candidates
-
-/// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
-/// near.
-constexpr int max_knot_moves = 3, knot_moves_before = 2;
-/// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
-constexpr double affordable_unknowns = 40000, affordable_growth = 12;
-/// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
-constexpr double rounding_share = 0.1;
-
-/// Are all grids given, so that there is nothing to adapt?
-bool grids_are_fixed(const Scene& scene) {
-    if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
-    if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
-    return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
+/// Everything that any of the walks asks for.
+PassAsk joined(const std::vector<GridWalk*>& walks) {
+    PassAsk all = walks.front()->ask();
+    for (std::size_t k = 1; k < walks.size(); ++k) {
+        const PassAsk own = walks[k]->ask();
+        all.coarseness = std::min(all.coarseness, own.coarseness);
+        for (std::size_t i = 0; i < all.parts.size(); ++i) {
+            all.parts[i] = all.parts[i] || own.parts[i];
+            all.wanted[i].insert(all.wanted[i].end(), own.wanted[i].begin(), own.wanted[i].end());
+        }
+    }
+    return all;
 }
 
-bool is_solved(const SolvedAssembly& s) {
-    return s.failure.empty() && s.solution.mechanism.empty();
+void tell_pass(const GridWalk& walk, const AnalyzeOptions& options) {
+    if (options.progress) options.progress("pass " + std::to_string(walk.n_passes() + 1));
 }
 
-/// Nothing where there is nothing to search.
-std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatches& seconds, EffectUses& uses) {
-    if (scene.parts.size() < 2 || (!scene.contacts.detect && scene.contacts.pairs.empty())) return {};
-    const auto begin = std::chrono::steady_clock::now();
-    const MeteredCall call(uses, "contact");
-    std::vector<Candidate> candidates = find_candidates(scene, factor);
-    seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return candidates;
+/// Nothing where a wider search met parts of other groups: these are one problem.
+std::optional<Outcome> walk_group(const CaseProblem& problem, const PartGroup& group, const std::vector<Candidate>& candidates,
+                                  const AnalyzeOptions& options, Stopwatches& seconds) {
+    const int threads = solver::usable_threads(options.threads);
+    GridWalk walk(*problem.scene, *problem.conditions, seconds, group, candidates, threads);
+    for (bool is_last = false; !is_last && !walk.meets_others();) {
+        tell_pass(walk, options);
+        const PassAsk ask = walk.ask();
+        is_last = walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
+                                       ask.coarseness, seconds, threads));
+    }
+    if (walk.meets_others()) return std::nullopt;
+    return walk.take_outcome();
 }
-
-/// energy: of each part, as shares of what it stores.
-std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
-    for (std::size_t k = 0; k < energy.size(); ++k)
-        if (const double own = strain_energy(solved.problem.parts[k], solved.solution.displacement[k]); own > 0)
-            energy[k] /= own;
-    return energy;
-}
-
-class Path {
-public:
-    /// candidates: of the first search, all of them.
-    Path(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options, Stopwatches& seconds,
-         const PartGroup& group, const std::vector<Candidate>& candidates)
-        : group_(group),
-          scene_(scene),
-          conditions_(conditions),
-          options_(options),
-          seconds_(seconds),
-          threads_(solver::usable_threads(options.threads)) {
-        out_.target = target_of(scene.accuracy);
-        next_ = {out_.target, 1, 1};
-        raisers_.resize(scene.parts.size());
-        take_own(candidates);
-    }
-
-    /// Nothing where a wider search met parts of other groups: these are one problem.
-    std::optional<Outcome> walk() {
-        start_over();
-        while (!meets_others_ && !step()) continue;
-        if (meets_others_) return std::nullopt;
-        return std::move(out_);
-    }
-
-private:
-    void search() { take_own(search_scene(scene_, factor_, seconds_, out_.uses)); }
-
-    void take_own(const std::vector<Candidate>& candidates) {
-        const auto is_own = [&](int part) { return group_[static_cast<std::size_t>(part)]; };
-        out_.candidates.clear();
-        for (const Candidate& c : candidates) {
-            if (is_own(c.first) && is_own(c.second)) out_.candidates.push_back(c);
-            meets_others_ = meets_others_ || is_own(c.first) != is_own(c.second);
-        }
-    }
-
-    /// Nothing is known of the contacts.
-    void start_over() {
-        next_.coarseness = coarseness_of(scene_.accuracy, !out_.candidates.empty());
-        const bool nothing_to_find = grids_are_fixed(scene_) || out_.candidates.empty();
-        next_.coarsening = nothing_to_find ? next_.coarseness : first_coarsening;
-        next_.goal.clear();
-        out_.largest.clear();
-        theory_ = {};
-        wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-    }
-
-    SolvedAssembly solve() {
-        out_.stress.clear();
-        if (options_.progress) options_.progress("pass " + std::to_string(out_.passes.size() + 1));
-        std::vector<bool> parts =
-            parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates), closing_pairs(scene_, out_.candidates));
-        for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
-        SolvedAssembly now =
-            solve_pass(scene_, conditions_, out_.candidates, parts, wanted_, next_.next_coarseness(), seconds_, threads_);
-        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
-        out_.iterations += now.solution.iterations;
-        follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
-        add_uses(out_.uses, now.uses);
-        return now;
-    }
-
-    /// Knots move to where contact was found to end, and the contact alone is solved again. False: they are there.
-    bool follow_ends(SolvedAssembly& now, int moves) {
-        if (scene_.contacts.penalty) return false;
-        int moved = 0;
-        for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
-            expect_ends(scene_, now, now.runs, out_.candidates);
-            expect_pressures(now, out_.candidates);
-            solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
-            out_.iterations += now.solution.iterations;
-        }
-        return moved > 0;
-    }
-
-    bool may_widen() const {
-        return !scene_.contacts.search_distance && !is_by_dissertation(scene_) && widenings_ < max_search_widenings &&
-               factor_ < farthest_search && scene_.contacts.detect && scene_.parts.size() > 1;
-    }
-
-    /// Looks farther; where the parts rest on nothing, until there is more to rest on.
-    void widen(const SolvedAssembly& now, double needed, bool stuck) {
-        ++widenings_;
-        factor_ = std::min(farthest_search, std::max(search_widening * factor_, needed));
-        const std::size_t before = out_.candidates.size();
-        search();
-        for (; stuck && out_.candidates.size() == before && may_widen(); ++widenings_) {
-            factor_ = std::min(farthest_search, search_widening * factor_);
-            search();
-        }
-        comparable_from_ = out_.passes.size();
-        start_over();
-        if (!stuck && is_in_contact(now) && now.contacts.size() == out_.candidates.size()) {
-            const ContactRuns runs = with_missed(contacts_by_theory(scene_, now).runs, missed_);
-            set_first_goals(now, runs, next_);
-            wanted_ = sizes_from(scene_, now, runs, next_.resolution);
-        }
-    }
-
-    /// Once a pass, and only where it is asked for: it costs as much as a good part of the solution.
-    void recover_stress(const SolvedAssembly& now) {
-        if (!out_.stress.empty() || !is_solved(now)) return;
-        const auto begin = std::chrono::steady_clock::now();
-        out_.stress = stress_fields(now, threads_);
-        ErrorEstimate& error = out_.errors.back();
-        if (std::optional<std::vector<double>> missed = energy_errors(now, out_.stress, threads_)) {
-            const double energy = energy_of(now);
-            error.smoothing = std::accumulate(missed->begin(), missed->end(), 0.0) / energy;
-            for (const SingularError& e : singular_errors(scene_, conditions_, now)) (*missed)[e.grid] += e.energy;
-            error.energy = std::accumulate(missed->begin(), missed->end(), 0.0) / energy;
-            error.own_energy = of_own_energy(now, std::move(*missed));
-        }
-        const std::size_t n = out_.errors.size();
-        if (error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
-            error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
-                                           {out_.passes[n - 1].energy, *error.smoothing});
-        if (error.energy) error.stress = std::sqrt(*error.energy);
-        out_.largest = largest_stresses(scene_, conditions_, now, out_.stress, out_.largest, threads_);
-        if (const LargestStress* most = strongest(out_.largest)) error.largest_stress = most->error;
-        seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-
-    bool end(SolvedAssembly&& now, PathEnd why) {
-        recover_stress(now);
-        out_.solved = std::move(now);
-        out_.end = why;
-        return true;
-    }
-
-    ErrorEstimate errors_of_last(bool stuck) const {
-        if (stuck) return {};
-        const bool first = out_.passes.size() <= comparable_from_ + 1;
-        return estimate_errors(std::span(out_.passes).subspan(comparable_from_), first ? ErrorEstimate{} : out_.errors.back(),
-                               theory_.pressure);
-    }
-
-    /// Has the answer fewer digits than a finer grid could show?
-    bool is_lost_in_rounding(const SolvedAssembly& now) const {
-        return std::numeric_limits<double>::epsilon() * largest_condition(now, threads_) > rounding_share * out_.target;
-    }
-
-    /// Without contact the stress is aimed at, its largest value as well. What smoothed stresses alone say of it holds where it
-    /// is smooth; beside stress raisers it takes a second grid to know.
-    bool step_without_contact(SolvedAssembly&& now) {
-        recover_stress(now);
-        if (next_.on_final_cells()) {
-            const ErrorEstimate& error = out_.errors.back();
-            if (!error.stress) return end(std::move(now), PathEnd::no_need);
-            const bool is_low_on_the_whole = *error.stress <= out_.target,
-                       is_low_at_most = !error.largest_stress || *error.largest_stress <= out_.target,
-                       is_low = is_low_on_the_whole && is_low_at_most, is_first = out_.passes.size() == comparable_from_ + 1;
-            if (is_low && !is_first) return end(std::move(now), PathEnd::reached);
-            if (is_lost_in_rounding(now)) return end(std::move(now), is_low ? PathEnd::reached : PathEnd::out_of_digits);
-            const bool has_raisers = (is_first || !is_low_on_the_whole) && add_stress_raisers(now, out_.stress, raisers_);
-            if (is_low && !has_raisers) return end(std::move(now), PathEnd::reached);
-            if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
-            if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-            if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-            if (!is_low_at_most) add_largest_stress(now, out_.largest, raisers_);
-            if (!has_raisers && !is_low_on_the_whole) next_.coarseness /= coarsening_step;
-        }
-        coarsen_less(next_);
-        wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
-        return false;
-    }
-
-    /// Finer grids would cost more than a user of this level would expect.
-    bool too_dear() const {
-        const double affordable = std::max(affordable_unknowns * std::sqrt(standard_target / out_.target),
-                                           affordable_growth * out_.passes[comparable_from_].unknowns);
-        return out_.passes.back().unknowns > affordable;
-    }
-
-    bool out_of_passes() const { return out_.passes.size() >= comparable_from_ + max_passes; }
-
-    void record(const SolvedAssembly& now) {
-        const bool stuck = !is_solved(now);
-        out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
-        out_.errors.push_back(errors_of_last(stuck));
-    }
-
-    /// Also where the grids were too coarse to see it.
-    bool is_in_contact(const SolvedAssembly& now) const { return any_run(now) || any_missed(missed_); }
-
-    void look_for_missed(const SolvedAssembly& now) {
-        missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target) : MissedContacts(now.contacts.size());
-    }
-
-    /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
-    /// displacements have it.
-    std::string lost_part(const SolvedAssembly& now) const {
-        if (!is_solved(now)) return "";
-        for (std::size_t k = 0; k < now.grids.size(); ++k) {
-            const solver::RigidMotion motion = rigid_motion_of(now, k);
-            const double farthest = motion.translation.norm(), turn = std::abs(motion.rotation);
-            if (farthest <= now.grids[k].size && turn <= 1) continue;
-            return "part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
-                   (turn > 1 ? " turns by more than a radian"
-                             : " moves by " + number_text(farthest, 3) + ", more than its own size,") +
-                   " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest";
-        }
-        return "";
-    }
-
-    /// One solution; true: the last one.
-    bool step() {
-        SolvedAssembly now = solve();
-        const bool stuck = !is_solved(now);
-        look_for_missed(now);
-        record(now);
-        if (!now.failure.empty() && !next_.on_final_cells()) {  // a wall too thin for the first cells
-            comparable_from_ = out_.passes.size();
-            start_over();
-            next_.coarsening = next_.coarseness;
-            wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-            return false;
-        }
-        const double needed = stuck ? 0.0 : needed_search_factor(scene_, now);
-        if (now.failure.empty() && may_widen() &&
-            (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor_)) {
-            widen(now, needed, stuck);
-            return false;
-        }
-        out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
-                                (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
-        if (now.failure.empty()) now.failure = lost_part(now);
-        if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
-        if (grids_are_fixed(scene_))
-            return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
-        if (!is_in_contact(now)) return step_without_contact(std::move(now));
-        if (is_reached() && !next_.on_final_cells() && follow_ends(now, max_knot_moves - knot_moves_before)) {
-            out_.passes.pop_back();
-            out_.errors.pop_back();
-            record(now);
-            if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
-            look_for_missed(now);
-        }
-        if (is_reached()) return end(std::move(now), PathEnd::reached);
-        if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
-            return end(std::move(now), PathEnd::out_of_cells);
-        if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-        if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-        prepare_next(now, out_.errors.back());
-        return false;
-    }
-
-    /// Where one part has as many cells as it may, others may still have too few.
-    bool is_improving() const {
-        constexpr double worthwhile = 0.7;
-        const std::size_t n = out_.errors.size();
-        if (n < comparable_from_ + 3 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 2].contact_pressure)
-            return true;
-        return *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 2].contact_pressure;
-    }
-
-    bool is_reached() const {
-        const ErrorEstimate& error = out_.errors.back();
-        return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target && !any_missed(missed_);
-    }
-
-    void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
-        const bool is_first = next_.goal.empty();
-        if (is_first) {
-            theory_ = contacts_by_theory(scene_, now);
-            set_first_goals(now, with_missed(theory_.runs, missed_), next_);
-            if (theory_.is_close && !any_missed(missed_))
-                aim_at_goals(next_);
-            else
-                coarsen_less(next_);
-        } else {
-            refine(error, next_);
-        }
-        const ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
-        wanted_ = sizes_from(scene_, now, runs, next_.resolution);
-        add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
-        move_seams(scene_, now, out_.candidates);
-        expect_ends(scene_, now, runs, out_.candidates);
-        expect_pressures(now, out_.candidates);
-    }
-
-    double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }
-
-    const PartGroup& group_;
-    const Scene& scene_;
-    const ResolvedConditions& conditions_;
-    const AnalyzeOptions& options_;
-    Stopwatches& seconds_;
-    int threads_;
-    Outcome out_;
-    NextGrids next_;
-    WantedSizes wanted_;
-    WantedSizes raisers_;      // where stresses turned out to be worst
-    TheoryOfContacts theory_;  // of the first solution's contacts
-    MissedContacts missed_;    // of the last solution
-    double factor_ = 1;
-    int widenings_ = 0;
-    bool meets_others_ = false;
-    std::size_t comparable_from_ = 0;  // passes before have other candidates
-};
 
 }  // namespace
 
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds) {
     EffectUses uses;
+    const CaseProblem problem{&scene, &conditions};
     const std::vector<Candidate> candidates = search_scene(scene, 1, seconds, uses);
     std::vector<Outcome> outcomes;
     for (const PartGroup& group : part_groups(scene, conditions, candidates)) {
-        std::optional<Outcome> own = Path(scene, conditions, options, seconds, group, candidates).walk();
+        std::optional<Outcome> own = walk_group(problem, group, candidates, options, seconds);
         if (own) add_uses(uses, own->uses);
         if (own) outcomes.push_back(std::move(*own));
         if (own) continue;
         const PartGroup all(scene.parts.size(), true);
         outcomes.clear();
-        outcomes.push_back(*Path(scene, conditions, options, seconds, all, candidates).walk());
+        outcomes.push_back(*walk_group(problem, all, candidates, options, seconds));
         add_uses(uses, outcomes[0].uses);
         break;
     }
     Outcome out = merged(std::move(outcomes));
     out.uses = std::move(uses);
     return out;
+}
+
+std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& cases, const AnalyzeOptions& options,
+                                            Stopwatches& seconds) {
+    const int threads = solver::usable_threads(options.threads);
+    EffectUses uses;
+    const std::vector<Candidate> candidates = search_scene(*cases.front().scene, 1, seconds, uses);
+    std::vector<GridWalk> walks;
+    for (const CaseProblem& c : cases)
+        walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
+    std::vector<std::size_t> open(cases.size());
+    for (std::size_t k = 0; k < open.size(); ++k) open[k] = k;
+    while (!open.empty()) {
+        std::vector<GridWalk*> asking;
+        for (std::size_t k : open) asking.push_back(&walks[k]);
+        tell_pass(*asking.front(), options);
+        const PassAsk ask = joined(asking);
+        const CaseProblem& first = cases[open.front()];
+        SolvedAssembly solved = solve_pass(*first.scene, *first.conditions, asking.front()->candidates(), ask.parts, ask.wanted,
+                                           ask.coarseness, seconds, threads);
+        std::vector<std::size_t> still_open;
+        const auto keep_open = [&](std::size_t k, SolvedAssembly own) {
+            if (!walks[k].take(std::move(own))) still_open.push_back(k);
+        };
+        for (std::size_t i = 1; i < open.size(); ++i) {
+            const CaseProblem& c = cases[open[i]];
+            keep_open(open[i], solve_case(*c.scene, *c.conditions, walks[open[i]].candidates(), solved, seconds, threads));
+        }
+        keep_open(open.front(), std::move(solved));
+        std::sort(still_open.begin(), still_open.end());
+        open = std::move(still_open);
+    }
+    std::vector<Outcome> outcomes;
+    for (GridWalk& walk : walks) {
+        outcomes.push_back(walk.take_outcome());
+        add_uses(outcomes.back().uses, uses);
+    }
+    return outcomes;
 }
 
 }  // namespace abut

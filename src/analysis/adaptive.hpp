@@ -13,4 +13,15 @@ namespace abut {
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
                          Stopwatches& seconds);
 
+/// A scene under the loads of one case.
+struct CaseProblem {
+    const Scene* scene;
+    const ResolvedConditions* conditions;
+};
+
+/// Solves cases that differ by their loads alone: every pass is on one set of grids, fine where any case that has not ended
+/// wants it, and on one set of factors. By case.
+std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& cases, const AnalyzeOptions& options,
+                                            Stopwatches& seconds);
+
 }  // namespace abut

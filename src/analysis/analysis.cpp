@@ -30,6 +30,7 @@
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
 #include "src/scene/dissertation_method.hpp"
+#include "src/scene/load_cases.hpp"
 #include "src/solution/assembled_condition.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/rigid_pairs.hpp"
@@ -54,11 +55,12 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
-void fill_largest(const LargestStress& largest, PartResult& part) {
+void fill_largest(const LargestStress& largest, const Material& material, PartResult& part) {
     part.max_displacement = largest.displacement;
     part.max_von_mises = largest.von_mises;
     part.max_von_mises_error = largest.error;
     part.max_von_mises_at_corner = largest.at_corner;
+    if (material.yield) part.utilisation = largest.von_mises.value / *material.yield;
 }
 
 /// Displacements and stresses of all parts that have some, side by side. False: one has no stresses.
@@ -69,7 +71,7 @@ bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& re
     solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
         if (!out.stress[at(k)].failure.empty()) return;
         const auto i = at(solved.grids[at(k)].part);
-        fill_largest(out.largest[at(k)], result.parts[i]);
+        fill_largest(out.largest[at(k)], scene.materials[at(scene.parts[i].material)], result.parts[i]);
         result.fields[i] = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)],
                                       drawn_patch * model.diagonal());
     });
@@ -159,10 +161,15 @@ std::optional<Scene> follow_to_rest(const Scene& drawn, const ResolvedConditions
     return rest;
 }
 
-Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    Stopwatches seconds{{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
+/// An analysis on its way: what is known of it before anything is solved.
+struct Begun {
+    ResolvedConditions conditions;
     Result result;
+};
+
+Begun begin_analysis(const Scene& drawn) {
+    Begun begun;
+    Result& result = begun.result;
     result.title = drawn.title;
     result.length_unit = drawn.length_unit;
     result.force_unit = drawn.force_unit;
@@ -175,10 +182,17 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
             "penalty along what its search on cells of " +
             with_unit(search_cell(drawn), 4, drawn.length_unit) + " lets in");
     check_probes(drawn);
-    const ResolvedConditions conditions = resolve_conditions(drawn);
-    result.effects = plan_effects(drawn, conditions);
+    begun.conditions = resolve_conditions(drawn);
+    result.effects = plan_effects(drawn, begun.conditions);
+    return begun;
+}
+
+/// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run.
+Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
+                       std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
+    const ResolvedConditions& conditions = begun.conditions;
+    Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
-    Outcome out = solve_adaptively(drawn, conditions, options, seconds);
     // the dissertation's method is one solution, from where parts are drawn
     const std::optional<Scene> rest =
         is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
@@ -221,20 +235,62 @@ Result analyze_checked(const Scene& drawn, const AnalyzeOptions& options) {
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     predict_next_level(result);
-    return result;
+    return std::move(result);
 }
 
-}  // namespace
+Stopwatches fresh_stopwatches() {
+    return {{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
+}
 
-Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    Stopwatches seconds = fresh_stopwatches();
+    Begun begun = begin_analysis(scene);
+    Outcome out = solve_adaptively(scene, begun.conditions, options, seconds);
+    return finish_analysis(scene, std::move(begun), std::move(out), options, begin, seconds);
+}
+
+std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    Stopwatches seconds = fresh_stopwatches();
+    std::vector<Scene> scenes;
+    std::vector<Begun> begun;
+    for (const LoadCase& c : scene.cases) {
+        scenes.push_back(scene_of_case(scene, c));
+        begun.push_back(begin_analysis(scenes.back()));
+    }
+    std::vector<CaseProblem> problems;
+    for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
+    std::vector<Outcome> outcomes = solve_cases_adaptively(problems, options, seconds);
+    std::vector<CaseResult> results;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        results.push_back({scene.cases[k].name, scene.cases[k].factors,
+                           finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds)});
+    return results;
+}
+
+/// What is said of a pointer names the file, too.
+template <class F>
+auto with_file_named(const Scene& scene, F analysis) {
     try {
-        return analyze_checked(scene, options);
+        return analysis();
     } catch (const InputError& error) {
         std::vector<Problem> problems = error.problems();
         for (Problem& p : problems)
             if (p.where.starts_with('/')) p.where = scene.file + " " + p.where;
         throw InputError(std::move(problems));
     }
+}
+
+}  // namespace
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    refuse_cases(scene);
+    return with_file_named(scene, [&] { return analyze_checked(scene, options); });
+}
+
+std::vector<CaseResult> analyze_cases(const Scene& scene, const AnalyzeOptions& options) {
+    return with_file_named(scene, [&] { return analyze_cases_checked(scene, options); });
 }
 
 }  // namespace abut

@@ -202,8 +202,8 @@ private:
 }  // namespace
 
 const std::vector<std::string>& reference_names() {
-    static const std::vector<std::string> names{"scene", "result", "contacts", "expect", "csv",
-                                                "study", "batch",  "inspect",  "verify"};
+    static const std::vector<std::string> names{"scene", "result", "cases", "contacts", "expect",
+                                                "csv",   "study",  "batch", "inspect",  "verify"};
     return names;
 }
 

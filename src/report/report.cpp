@@ -3,21 +3,61 @@
 
 #include "src/io/build_id.hpp"
 #include "src/io/escape_xml.hpp"
+#include "src/io/number_text.hpp"
 #include "src/report/report_sections.hpp"
+#include "src/report/report_table.hpp"
+#include "src/results/result_units.hpp"
 
 namespace abut {
 
-std::string report_html(const Result& result) {
+namespace {
+
+std::string page(const Result& result, const std::string& body) {
     const std::string title = escape_xml(result.title.empty() ? "Contact analysis" : result.title);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
            title + "</title>\n<style>" + report::style_sheet() + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           report::verdict_box(result) + report::warnings_box(result) + report::assembly_section(result) +
-           report::fields_section(result) + report::contacts_section(result) + report::tables_section(result) +
-           "<footer>Made by abut " + program_build() +
+           body + "<footer>Made by abut " + program_build() +
            ". Forces and moments are totals over the thickness; counter-clockwise moments about the origin "
            "are positive; "
            "pressures push.</footer>\n</main>\n</body>\n</html>\n";
+}
+
+std::string loads_text(const CaseResult& c) {
+    std::vector<std::string> loads;
+    for (const auto& [name, factor] : c.factors) loads.push_back(number_text(factor, 6) + " x " + name);
+    return loads.empty() ? "no load that has a name" : joined(loads, ", ");
+}
+
+std::string case_box(const CaseResult& c, std::size_t k) {
+    return "<h2><a href=\"" + case_folder(k) + "/report.html\">" + escape_xml(c.name) + "</a></h2>\n<p>" +
+           escape_xml(loads_text(c)) + "</p>\n" + report::verdict_box(c.result) + report::warnings_box(c.result);
+}
+
+std::string envelope_table(const std::vector<CaseResult>& cases) {
+    const double size = model_size(cases.front().result);
+    std::vector<std::vector<std::string>> rows;
+    for (const EnvelopeLine& line : envelope_lines(cases)) {
+        const bool is_something = line.largest.value > 0;
+        rows.push_back({line.of, line.quantity, with_unit(line.largest.value, 5, line.unit),
+                        is_something ? cases[line.largest.in_case].name : "–",
+                        line.has_place && is_something ? place_text(line.largest.at, size) : "–"});
+    }
+    return "<h2>Largest of all cases</h2>\n" +
+           report::html_table({{"of"}, {"quantity"}, {"value", true}, {"case"}, {"at", true}}, rows);
+}
+
+}  // namespace
+
+std::string report_html(const Result& result) {
+    return page(result, report::verdict_box(result) + report::warnings_box(result) + report::assembly_section(result) +
+                            report::fields_section(result) + report::contacts_section(result) + report::tables_section(result));
+}
+
+std::string cases_html(const std::vector<CaseResult>& cases) {
+    std::string body = envelope_table(cases);
+    for (std::size_t k = 0; k < cases.size(); ++k) body += case_box(cases[k], k);
+    return page(cases.front().result, body);
 }
 
 }  // namespace abut

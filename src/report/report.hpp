@@ -2,11 +2,15 @@
 #pragma once
 #include <string>
 
-#include "src/results/result.hpp"
+#include "src/results/case_result.hpp"
 
 namespace abut {
 
 /// The text of report.html: one file, no network.
 std::string report_html(const Result& result);
+
+/// The text of the page over the load cases of a scene: what each came to, with a link to its own page
+/// (CASE_FOLDER/report.html), and what is largest in any.
+std::string cases_html(const std::vector<CaseResult>& cases);
 
 }  // namespace abut

@@ -66,9 +66,10 @@ struct PartResult {
     std::optional<double> max_displacement_error;  ///< estimated, relative; unset where there is none
     std::optional<double> max_von_mises_error;     ///< estimated, relative; unset where there is none
     bool max_von_mises_at_corner =
-        false;              ///< it stands where stress has no limit (src/analysis/largest_stress.hpp): no maximum at all
-    double grid_angle = 0;  ///< radians
-    std::vector<double> grid_x, grid_y;  ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+        false;  ///< it stands where stress has no limit (src/analysis/largest_stress.hpp): no maximum at all
+    std::optional<double> utilisation{};  ///< largest von Mises stress over the material's yield; unset: the yield is not known
+    double grid_angle = 0;                ///< radians
+    std::vector<double> grid_x, grid_y;   ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
     CutQuality quality;
 };

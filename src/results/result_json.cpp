@@ -93,6 +93,7 @@ Json part(const PartResult& p) {
             {"rigid", p.rigid},
             {"max_displacement", largest_displacement(p)},
             {"max_von_mises", largest_stress(p)},
+            {"utilisation", number(p.utilisation)},
             {"cells", cells_of(p)},
             {"self_check", self_check_of(p)}};
 }

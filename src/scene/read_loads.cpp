@@ -98,7 +98,7 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
 std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
     const Words keys{{"on", "pressure", "traction", "force", "at", "moment", "bearing", "part", "body_force", "gravity", "spin",
-                      "temperature"},
+                      "temperature", "name"},
                      {}};
     if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
     const JsonValue* what = exactly_one(
@@ -108,6 +108,7 @@ std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     Load load;
     load.kind = kind.kind;
     load.where = value.pointer;
+    load.name = member_or(reading, value, "name", std::string(), read_text);
     load.value = kind.read(reading, *what, kind.dimension).value_or(std::array<Expression, 2>{});
     if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
     read_target(reading, value, kind, load);

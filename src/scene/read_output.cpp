@@ -26,13 +26,14 @@ std::vector<std::string> read_formats(SceneReading& reading, const JsonValue& va
 }
 
 std::optional<Expectation> read_expectation(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"quantity", "value", "tolerance", "source"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {{"quantity", "value", "tolerance", "source", "case"}, {}})) return std::nullopt;
     const auto quantity = required_member(reading, value, "quantity", read_text);
     const auto known = required_member(reading, value, "value", read_of_any_dimension);
     const auto tolerance = required_member(reading, value, "tolerance", read_positive, dimension::none);
     const std::string source = member_or(reading, value, "source", std::string(), read_text);
+    const std::string in_case = member_or(reading, value, "case", std::string(), read_text);
     if (!quantity || !known || !tolerance) return std::nullopt;
-    return Expectation{*quantity, *known, *tolerance, source, value.pointer};
+    return Expectation{*quantity, *known, *tolerance, source, in_case, value.pointer};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "src/io/nearest_name.hpp"
 #include "src/scene/dissertation_method.hpp"
 #include "src/scene/read_accuracy.hpp"
+#include "src/scene/read_cases.hpp"
 #include "src/scene/read_contacts.hpp"
 #include "src/scene/read_materials.hpp"
 #include "src/scene/read_output.hpp"
@@ -95,6 +96,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     const JsonValue& root = reading.root;
     if (const JsonValue* supports = find_member(root, "supports")) scene.supports = read_supports(reading, *supports);
     if (const JsonValue* loads = find_member(root, "loads")) scene.loads = read_loads(reading, *loads);
+    if (const JsonValue* cases = find_member(root, "cases")) read_cases(reading, *cases, scene);
     if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
     if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
     if (is_by_dissertation(scene)) {
@@ -103,6 +105,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     }
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
     if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
+    check_cases_of_expectations(reading, scene);
 }
 
 /// Thicknesses have no meaning around an axis; the full circle takes their place.
@@ -207,7 +210,7 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     scene.file = document.file;
     refuse_symmetry(reading);
     const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "contacts", "accuracy", "output", "expect"},
+                      "assembly", "supports", "loads", "cases", "contacts", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

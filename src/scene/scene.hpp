@@ -91,6 +91,14 @@ struct Load {
     std::optional<Vec2> at;           ///< edge_force: a point of its line of action, if not through the middle of the edges
     Vec2 about{0, 0};                 ///< spin: the axis' place
     double omega = 0;                 ///< spin: angle per time
+    std::string name{};               ///< load cases call it by that; may be empty, and the name of several
+    std::string where;
+};
+
+/// A load case: the loads of a name times its factor. Those of other names do not act, those without a name act in every case.
+struct LoadCase {
+    std::string name;
+    std::map<std::string, double> factors;  ///< by name of loads
     std::string where;
 };
 
@@ -179,6 +187,7 @@ struct Expectation {
     double value = 0;      ///< in the scene's units
     double tolerance = 0;  ///< on the error relative to the value, or on the error itself where the value is 0
     std::string source;    ///< where the value comes from; may be empty
+    std::string in_case;   ///< name of the load case; empty: the scene has none
     std::string where;     ///< JSON pointer
 };
 
@@ -202,6 +211,7 @@ struct Scene {
     std::vector<ScenePart> parts;  ///< in the scene's order, the assembly's parts after "parts"
     std::vector<Support> supports;
     std::vector<Load> loads;
+    std::vector<LoadCase> cases;  ///< empty: all loads act
     ContactOptions contacts;
     Accuracy accuracy;
     Output output;

@@ -6,16 +6,12 @@
 
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
-#include "solver/terms/dilatation.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
-#include "src/discretization/load_vector.hpp"
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/rigid_part.hpp"
-#include "src/discretization/solution_structure.hpp"
-#include "src/discretization/support_sets.hpp"
-#include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
+#include "src/solution/part_systems.hpp"
 
 namespace abut {
 
@@ -51,117 +47,6 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
         if (attempt > 0) ++solved.refined_for_walls;
         if (limited) ++solved.limited_grids;
         return g;
-    }
-}
-
-struct LoadedSystem {
-    solver::PartSystem system;
-    double load_scale = 0;
-    EffectUses uses{};
-};
-LoadedSystem make_rigid(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
-    PartLoad load = load_vector(scene, conditions, g);
-    LoadedSystem made{{}, load.scale, std::move(load.uses)};
-    MeteredCall call(made.uses, "rigid parts");
-    made.system = rigid_system(scene, conditions, g, load);
-    call.count(1);
-    return made;
-}
-
-LoadedSystem make_system(const Scene& scene, const ResolvedConditions& conditions, PartOnGrid& g) {
-    if (g.is_rigid) return make_rigid(scene, conditions, g);
-    g.input.structure = make_structure(scene, conditions, g);
-    if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
-    g.input.free_strain = free_strain(scene, g);
-    PartLoad load = load_vector(scene, conditions, g);
-    return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
-                                     spring_sets(scene, conditions, g), load.weighted),
-            load.scale, std::move(load.uses)};
-}
-
-/// With dirichlet "aligned" every support of edges has to be imposed that way.
-void require_aligned(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
-    for (const solver::SupportRecord& record : system.supports)
-        if (scene.accuracy.dirichlet == "aligned" && record.method == solver::SupportMethod::nitsche)
-            throw InputError(scene.supports[at(record.set.tag)].where,
-                             "this support cannot be imposed by dropping functions: on part " + scene.parts[at(g.part)].name +
-                                 " it " + record.why,
-                             "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
-}
-
-/// Part, place and meaning of a system that cannot be solved.
-std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
-    std::string where;
-    if (system.failed_at) {
-        const Vec2 x = g.frame.to_global(system.failed_at->at);
-        where = ", near (" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
-    }
-    return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
-}
-
-/// What the system's own code spent on its effects.
-EffectUses uses_of(const solver::PartSystem& system) {
-    EffectUses uses;
-    if (system.body) return uses;
-    const auto& s = system.seconds;
-    uses["elasticity"] = {s.all - s.springs - s.dilatation, 2L * system.n()};
-    long points = 0;
-    for (const solver::SpringSet& set : system.springs) points += static_cast<long>(set.points.size());
-    if (points > 0) uses["springs"] = {s.springs, points};
-    if (system.input.dilatation) uses["incompressibility"] = {s.dilatation, system.input.dilatation->space.n_functions};
-    return uses;
-}
-
-/// Rigid supports of one part.
-void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& solved) {
-    const auto is_held = [&](const Support& s) {
-        return s.kind == Support::Kind::rigid && s.part == scene.parts[at(solved.grids[part].part)].name;
-    };
-    if (solved.grids[part].is_rigid || std::none_of(scene.supports.begin(), scene.supports.end(), is_held)) return;
-    MeteredCall call(solved.uses, "rigid supports");
-    for (solver::MeanConstraint& c : mean_constraints(scene, solved.grids[part], static_cast<int>(part))) {
-        solved.problem.constraints.push_back(std::move(c));
-        call.count(1);
-    }
-}
-
-/// Parts are made side by side, each on its share of the threads; in turn, on all threads each, where the largest part would
-/// keep the others waiting.
-struct SharedThreads {
-    int side_by_side, each;
-};
-
-SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) {
-    constexpr double much_more = 1.25;  // than a thread's share: what threads within a part lose
-    double largest = 0, all = 0;
-    for (const PartOnGrid& g : grids) {
-        const double size = g.is_rigid ? 0 : g.input.space.n_functions;
-        largest = std::max(largest, size);
-        all += size;
-    }
-    if (largest * threads > much_more * all) return {1, threads};
-    return {threads, std::max(1, threads / std::max(1, static_cast<int>(grids.size())))};
-}
-
-/// Solver's input, supports and loads of every part on its grid.
-void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved) {
-    std::vector<LoadedSystem> made(solved.grids.size());
-    const SharedThreads shared = shared_threads(solved.grids, threads);
-    for (PartOnGrid& g : solved.grids) g.input.threads = shared.each;
-    solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side,
-                         [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
-    for (std::size_t i = 0; i < made.size(); ++i) {
-        PartOnGrid& g = solved.grids[i];
-        solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
-        solved.problem.part_load.push_back(made[i].load_scale);
-        solved.problem.parts.push_back(std::move(made[i].system));
-        const solver::PartSystem& system = solved.problem.parts.back();
-        add_uses(solved.uses, made[i].uses);
-        add_uses(solved.uses, uses_of(system));
-        g.input.dilatation = system.input.dilatation;
-        require_aligned(scene, g, system);
-        if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
-        append_constraints(scene, i, solved);
     }
 }
 
@@ -352,6 +237,25 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
         const double before = timed.seconds();
         make_systems(scene, conditions, threads, solved);
         seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
+        if (!solved.failure.empty()) return solved;
+    }
+    solve_contacts(solved, seconds, threads);
+    return solved;
+}
+
+SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          const SolvedAssembly& of_parts, Stopwatches& seconds, int threads) {
+    SolvedAssembly solved;
+    solved.solver_part = of_parts.solver_part;
+    solved.failure = of_parts.failure;
+    solved.refined_for_walls = of_parts.refined_for_walls;
+    solved.limited_grids = of_parts.limited_grids;
+    solved.grids = of_parts.grids;
+    if (!solved.failure.empty()) return solved;
+    {
+        const Timed timed(seconds, "assembly");
+        make_interfaces(scene, candidates, solved);
+        load_systems(scene, conditions, of_parts, threads, solved);
         if (!solved.failure.empty()) return solved;
     }
     solve_contacts(solved, seconds, threads);

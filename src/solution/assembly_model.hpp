@@ -21,6 +21,11 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads = 1);
 
+/// Solves the same parts on the grids and factors of a solved pass, under other loads. The scenes differ by their loads alone.
+/// Parts that temperatures act on get a factor of their own.
+SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          const SolvedAssembly& solved, Stopwatches& seconds, int threads);
+
 /// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of
 /// contact. Costs the contact solution alone.
 void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The way over grids of one problem: after each solution it says what the next grids are to be, or that this was the last.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "src/analysis/outcome.hpp"
+#include "src/analysis/part_groups.hpp"
+#include "src/discretization/grid_design.hpp"
+#include "src/solution/assembly_model.hpp"
+
+namespace abut {
+
+/// What a walk wants of its next pass.
+struct PassAsk {
+    std::vector<bool> parts;  ///< by scene part: solved
+    WantedSizes wanted;
+    double coarseness;  ///< of the cells that the shapes want
+};
+
+/// The candidates of a search, `factor` times as far as the first one goes; none where there is nothing to search.
+std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatches& seconds, EffectUses& uses);
+
+/// The walk of one group of parts under one set of loads. Refers to scene, conditions and seconds.
+class GridWalk {
+public:
+    /// candidates: of the first search, those of other groups, too.
+    GridWalk(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,
+             const std::vector<Candidate>& candidates, int threads);
+    GridWalk(GridWalk&&) noexcept;
+    GridWalk& operator=(GridWalk&&) noexcept;
+    ~GridWalk();
+
+    PassAsk ask() const;
+    const std::vector<Candidate>& candidates() const;  ///< that the next pass is to be solved with
+    /// Takes a solution on grids that are as fine as asked for, or finer. True: it was the last one.
+    bool take(SolvedAssembly solved);
+    /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.
+    bool meets_others() const;
+    std::size_t n_passes() const;
+    /// What the walk ended with; once.
+    Outcome take_outcome();
+
+private:
+    class Path;
+    std::unique_ptr<Path> path_;
+};
+
+}  // namespace abut

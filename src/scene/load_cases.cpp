@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/scene/load_cases.hpp"
+
+#include <cmath>
+
+#include "geometry/brep/input_error.hpp"
+#include "src/io/nearest_name.hpp"
+
+namespace abut {
+
+namespace {
+
+/// The factor of a load in a case: 1 of those without a name.
+double factor_of(const Load& load, const LoadCase& c) {
+    if (load.name.empty()) return 1;
+    const auto factor = c.factors.find(load.name);
+    return factor == c.factors.end() ? 0 : factor->second;
+}
+
+Load scaled(Load load, double factor) {
+    for (Expression& value : load.value) value = value.times(factor);
+    if (load.kind == Load::Kind::spin) load.omega *= std::sqrt(factor);  // never negative: the reader has seen to it
+    return load;
+}
+
+}  // namespace
+
+Scene scene_of_case(const Scene& scene, const LoadCase& c) {
+    Scene own = scene;
+    own.cases.clear();
+    own.loads.clear();
+    for (const Load& load : scene.loads)
+        if (const double factor = factor_of(load, c); factor == 1)
+            own.loads.push_back(load);
+        else if (factor != 0)
+            own.loads.push_back(scaled(load, factor));
+    std::erase_if(own.expect, [&](const Expectation& e) { return e.in_case != c.name; });
+    return own;
+}
+
+const LoadCase& case_named(const Scene& scene, const std::string& name) {
+    std::vector<std::string> known;
+    for (const LoadCase& c : scene.cases) {
+        if (c.name == name) return c;
+        known.push_back(c.name);
+    }
+    throw InputError(scene.file + " /cases", "there is no load case '" + shortened(name) + "'",
+                     known.empty() ? "the scene has none" : nearest_name_hint(name, known));
+}
+
+void refuse_cases(const Scene& scene) {
+    if (scene.cases.empty()) return;
+    throw InputError(scene.file + " /cases", "the scene has load cases: which one is meant is not said",
+                     "abut analyze answers all of them, or one with --case NAME");
+}
+
+}  // namespace abut

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Load cases: each is what the scene would be under its loads alone, on grids and factors that all have in common.
+#include "src/scene/load_cases.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "geometry/brep/input_error.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::load_cases_test {
+namespace {
+
+/// A bar that is held on its left, with a rigid or an elastic block on it if the text says so.
+Scene scene_with(const std::string& parts, const std::string& rest) {
+    return read_scene_text(R"({"abut": 1, "units": {"length": "mm", "force": "N"},
+        "materials": {"steel": {"E": 210000, "nu": 0.3, "density": 7.85e-9, "expansion": 1.2e-5, "yield": 200}}, "parts": [)" +
+                               parts + "], " + rest + "}",
+                           "cases.json");
+}
+
+const std::string bar = R"({"name": "bar", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [40, 10]}}})";
+
+Scene loaded_bar(const std::string& cases) {
+    return scene_with(bar, R"("supports": [{"on": "bar/left", "fix": ["x", "y"]}],
+        "loads": [{"name": "push", "on": "bar/top", "pressure": "3 + x/20"}, {"name": "pull", "on": "bar/right", "force": [500, 20]},
+                  {"name": "heat", "part": "bar", "temperature": "10 + y"}, {"name": "spin", "part": "bar", "spin": {"about": [0, 5], "omega": 900}},
+                  {"on": "bar/right", "traction": [0, 1]}],
+        "output": {"probes": [{"part": "bar", "at": [31, 4]}, {"part": "bar", "at": [12, 8]}]}, )" +
+                               cases);
+}
+
+std::vector<double> numbers_of(const Result& r) {
+    std::vector<double> all;
+    for (const ProbeResult& p : r.probes)
+        for (double v : {p.displacement.x(), p.displacement.y(), p.stress.xx, p.stress.yy, p.stress.xy}) all.push_back(v);
+    return all;
+}
+
+void expect_close(const std::vector<double>& a, const std::vector<double>& b, double tolerance) {
+    ASSERT_EQ(a.size(), b.size());
+    ASSERT_FALSE(a.empty());
+    double largest = 0;
+    for (double v : a) largest = std::max(largest, std::abs(v));
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], tolerance * largest) << i;
+}
+
+TEST(LoadCases, AreSumsOfTheirLoadsWithoutContact) {
+    const Scene scene = loaded_bar(R"("cases": [{"name": "none", "loads": {}}, {"name": "a", "loads": {"push": 1}},
+        {"name": "b", "loads": {"pull": 1}}, {"name": "both", "loads": {"push": -2, "pull": 0.5}},
+        {"name": "heat", "loads": {"heat": 1}}, {"name": "half", "loads": {"heat": -0.5}},
+        {"name": "spin", "loads": {"spin": 1}}, {"name": "twice", "loads": {"spin": 4}}])");
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    ASSERT_EQ(cases.size(), 8U);
+    std::vector<std::vector<double>> u;
+    for (const CaseResult& c : cases) {
+        ASSERT_EQ(c.result.status, "ok") << c.name << ": " << c.result.message;
+        EXPECT_EQ(c.result.unknowns, cases[0].result.unknowns) << "one set of grids";
+        u.push_back(numbers_of(c.result));
+    }
+    const auto sum = [&](const std::vector<std::pair<double, int>>& terms, double unnamed) {
+        std::vector<double> total(u[0].size(), 0);
+        for (std::size_t i = 0; i < total.size(); ++i) {
+            total[i] = unnamed * u[0][i];
+            for (const auto& [factor, k] : terms) total[i] += factor * u[static_cast<std::size_t>(k)][i];
+        }
+        return total;
+    };
+    expect_close(u[3], sum({{-2, 1}, {0.5, 2}}, 1 + 2 - 0.5), 1e-11);
+    expect_close(u[5], sum({{-0.5, 4}}, 1.5), 1e-11);
+    expect_close(u[7], sum({{4, 6}}, -3), 1e-11);
+}
+
+TEST(LoadCases, AreWhatTheSceneWouldBeAlone) {
+    const Scene scene = loaded_bar(R"("accuracy": {"cell_size": 1.5}, "cases": [{"name": "a", "loads": {"push": 1, "heat": 2}},
+        {"name": "b", "loads": {"pull": -1.5}}])");
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const Result alone = analyze(scene_of_case(scene, scene.cases[k]), {});
+        expect_close(numbers_of(cases[k].result), numbers_of(alone), 1e-11);
+        EXPECT_NEAR(cases[k].result.strain_energy, alone.strain_energy, 1e-11 * alone.strain_energy);
+        EXPECT_LT(cases[k].result.equilibrium.relative_residual, 1e-10);
+    }
+}
+
+/// A disc between a table and nothing: half width and peak of Hertz' contact grow with the root of the force.
+TEST(LoadCases, FollowHertzOnCommonGrids) {
+    const Scene scene = scene_with(
+        R"({"name": "disc", "material": "steel", "geometry": {"disk": {"center": [0, 10], "radius": 10}}},
+           {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-30, -40], "max": [30, 0]}}})",
+        R"("analysis": "plane_strain", "supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "disc", "points": [[0, 10]], "fix": ["x"]}],
+           "loads": [{"name": "weight", "part": "disc", "force": [0, -500]}],
+           "cases": [{"name": "one", "loads": {"weight": 1}}, {"name": "four", "loads": {"weight": 4}}, {"name": "nine", "loads": {"weight": 9}}])");
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    const double modulus = 210000 / (1 - 0.09) / 2;
+    for (const CaseResult& c : cases) {
+        ASSERT_EQ(c.result.status, "ok") << c.result.message;
+        ASSERT_EQ(c.result.contacts.size(), 1U);
+        const double force = 500 * c.factors.at("weight");
+        const double half_width = std::sqrt(4 * force * 10 / (std::numbers::pi * modulus));
+        const double peak = 2 * force / (std::numbers::pi * half_width);
+        EXPECT_NEAR(c.result.contacts[0].force.norm(), force, 1e-8 * force);
+        EXPECT_NEAR(c.result.contacts[0].max_pressure.value, peak, 0.01 * peak) << c.name;
+        EXPECT_NEAR(c.result.contacts[0].contact_length, 2 * half_width, 0.02 * 2 * half_width) << c.name;
+        EXPECT_TRUE(c.result.accuracy.reached) << c.name;
+    }
+    const Envelope all = envelope_of(cases);
+    ASSERT_EQ(all.contacts.size(), 1U);
+    EXPECT_EQ(all.contacts[0].max_pressure.in_case, 2U);
+    EXPECT_EQ(all.contacts[0].max_pressure.value, cases[2].result.contacts[0].max_pressure.value);
+    ASSERT_TRUE(all.parts[0].utilisation);
+    EXPECT_EQ(all.parts[0].utilisation->value, all.parts[0].max_von_mises.value / 200);
+}
+
+/// A block on a table that is pushed down or lifted on a spring: contact in the one case, none in the other.
+TEST(LoadCases, OpenAndCloseContacts) {
+    const Scene scene = scene_with(
+        R"({"name": "block", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 10]}}},
+           {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-10, -10], "max": [20, 0]}}})",
+        R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"on": "block/top", "spring": {"normal": 10, "tangential": 10}}],
+           "loads": [{"name": "push", "on": "block/top", "force": [0, -1000]}],
+           "cases": [{"name": "down", "loads": {"push": 1}}, {"name": "up", "loads": {"push": -1}}])");
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    ASSERT_EQ(cases[0].result.status, "ok") << cases[0].result.message;
+    ASSERT_EQ(cases[1].result.status, "ok") << cases[1].result.message;
+    const Envelope all = envelope_of(cases);
+    ASSERT_EQ(all.contacts.size(), 1U);
+    EXPECT_EQ(all.contacts[0].open_in, (std::vector<std::size_t>{1}));
+    EXPECT_EQ(all.contacts[0].force.in_case, 0U);
+    EXPECT_GT(cases[1].result.parts[0].max_displacement.value, cases[0].result.parts[0].max_displacement.value);
+}
+
+TEST(LoadCases, OneThatFailsLeavesTheOthers) {
+    const Scene scene = scene_with(
+        R"({"name": "block", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 10]}}},
+           {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-10, -10], "max": [20, 0]}}})",
+        R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"on": "block/left", "fix": ["x"]}],
+           "loads": [{"name": "push", "on": "block/top", "force": [0, -1000]}],
+           "cases": [{"name": "up", "loads": {"push": -1}}, {"name": "down", "loads": {"push": 1}}])");
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    EXPECT_EQ(cases[0].result.status, "failed");
+    EXPECT_NE(cases[0].result.message.find("block"), std::string::npos);
+    ASSERT_EQ(cases[1].result.status, "ok") << cases[1].result.message;
+    EXPECT_NEAR(cases[1].result.contacts[0].force.y(), 1000, 1e-6);
+    EXPECT_EQ(verdict_of(cases), Verdict::failed);
+    EXPECT_EQ(envelope_of(cases).contacts[0].force.in_case, 1U);
+}
+
+TEST(LoadCases, AreNotAnsweredAsOneScene) {
+    const Scene scene = loaded_bar(R"("cases": [{"name": "a", "loads": {"push": 1}}])");
+    EXPECT_THROW(analyze(scene, {}), InputError);
+    EXPECT_THROW(case_named(scene, "b"), InputError);
+    EXPECT_EQ(case_named(scene, "a").factors.at("push"), 1);
+    EXPECT_TRUE(scene_of_case(scene, scene.cases[0]).cases.empty());
+    EXPECT_EQ(scene_of_case(scene, scene.cases[0]).loads.size(), 2U) << "push, and the one without a name";
+}
+
+TEST(LoadCases, ALoadThatActsNowhereIsSaid) {
+    const Scene scene = loaded_bar(R"("cases": [{"name": "a", "loads": {"push": 1, "pull": 0, "spin": 1}}])");
+    int n_said = 0;
+    for (const std::string& warning : scene.warnings)
+        n_said += warning == "the load 'pull' acts in no load case" || warning == "the load 'heat' acts in no load case";
+    EXPECT_EQ(n_said, 2);
+}
+
+TEST(LoadCases, WhatIsWrongIsToldWithItsPlace) {
+    const std::vector<std::pair<std::string, std::string>> wrong = {
+        {R"("cases": [])", "/cases"},
+        {R"("cases": [{"name": "a", "loads": {"pusch": 1}}])", "did you mean 'push'"},
+        {R"("cases": [{"name": "a", "loads": ["push"]}])", "/cases/0/loads"},
+        {R"("cases": [{"loads": {"push": 1}}])", "name"},
+        {R"("cases": [{"name": "a", "loads": {"push": "1 N"}}])", "/cases/0/loads/push"},
+        {R"("cases": [{"name": "a", "loads": {"spin": -1}}])", "negative"},
+        {R"("cases": [{"name": "a", "loads": {}}, {"name": "a", "loads": {}}])", "another case"},
+        {R"("cases": [{"name": "a", "loads": {}}], "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1}])",
+         "give \"case\""},
+        {R"("cases": [{"name": "left", "loads": {}}], "expect": [{"case": "lift", "quantity": "strain_energy", "value": 1, "tolerance": 1}])",
+         "did you mean 'left'"},
+        {R"("expect": [{"case": "a", "quantity": "strain_energy", "value": 1, "tolerance": 1}])", "no load cases"}};
+    for (const auto& [text, words] : wrong) {
+        try {
+            loaded_bar(text);
+            ADD_FAILURE() << text;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problems().size(), 1U) << text;
+            EXPECT_NE(one_line(error.problems().front()).find(words), std::string::npos)
+                << one_line(error.problems().front()) << "\n"
+                << text;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace abut::load_cases_test
