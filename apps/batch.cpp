@@ -6,6 +6,7 @@
 #include <set>
 
 #include "apps/accuracy_option.hpp"
+#include "apps/batch_call.hpp"
 #include "apps/batch_end.hpp"
 #include "apps/batch_job.hpp"
 #include "apps/batch_options.hpp"
@@ -32,15 +33,6 @@ volatile std::sig_atomic_t stopped_by = 0;
 extern "C" void note_signal(int signal) {
     stopped_by = signal;
 }
-
-/// Everything that the command line says.
-struct BatchCall {
-    BatchSource source;
-    std::optional<BatchTemplate> scene_template;
-    JobSettings job;
-    BatchRun run;
-    std::string out;
-};
 
 /// "draft", or a number: the same words for every shard. Throws where --accuracy is wrong, before any job meets it.
 std::string accuracy_setting(const Arguments& arguments) {
@@ -97,11 +89,8 @@ BatchCall read_call(const Arguments& arguments) {
     if (has(arguments, "--template")) call.scene_template = read_template(call.job.template_file);
     call.source = read_batch_source(arguments.operand, {call.out, call.scene_template.has_value()});
     check_template(call.source, call.scene_template ? &*call.scene_template : nullptr);
-    call.run.workers = workers_of(arguments);
-    call.run.limits = {memory_of(arguments), timeout_of(arguments)};
     call.run.shard = shard_of(arguments);
-    call.run.force = has(arguments, "--force");
-    call.run.request = {settings_of(arguments), call.job.template_file, {}};
+    set_run_options(arguments, call);
     return call;
 }
 
@@ -143,6 +132,29 @@ BatchEnd run_call(BatchCall& call, bool quiet) {
 
 }  // namespace
 
+void set_run_options(const Arguments& arguments, BatchCall& call) {
+    call.run.workers = workers_of(arguments);
+    call.run.limits = {memory_of(arguments), timeout_of(arguments)};
+    call.run.force = has(arguments, "--force");
+    call.run.request = {settings_of(arguments), call.job.template_file, {}};
+}
+
+int do_batch(BatchCall& call, const std::string& name, bool quiet) {
+    const Stopwatch watch;
+    prepare_output_folder(call.out);
+    call.run.request.own_settings = [&job = call.job](const BatchJob& which) { return expectation_setting(job, which); };
+    const BatchFile batch = batch_file(name, call.run.request, call.source.jobs);
+    write_file(call.out, "batch.json", batch_json(batch));
+    say_what_is_done(call, quiet);
+    say_what_is_not_there(call);
+    try {
+        const BatchEnd end = run_call(call, quiet);
+        return end_batch(call.out, batch, end, {watch.seconds(), quiet, static_cast<int>(stopped_by)});
+    } catch (const StoreError& error) {
+        throw InputError("", error.what(), "free the place or choose another folder with -o, and run the same command again");
+    }
+}
+
 CommandSpec batch_spec() {
     CommandSpec spec{
         "batch", "SOURCE", "Analyses many scenes or drawings, each in a folder of its own, with a summary.", {}, {}};
@@ -172,21 +184,8 @@ CommandSpec batch_spec() {
 }
 
 int batch_command(const Arguments& arguments) {
-    const Stopwatch watch;
     BatchCall call = read_call(arguments);
-    const bool quiet = has(arguments, "--quiet");
-    prepare_output_folder(call.out);
-    call.run.request.own_settings = [&job = call.job](const BatchJob& which) { return expectation_setting(job, which); };
-    const BatchFile batch = batch_file(arguments.operand, call.run.request, call.source.jobs);
-    write_file(call.out, "batch.json", batch_json(batch));
-    say_what_is_done(call, quiet);
-    say_what_is_not_there(call);
-    try {
-        const BatchEnd end = run_call(call, quiet);
-        return end_batch(call.out, batch, end, {watch.seconds(), quiet, static_cast<int>(stopped_by)});
-    } catch (const StoreError& error) {
-        throw InputError("", error.what(), "free the place or choose another folder with -o, and run the same command again");
-    }
+    return do_batch(call, arguments.operand, has(arguments, "--quiet"));
 }
 
 }  // namespace abut

@@ -6,7 +6,8 @@ namespace abut {
 std::vector<Command> known_commands() {
     return {{analyze_spec(), analyze_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
             {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command},
-            {batch_spec(), batch_command},     {merge_spec(), merge_command},       {help_spec(), help_command}};
+            {batch_spec(), batch_command},     {merge_spec(), merge_command},       {sweep_spec(), sweep_command},
+            {help_spec(), help_command}};
 }
 
 std::string exit_status_text() {

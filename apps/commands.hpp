@@ -24,6 +24,7 @@ int init_command(const Arguments& arguments);
 int study_command(const Arguments& arguments);
 int verify_command(const Arguments& arguments);
 int batch_command(const Arguments& arguments);
+int sweep_command(const Arguments& arguments);
 int merge_command(const Arguments& arguments);
 int help_command(const Arguments& arguments);
 
@@ -35,6 +36,7 @@ CommandSpec init_spec();
 CommandSpec study_spec();
 CommandSpec verify_spec();
 CommandSpec batch_spec();
+CommandSpec sweep_spec();
 CommandSpec merge_spec();
 CommandSpec help_spec();
 

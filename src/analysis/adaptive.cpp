@@ -13,10 +13,10 @@ namespace abut {
 namespace {
 
 /// Everything that any of the walks asks for.
-PassAsk joined(const std::vector<GridWalk*>& walks) {
-    PassAsk all = walks.front()->ask();
+PassAsk joined(const std::vector<GridWalk>& walks) {
+    PassAsk all = walks.front().ask();
     for (std::size_t k = 1; k < walks.size(); ++k) {
-        const PassAsk own = walks[k]->ask();
+        const PassAsk own = walks[k].ask();
         all.coarseness = std::min(all.coarseness, own.coarseness);
         for (std::size_t i = 0; i < all.parts.size(); ++i) {
             all.parts[i] = all.parts[i] || own.parts[i];
@@ -77,27 +77,17 @@ std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& case
     std::vector<GridWalk> walks;
     for (const CaseProblem& c : cases)
         walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
-    std::vector<std::size_t> open(cases.size());
-    for (std::size_t k = 0; k < open.size(); ++k) open[k] = k;
-    while (!open.empty()) {
-        std::vector<GridWalk*> asking;
-        for (std::size_t k : open) asking.push_back(&walks[k]);
-        tell_pass(*asking.front(), options);
-        const PassAsk ask = joined(asking);
-        const CaseProblem& first = cases[open.front()];
-        SolvedAssembly solved = solve_pass(*first.scene, *first.conditions, asking.front()->candidates(), ask.parts, ask.wanted,
-                                           ask.coarseness, seconds, threads);
-        std::vector<std::size_t> still_open;
-        const auto keep_open = [&](std::size_t k, SolvedAssembly own) {
-            if (!walks[k].take(std::move(own))) still_open.push_back(k);
-        };
-        for (std::size_t i = 1; i < open.size(); ++i) {
-            const CaseProblem& c = cases[open[i]];
-            keep_open(open[i], solve_case(*c.scene, *c.conditions, walks[open[i]].candidates(), solved, seconds, threads));
-        }
-        keep_open(open.front(), std::move(solved));
-        std::sort(still_open.begin(), still_open.end());
-        open = std::move(still_open);
+    // A case that has what it wants is solved on the others' finer grids, too: all answers are of the same last grids.
+    for (bool is_last = false; !is_last;) {
+        tell_pass(walks.front(), options);
+        const PassAsk ask = joined(walks);
+        SolvedAssembly first = solve_pass(*cases.front().scene, *cases.front().conditions, walks.front().candidates(),
+                                          ask.parts, ask.wanted, ask.coarseness, seconds, threads);
+        is_last = true;
+        for (std::size_t k = 1; k < cases.size(); ++k)
+            is_last &= walks[k].take(
+                solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), first, seconds, threads));
+        is_last &= walks.front().take(std::move(first));
     }
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

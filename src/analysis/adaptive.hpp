@@ -19,8 +19,8 @@ struct CaseProblem {
     const ResolvedConditions* conditions;
 };
 
-/// Solves cases that differ by their loads alone: every pass is on one set of grids, fine where any case that has not ended
-/// wants it, and on one set of factors. By case.
+/// Solves cases that differ by their loads alone: every pass is on one set of grids, fine where any case wants it,
+/// and on one set of factors. By case; all are of the last pass.
 std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& cases, const AnalyzeOptions& options,
                                             Stopwatches& seconds);
 

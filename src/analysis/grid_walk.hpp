@@ -33,12 +33,13 @@ public:
 
     PassAsk ask() const;
     const std::vector<Candidate>& candidates() const;  ///< that the next pass is to be solved with
-    /// Takes a solution on grids that are as fine as asked for, or finer. True: it was the last one.
+    /// Takes a solution on grids that are as fine as asked for, or finer. True: it may be the last one, and is if no other
+    /// follows.
     bool take(SolvedAssembly solved);
     /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.
     bool meets_others() const;
     std::size_t n_passes() const;
-    /// What the walk ended with; once.
+    /// What the walk ended with, after a last solution; once.
     Outcome take_outcome();
 
 private:

@@ -130,6 +130,9 @@ TEST_F(Outputs, TablesHaveTheColumnsOfTheirSchema) {
     summary.insert(summary.end() - 1, "P");
     EXPECT_EQ(columns(read(folder_ / "out/summary.csv")), summary);
 
+    abut({"analyze", data + "scenes/pin_bracket_cases.json", "--accuracy", "draft", "--quiet", "-o", "cases"});
+    EXPECT_EQ(columns(read(folder_ / "cases/envelope.csv")), described("envelope"));
+
     abut({"study", data + "scenes/case_b.json", "--budget", "2", "--quiet", "-o", "study"});
     std::vector<std::string> study = columns(read(folder_ / "study/study.csv"));
     EXPECT_GT(std::erase_if(study, [](const std::string& name) { return name.starts_with("error of "); }), 0U);
