@@ -88,6 +88,42 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
         if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn)});
 }
 
+/// How the boundary of a part turns at one of its points; 0 within an edge.
+double turn_at(const geometry::Part& part, const Vec2& place) {
+    const double merge = merge_length(part);
+    for (const Vertex& v : vertices(part))
+        if ((v.at - place).norm() <= merge) return v.turn;
+    return 0;
+}
+
+/// A bond makes one body of two. Where it ends, their boundaries meet in a corner, which is re-entrant where both together fill
+/// more than half a turn; where another bond of theirs goes on there is none.
+void append_bond_ends(const Scene& scene, const SolvedAssembly& solved, int part, std::vector<SingularPlace>& places) {
+    struct End {
+        std::array<int, 2> parts;
+        std::array<Vec2, 2> at;
+    };
+    std::vector<End> ends;
+    for (const ContactInterface& contact : solved.contacts) {
+        if (!contact.face.bilateral || contact.face.periodic || contact.face.points.empty()) continue;
+        for (double s : {contact.face.pressure.breakpoints.front(), contact.face.pressure.breakpoints.back()}) {
+            const geometry::FacingPair pair = pair_at(scene, contact, s);
+            ends.push_back({contact.part, {pair.on1.x, pair.on2.x}});
+        }
+    }
+    for (const End& end : ends) {
+        if (end.parts[0] != part && end.parts[1] != part) continue;
+        const std::array<const geometry::Part*, 2> shapes{&part_of(scene, end.parts[0]), &part_of(scene, end.parts[1])};
+        const auto goes_on = [&](const End& other) {
+            return other.parts == end.parts && (other.at[0] - end.at[0]).norm() <= merge_length(*shapes[0]);
+        };
+        if (std::count_if(ends.begin(), ends.end(), goes_on) > 1) continue;
+        // both fill half a turn less what their boundaries turn by
+        const double excess = std::numbers::pi - turn_at(*shapes[0], end.at[0]) - turn_at(*shapes[1], end.at[1]);
+        if (excess > sharp_turn) places.push_back({end.at[end.parts[0] == part ? 0 : 1], at_corner(excess)});
+    }
+}
+
 }  // namespace
 
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
@@ -96,6 +132,7 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
     for (const Vertex& v : vertices(scene.parts[at(part)].part))
         if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn)});
     append_support_ends(scene, conditions, part, places);
+    append_bond_ends(scene, solved, part, places);
     for (const Support& s : scene.supports)
         if (s.kind == Support::Kind::points && s.part == scene.parts[at(part)].name)
             for (const Vec2& held : s.at) places.push_back({held, 0});

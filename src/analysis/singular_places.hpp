@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the stress of a part has no limit: re-entrant corners, ends of supports, held points, ends of contact at corners.
+// Where the stress of a part has no limit: re-entrant corners, ends of supports and of bonds, held points, ends of contact at
+// corners.
 #pragma once
 #include <vector>
 

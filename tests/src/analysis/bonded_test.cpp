@@ -2,6 +2,9 @@
 // Bonded edges: two parts that hold together as one, in tension and in shear.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
@@ -65,6 +68,43 @@ TEST(Bonded, BendsAsOnePiece) {
     ASSERT_TRUE(two.under_load);
     EXPECT_EQ(two.under_load->degrees_of_freedom, 0);
     EXPECT_EQ(two.under_load->redundant, 0);
+}
+
+/// Where it stands the largest stress has no limit, drawn straight or turned: the parts make a re-entrant corner of one body.
+TEST(Bonded, EndsInACornerWhereTheOutlinesMeetInOne) {
+    for (const int angle : {0, 17}) {
+        const auto turned = [&](const std::string& name, const std::string& min, const std::string& max) {
+            return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"place": {"rotate": )" + std::to_string(angle) +
+                   R"(, "of": {"rectangle": {"min": )" + min + R"(, "max": )" + max + "}}}}}";
+        };
+        const Result r = analyzed(turned("foot", "[-4, -1]", "[4, 0]") + "," + turned("lug", "[-1, 0]", "[1, 4]"),
+                                  R"("contacts": {"pairs": [{"between": ["foot/top", "lug/bottom"], "kind": "bonded"}]},
+                                     "supports": [{"on": "foot/bottom", "fix": ["x", "y"]}], "loads": [{"on": "lug/top", "moment": 10}])");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        const double back = -angle * std::numbers::pi / 180;
+        const Vec2 x = r.parts[1].max_von_mises.at,
+                   at(std::cos(back) * x.x() - std::sin(back) * x.y(), std::sin(back) * x.x() + std::cos(back) * x.y());
+        EXPECT_TRUE(r.parts[1].max_von_mises_at_corner) << angle;
+        EXPECT_NEAR(std::abs(at.x()), 1, 0.1) << angle;
+        EXPECT_NEAR(at.y(), 0, 0.1) << angle;
+    }
+}
+
+/// Flush halves make a straight edge, a step that is filled none at all.
+TEST(Bonded, EndsInNoCornerWhereTheOutlineGoesOnStraight) {
+    const Result flush = analyzed(halves, bonded + R"(, "supports": [{"on": "a/left", "symmetry": true},
+        {"part": "a", "rigid": {"translation": [null, 0], "rotation": null}}], "loads": [{"on": "b/right", "moment": 1}])");
+    ASSERT_EQ(flush.status, "ok") << flush.message;
+    for (const PartResult& part : flush.parts) EXPECT_FALSE(part.max_von_mises_at_corner) << part.name;
+    // A square set into the corner of an L: two bonds meet in the corner, both end where the outlines are flush.
+    const Result filled = analyzed(
+        R"({"name": "l", "material": "m", "geometry": {"polygon": [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]]}},)" +
+            block("square", "[2, 2]", "[4, 4]"),
+        R"("contacts": {"pairs": [{"between": ["l/*", "square/*"], "kind": "bonded"}]},
+           "supports": [{"on": ["l/e0", "l/e5"], "symmetry": true}],
+           "loads": [{"on": "square/right", "traction": [10, 0]}, {"on": "l/e1", "traction": [10, 0]}])");
+    ASSERT_EQ(filled.status, "ok") << filled.message;
+    EXPECT_FALSE(filled.parts[1].max_von_mises_at_corner) << "nothing of the square is a corner of the whole";
 }
 
 TEST(Bonded, WithoutItTheSamePartsFallApart) {
