@@ -131,11 +131,12 @@ void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& resul
 /// Bonded pairs that would open if they were contacts.
 void check_bonds(Result& result) {
     std::vector<Finding> findings;
+    double most = 0;
+    for (const ContactResult& c : result.contacts)
+        for (double v : c.profile.pressure) most = std::max(most, std::abs(v));
     for (const ContactResult& c : result.contacts) {
         if (c.kind != "bonded") continue;
         const std::vector<double>& p = c.profile.pressure;
-        double most = 0;
-        for (double v : p) most = std::max(most, std::abs(v));
         const auto least = std::min_element(p.begin(), p.end());
         if (p.empty() || *least >= -noted_tension * most) continue;
         const auto k = static_cast<std::size_t>(least - p.begin());

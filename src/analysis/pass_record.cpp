@@ -112,8 +112,8 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before) {
             const double p = pressure_of(now, s);
             const double s0 = place_in(before, interpolate(now.s, now.s1, s));
             const double p0 = pressure_of(before, s0);
-            change.peak = std::max(change.peak, p);
-            change.peak_before = std::max(change.peak_before, p0);
+            change.peak = std::max(change.peak, std::abs(p));
+            change.peak_before = std::max(change.peak_before, std::abs(p0));
             if (beside(RunEnd::Kind::corner, now, s) || beside(RunEnd::Kind::corner, before, s0)) continue;
             const double square = w * (p - p0) * (p - p0);
             change.difference += square;

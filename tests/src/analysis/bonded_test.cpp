@@ -105,6 +105,12 @@ TEST(Bonded, EndsInNoCornerWhereTheOutlineGoesOnStraight) {
            "loads": [{"on": "square/right", "traction": [10, 0]}, {"on": "l/e1", "traction": [10, 0]}])");
     ASSERT_EQ(filled.status, "ok") << filled.message;
     EXPECT_FALSE(filled.parts[1].max_von_mises_at_corner) << "nothing of the square is a corner of the whole";
+    // One bond pulls, the other carries nothing: that has no estimates of its own, and is not in tension.
+    ASSERT_EQ(filled.contacts.size(), 2U);
+    EXPECT_FALSE(filled.contacts[0].errors);
+    ASSERT_TRUE(filled.contacts[1].errors);
+    EXPECT_LT(filled.contacts[1].errors->peak, 1e-6);
+    for (const std::string& warning : filled.warnings) EXPECT_EQ(warning.find("l/e2"), std::string::npos) << warning;
 }
 
 TEST(Bonded, WithoutItTheSamePartsFallApart) {
