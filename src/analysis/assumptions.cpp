@@ -27,6 +27,7 @@ constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;  // of the part's size
 /// Tension of a bonded pair, over its largest traction, that is more than the fit of the spline.
 constexpr double noted_tension = 1e-3;
+constexpr double rounded_tension = 1e-9;  // of the largest pressure of all
 /// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
 constexpr double noted_rounding = 1e-3;
 
@@ -131,14 +132,18 @@ void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& resul
 /// Bonded pairs that would open if they were contacts.
 void check_bonds(Result& result) {
     std::vector<Finding> findings;
-    double most = 0;
-    for (const ContactResult& c : result.contacts)
+    const auto largest = [](const ContactResult& c) {
+        double most = 0;
         for (double v : c.profile.pressure) most = std::max(most, std::abs(v));
+        return most;
+    };
+    double of_all = 0;
+    for (const ContactResult& c : result.contacts) of_all = std::max(of_all, largest(c));
     for (const ContactResult& c : result.contacts) {
         if (c.kind != "bonded") continue;
         const std::vector<double>& p = c.profile.pressure;
         const auto least = std::min_element(p.begin(), p.end());
-        if (p.empty() || *least >= -noted_tension * most) continue;
+        if (p.empty() || *least >= -std::max(noted_tension * largest(c), rounded_tension * of_all)) continue;
         const auto k = static_cast<std::size_t>(least - p.begin());
         const std::string pair = c.between[0] + " and " + c.between[1];
         findings.push_back({-*least, pair,
