@@ -66,11 +66,11 @@ void print_result(const Result& result, const std::string& folder, const Argumen
 }
 
 /// Says whether the answers that the scene knows come out; true where they do, or where it knows none.
-bool tell_expectations(const Scene& scene, const Result& result, const Arguments& arguments) {
+bool tell_expectations(const Scene& scene, const Result& result, const Arguments& arguments, const std::string& in_case = {}) {
     std::vector<VerifyRow> rows = compared_with_expectations(scene, result);
     for (VerifyRow& row : rows) row.seconds = stage_seconds(result, "total");
     if (!rows.empty() && !has(arguments, "--json") && !has(arguments, "--quiet"))
-        print_text("\nexpected:\n" + verify_table(rows));
+        print_text("\nexpected" + (in_case.empty() ? "" : " of " + in_case) + ":\n" + verify_table(rows));
     bool all_pass = true;
     std::string said;
     for (const VerifyRow& row : rows) {
@@ -82,7 +82,8 @@ bool tell_expectations(const Scene& scene, const Result& result, const Arguments
         const std::string what =
             row.failure.empty() ? row.quantity + " is " + number_text(row.value, 6) + ", not " + number_text(row.reference, 6)
                                 : row.failure;
-        std::cerr << "abut: " << scene.file << ": not as expected: " << one_line_text(what) << "\n";
+        std::cerr << "abut: " << scene.file << ": not as expected: " << (in_case.empty() ? "" : in_case + ": ")
+                  << one_line_text(what) << "\n";
     }
     return all_pass;
 }
@@ -119,7 +120,8 @@ int analyze_all_cases(const Scene& scene, const std::string& folder, const Argum
         print_text(cases_table(cases) + main_file_line(folder, scene.output, true));
     bool as_expected = true;
     for (std::size_t k = 0; k < cases.size(); ++k)
-        as_expected = tell_expectations(scene_of_case(scene, scene.cases[k]), cases[k].result, arguments) && as_expected;
+        as_expected =
+            tell_expectations(scene_of_case(scene, scene.cases[k]), cases[k].result, arguments, cases[k].name) && as_expected;
     return exit_status(arguments, verdict_of(cases), as_expected, why_not(cases));
 }
 

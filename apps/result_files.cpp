@@ -11,6 +11,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/io/whole_file.hpp"
 #include "src/io/write_file.hpp"
 #include "src/report/report.hpp"
 #include "src/results/result_units.hpp"
@@ -46,25 +47,23 @@ void write_contacts(const Result& result, const std::string& folder) {
     remove_contacts_from(result.contacts.size(), folder);
 }
 
-void remove_result(const std::string& folder) {
+void remove_file(const std::string& folder, const std::string& name) {
     std::error_code ignored;
-    std::filesystem::remove(std::filesystem::path(folder) / "result.json", ignored);
-    remove_contacts_from(0, folder);
+    std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
 }
 
-/// Load cases of an earlier run would look like this one's. k = 0: all that was written of cases.
-void remove_cases_from(std::size_t k, const std::string& folder) {
+/// Removes what an earlier run with load cases has written into the folder, which its cases.json lists.
+void remove_cases(const std::string& folder) {
+    const std::string list = path_in(folder, "cases.json");
     std::error_code ignored;
-    if (k == 0)
-        for (const char* file : {"cases.json", "envelope.csv"})
-            std::filesystem::remove(std::filesystem::path(folder) / file, ignored);
-    for (;; ++k) {
-        const std::filesystem::path own = std::filesystem::path(folder) / case_folder(k);
-        if (!std::filesystem::is_directory(own, ignored)) return;
-        remove_result(own.string());
-        std::filesystem::remove(own / "report.html", ignored);
-        std::filesystem::remove(own, ignored);  // if nothing else is there
+    if (!std::filesystem::exists(list, ignored)) return;
+    for (const std::string& own : folders_of_cases(read_whole_file(list))) {
+        const std::string path = path_in(folder, own);
+        for (const char* file : {"result.json", "report.html"}) remove_file(path, file);
+        remove_contacts_from(0, path);
+        std::filesystem::remove(path, ignored);  // if nothing else is there
     }
+    for (const char* file : {"cases.json", "envelope.csv"}) remove_file(folder, file);
 }
 
 }  // namespace
@@ -93,7 +92,7 @@ void write_results(Result& result, const std::string& folder, const std::vector<
                    const Stopwatch& since_start) {
     const Stopwatch output;
     set_time(result, "output", 0);
-    remove_cases_from(0, folder);
+    remove_cases(folder);
     if (holds(formats, "csv")) write_contacts(result, folder);
     set_time(result, "total", since_start.seconds());
     if (holds(formats, "html")) write_file(folder, "report.html", report_html(result));
@@ -105,21 +104,23 @@ void write_results(Result& result, const std::string& folder, const std::vector<
 
 void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
                         const Stopwatch& since_start) {
+    remove_cases(folder);
+    remove_file(folder, "result.json");
+    remove_contacts_from(0, folder);
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
         write_results(cases[k].result, own, formats, since_start);
     }
-    remove_cases_from(cases.size(), folder);
-    remove_result(folder);
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
     if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases));
-    if (holds(formats, "json")) write_file(folder, "cases.json", cases_json(cases));
+    write_file(folder, "cases.json", cases_json(cases));  // in any case: it lists the folders
 }
 
 std::string main_file_line(const std::string& folder, const Output& output, bool has_cases) {
     if (holds(output.formats, "html")) return "report: " + path_in(folder, "report.html") + "\n";
-    if (holds(output.formats, "json")) return "result: " + path_in(folder, has_cases ? "cases.json" : "result.json") + "\n";
+    if (has_cases) return "result: " + path_in(folder, "cases.json") + "\n";
+    if (holds(output.formats, "json")) return "result: " + path_in(folder, "result.json") + "\n";
     return "";
 }
 

@@ -9,6 +9,7 @@
 #include "apps/commands.hpp"
 #include "apps/output_folder.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/write_file.hpp"
 
@@ -32,6 +33,14 @@ std::vector<SweptParameter> swept_parameters(const Arguments& arguments, const B
                 known.empty() ? "give the scene \"parameters\" and use them in its numbers" : nearest_name_hint(name, known));
     }
     return parameters;
+}
+
+/// What else is wrong with the scene may depend on its parameters: its jobs say so.
+void refuse_cases_of(const std::string& scene) {
+    const JsonDocument document = read_json(scene);
+    if (const JsonValue* cases = find_member(document.root, "cases"))
+        throw InputError(scene + " " + cases->pointer, "a sweep takes scenes without load cases",
+                         "leave the cases out, and give the loads parameters as factors");
 }
 
 }  // namespace
@@ -61,12 +70,13 @@ int sweep_command(const Arguments& arguments) {
     call.job.template_file = arguments.operand;
     call.job.arguments = arguments;
     call.scene_template = read_template(arguments.operand);
+    refuse_cases_of(arguments.operand);
     const std::vector<SweptParameter> parameters = swept_parameters(arguments, *call.scene_template);
     call.source = sweep_jobs(parameters);
     check_template(call.source, &*call.scene_template);
     set_run_options(arguments, call);
     const int status = do_batch(call, arguments.operand, has(arguments, "--quiet"));
-    const Sweep sweep = read_sweep(arguments.operand, parameters, call.out);
+    const Sweep sweep = read_sweep(read_batch_file(call.out), parameters, call.out);
     write_file(call.out, "sweep.csv", sweep_csv(sweep));
     write_file(call.out, "sweep.html", sweep_html(sweep));
     if (!has(arguments, "--quiet")) std::cout << "curves: " << path_in(call.out, "sweep.html") << "\n";

@@ -77,17 +77,18 @@ std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& case
     std::vector<GridWalk> walks;
     for (const CaseProblem& c : cases)
         walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
+    Scene unloaded = *cases.front().scene;  // what a part is made of is the same in all cases
+    unloaded.loads.clear();
     // A case that has what it wants is solved on the others' finer grids, too: all answers are of the same last grids.
     for (bool is_last = false; !is_last;) {
         tell_pass(walks.front(), options);
         const PassAsk ask = joined(walks);
-        SolvedAssembly first = solve_pass(*cases.front().scene, *cases.front().conditions, walks.front().candidates(),
-                                          ask.parts, ask.wanted, ask.coarseness, seconds, threads);
+        const SolvedAssembly prepared = prepare_parts(unloaded, *cases.front().conditions, walks.front().candidates(),
+                                                      ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         is_last = true;
-        for (std::size_t k = 1; k < cases.size(); ++k)
-            is_last &= walks[k].take(
-                solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), first, seconds, threads));
-        is_last &= walks.front().take(std::move(first));
+        for (std::size_t k = 0; k < cases.size(); ++k)
+            is_last &= walks[k].take(solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
+                                                walks[k].ask().parts, prepared, seconds, threads));
     }
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

@@ -151,7 +151,10 @@ std::optional<Scene> follow_to_rest(const Scene& drawn, const ResolvedConditions
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         std::optional<PlacedScene> placed = placed_at_rest(rest ? *rest : drawn, out.solved);
         if (!placed) break;
-        Outcome there = solve_adaptively(placed->scene, conditions, options, seconds);
+        Outcome there;
+        try {
+            there = solve_adaptively(placed->scene, conditions, options, seconds);
+        } catch (const InputError&) { break; }  // overlaps of parts that press on each other: no better place
         if (!has_answer(there)) break;
         out = std::move(there);
         rest = std::move(placed->scene);
@@ -250,6 +253,18 @@ Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     return finish_analysis(scene, std::move(begun), std::move(out), options, begin, seconds);
 }
 
+/// What one case alone is refused for names it.
+template <class F>
+auto with_case_named(const LoadCase& c, F work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        std::vector<Problem> problems = error.problems();
+        for (Problem& p : problems) p.what += " (load case '" + c.name + "')";
+        throw InputError(std::move(problems));
+    }
+}
+
 std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds = fresh_stopwatches();
@@ -257,7 +272,8 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     std::vector<Begun> begun;
     for (const LoadCase& c : scene.cases) {
         scenes.push_back(scene_of_case(scene, c));
-        begun.push_back(begin_analysis(scenes.back()));
+        scenes.back().loads_of_all_cases = acting_loads(scene);
+        begun.push_back(with_case_named(c, [&] { return begin_analysis(scenes.back()); }));
     }
     std::vector<CaseProblem> problems;
     for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});

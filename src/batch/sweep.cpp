@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "geometry/brep/input_error.hpp"
@@ -45,11 +44,12 @@ std::vector<double> evenly_spaced(const std::vector<std::string>& words, const s
     if (words.size() != 3) throw InputError(shortened(text), "a range has three numbers", forms);
     const double from = number_in(words[0], text), to = number_in(words[1], text), count = number_in(words[2], text);
     if (!(count >= 2) || count != std::floor(count) || count > static_cast<double>(most_sweep_jobs))
-        throw InputError(shortened(text), "a range has a whole number of values, at least 2", forms);
+        throw InputError(shortened(text), "a range has a whole number of values, from 2 to " + std::to_string(most_sweep_jobs),
+                         forms);
     if (from == to) throw InputError(shortened(text), "the range begins where it ends", "give one value, or another end");
     std::vector<double> values;
     const int last = static_cast<int>(count) - 1;
-    for (int k = 0; k <= last; ++k) values.push_back(k == last ? to : from + (to - from) * k / last);
+    for (int k = 0; k <= last; ++k) values.push_back(std::lerp(from, to, static_cast<double>(k) / last));
     return values;
 }
 
@@ -75,47 +75,95 @@ std::optional<SweepValue> value_of(std::optional<double> value, std::optional<do
     return result;
 }
 
+/// A contact's column: its parts, and what tells it from others of theirs.
+struct ContactKey {
+    std::string parts, edges;
+    int which = 0;  ///< of several on the same edges
+    bool operator==(const ContactKey&) const = default;
+};
+
+std::string joined_names(const Json& names, const char* between) {
+    std::string text;
+    for (const Json& name : names) text += (text.empty() ? "" : between) + name.get<std::string>();
+    return text;
+}
+
 class Columns {
 public:
     explicit Columns(Sweep& sweep) : sweep_(sweep) {}
 
-    void set(SweepPoint& point, const SweepQuantity& quantity, const std::optional<SweepValue>& value) {
-        const auto is_it = [&](const SweepQuantity& q) { return q.of == quantity.of && q.quantity == quantity.quantity; };
-        const auto found = std::find_if(sweep_.quantities.begin(), sweep_.quantities.end(), is_it);
-        const auto column = static_cast<std::size_t>(found - sweep_.quantities.begin());
-        if (found == sweep_.quantities.end()) sweep_.quantities.push_back(quantity);
+    void read(const Json& result, const ResultUnits& units, SweepPoint& point) {
+        std::vector<ContactKey> met;
+        for (const Json& c : result.at("contacts")) {
+            ContactKey key{joined_names(c.at("parts"), " - "),
+                           joined_names(c.at("edges").at(0), " ") + " - " + joined_names(c.at("edges").at(1), " "), 0};
+            while (std::find(met.begin(), met.end(), key) != met.end()) ++key.which;
+            met.push_back(key);
+            read_contact(c, units, key, point);
+        }
+        for (const Json& part : result.at("parts")) {
+            const std::string name = part.at("name");
+            set(point, {"", name, 0}, {name, "max von Mises stress", units.stress},
+                value_of(number_at(part, "/max_von_mises/value"), number_at(part, "/max_von_mises/error")));
+        }
+    }
+
+    /// Parts that meet in several places are told apart by their edges.
+    void name_contacts() {
+        for (std::size_t k = 0; k < keys_.size(); ++k) {
+            if (keys_[k].parts.empty()) continue;
+            const auto is_other = [&](const ContactKey& key) { return key.parts == keys_[k].parts && !(key == keys_[k]); };
+            if (std::any_of(keys_.begin(), keys_.end(), is_other))
+                sweep_.quantities[k].of =
+                    keys_[k].edges + (keys_[k].which > 0 ? " (" + std::to_string(keys_[k].which + 1) + ")" : "");
+        }
+    }
+
+private:
+    void read_contact(const Json& c, const ResultUnits& units, const ContactKey& key, SweepPoint& point) {
+        const std::optional<double> x = number_at(c, "/force/0"), y = number_at(c, "/force/1");
+        set(point, key, {key.parts, "max pressure", units.stress},
+            value_of(number_at(c, "/max_pressure/value"), number_at(c, "/errors/peak")));
+        set(point, key, {key.parts, "force", units.force},
+            value_of(x && y ? std::optional(std::hypot(*x, *y)) : std::nullopt, number_at(c, "/errors/force")));
+        set(point, key, {key.parts, "contact length", units.length},
+            value_of(number_at(c, "/contact_length"), number_at(c, "/errors/length")));
+    }
+
+    void set(SweepPoint& point, const ContactKey& key, const SweepQuantity& quantity, const std::optional<SweepValue>& value) {
+        std::size_t column = 0;
+        while (column < keys_.size() && !(keys_[column] == key && sweep_.quantities[column].quantity == quantity.quantity))
+            ++column;
+        if (column == keys_.size()) {
+            keys_.push_back(key);
+            sweep_.quantities.push_back(quantity);
+        }
         if (point.values.size() <= column) point.values.resize(column + 1);
         point.values[column] = value;
     }
 
-private:
     Sweep& sweep_;
+    std::vector<ContactKey> keys_;  // by quantity
 };
 
-/// Two parts that meet in several places have the contact's number beside them.
-std::string name_of(const Json& contacts, std::size_t k) {
-    const Json& parts = contacts[k].at("parts");
-    const auto n = std::count_if(contacts.begin(), contacts.end(), [&](const Json& c) { return c.at("parts") == parts; });
-    const std::string name = parts[0].get<std::string>() + " - " + parts[1].get<std::string>();
-    return n > 1 ? name + " (" + contact_number(k) + ")" : name;
-}
-
-void read_answer(const Json& result, const ResultUnits& units, SweepPoint& point, Columns& columns) {
-    const Json& contacts = result.at("contacts");
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const Json& c = contacts[k];
-        const std::string of = name_of(contacts, k);
-        const std::optional<double> x = number_at(c, "/force/0"), y = number_at(c, "/force/1");
-        columns.set(point, {of, "max pressure", units.stress},
-                    value_of(number_at(c, "/max_pressure/value"), number_at(c, "/errors/peak")));
-        columns.set(point, {of, "force", units.force},
-                    value_of(x && y ? std::optional(std::hypot(*x, *y)) : std::nullopt, number_at(c, "/errors/force")));
-        columns.set(point, {of, "contact length", units.length},
-                    value_of(number_at(c, "/contact_length"), number_at(c, "/errors/length")));
-    }
-    for (const Json& part : result.at("parts"))
-        columns.set(point, {part.at("name"), "max von Mises stress", units.stress},
-                    value_of(number_at(part, "/max_von_mises/value"), number_at(part, "/max_von_mises/error")));
+SweepPoint read_point(const BatchFile& batch, const BatchJob& job, const std::string& out, Columns& columns) {
+    SweepPoint point{job.name, "missing", "", false, job.parameters, {}};
+    const std::optional<JobRecord> record = stored_job(out, job.name);
+    const auto asked = std::find_if(batch.jobs.begin(), batch.jobs.end(), [&](const auto& j) { return j.name == job.name; });
+    if (!record || asked == batch.jobs.end() || !belongs(*record, *asked)) return point;
+    point.status = status_word(record->status);
+    point.message = record->message;
+    const auto has_file = [&](const char* name) {
+        return std::find(record->files.begin(), record->files.end(), name) != record->files.end();
+    };
+    point.has_report = has_file("report.html");
+    if (!ended_well(*record) || !has_file("result.json")) return point;
+    Result labels;
+    labels.length_unit = record->length_unit;
+    labels.force_unit = record->force_unit;
+    const Json result = Json::parse(read_whole_file(job_folder(out, job.name) + "/result.json"), nullptr, false);
+    if (result.is_object()) columns.read(result, result_units(labels), point);
+    return point;
 }
 
 }  // namespace
@@ -132,7 +180,7 @@ SweptParameter parse_swept(const std::string& text) {
     }
     std::sort(parameter.values.begin(), parameter.values.end());
     if (std::adjacent_find(parameter.values.begin(), parameter.values.end()) != parameter.values.end())
-        throw InputError(shortened(text), "a value is there twice", forms);
+        throw InputError(shortened(text), "a value is there twice, or values lie closer than numbers can tell", forms);
     return parameter;
 }
 
@@ -163,27 +211,13 @@ BatchSource sweep_jobs(const std::vector<SweptParameter>& parameters) {
     return source;
 }
 
-Sweep read_sweep(const std::string& scene, const std::vector<SweptParameter>& parameters, const std::string& out) {
+Sweep read_sweep(const BatchFile& batch, const std::vector<SweptParameter>& parameters, const std::string& out) {
     Sweep sweep;
-    sweep.scene = scene;
+    sweep.scene = batch.source;
     sweep.parameters = parameters;
     Columns columns(sweep);
-    for (const BatchJob& job : sweep_jobs(parameters).jobs) {
-        SweepPoint point{job.name, "missing", "", job.parameters, {}};
-        if (const std::optional<JobRecord> record = stored_job(out, job.name)) {
-            point.status = status_word(record->status);
-            point.message = record->message;
-            const std::string file = job_folder(out, job.name) + "/result.json";
-            if (ended_well(*record) && std::filesystem::exists(file)) {
-                Result labels;
-                labels.length_unit = record->length_unit;
-                labels.force_unit = record->force_unit;
-                const Json result = Json::parse(read_whole_file(file), nullptr, false);
-                if (result.is_object()) read_answer(result, result_units(labels), point, columns);
-            }
-        }
-        sweep.points.push_back(std::move(point));
-    }
+    for (const BatchJob& job : sweep_jobs(parameters).jobs) sweep.points.push_back(read_point(batch, job, out, columns));
+    columns.name_contacts();
     for (SweepPoint& point : sweep.points) point.values.resize(sweep.quantities.size());
     return sweep;
 }

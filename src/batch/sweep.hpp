@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "src/batch/batch_file.hpp"
 #include "src/batch/batch_source.hpp"
 
 namespace abut {
@@ -41,6 +42,7 @@ struct SweepQuantity {
 /// One job of a sweep.
 struct SweepPoint {
     std::string job, status, message;
+    bool has_report = false;
     std::map<std::string, double> parameters;
     std::vector<std::optional<SweepValue>> values;  ///< by quantity; unset where the job has no such answer
 };
@@ -53,8 +55,9 @@ struct Sweep {
 };
 
 /// Reads what is finished of a sweep's jobs below OUT/jobs: largest pressure, force and length of every contact, largest stress
-/// of every part. Jobs without result.json have no values.
-Sweep read_sweep(const std::string& scene, const std::vector<SweptParameter>& parameters, const std::string& out);
+/// of every part. batch: of OUT; jobs that are there from another one are missing. Jobs without result.json have no values.
+/// Contacts of two jobs are the same where their edges are.
+Sweep read_sweep(const BatchFile& batch, const std::vector<SweptParameter>& parameters, const std::string& out);
 
 /// The text of sweep.csv: a row each job, a column each parameter and quantity with one for its error.
 std::string sweep_csv(const Sweep& sweep);

@@ -29,11 +29,27 @@ constexpr const char* style =
     "footer{color:#666;margin-top:28px;font-size:13px}";
 
 /// The values of all parameters but the first: what makes a line.
-std::string line_name(const Sweep& sweep, const SweepPoint& point) {
+std::vector<double> line_of(const Sweep& sweep, const SweepPoint& point) {
+    std::vector<double> values;
+    for (std::size_t k = 1; k < sweep.parameters.size(); ++k) values.push_back(point.parameters.at(sweep.parameters[k].name));
+    return values;
+}
+
+/// With as many digits as tell a parameter's values apart.
+std::string value_text(const SweptParameter& parameter, double value) {
+    for (int digits = 4; digits < 17; ++digits) {
+        const std::string text = number_text(value, digits);
+        if (std::none_of(parameter.values.begin(), parameter.values.end(),
+                         [&](double other) { return other != value && number_text(other, digits) == text; }))
+            return text;
+    }
+    return number_text(value, 17);
+}
+
+std::string line_name(const Sweep& sweep, const std::vector<double>& line) {
     std::string name;
-    for (std::size_t k = 1; k < sweep.parameters.size(); ++k)
-        name += (name.empty() ? "" : ", ") + sweep.parameters[k].name + " = " +
-                number_text(point.parameters.at(sweep.parameters[k].name), 4);
+    for (std::size_t k = 0; k < line.size(); ++k)
+        name += (k == 0 ? "" : ", ") + sweep.parameters[k + 1].name + " = " + value_text(sweep.parameters[k + 1], line[k]);
     return name;
 }
 
@@ -77,12 +93,12 @@ public:
     std::string svg() const {
         std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number_text(width, 4) + "\" height=\"" +
                            number_text(height, 4) + "\" role=\"img\">\n" + axes();
-        std::vector<std::string> names;
+        std::vector<std::vector<double>> lines;
         for (const SweepPoint& p : sweep_.points)
-            if (const std::string name = line_name(sweep_, p); std::find(names.begin(), names.end(), name) == names.end())
-                names.push_back(name);
+            if (const std::vector<double> own = line_of(sweep_, p); std::find(lines.begin(), lines.end(), own) == lines.end())
+                lines.push_back(own);
         std::vector<double> labels;
-        for (std::size_t k = 0; k < names.size(); ++k) text += line(names[k], line_colors[k % std::size(line_colors)], labels);
+        for (std::size_t k = 0; k < lines.size(); ++k) text += line(lines[k], line_colors[k % std::size(line_colors)], labels);
         return text + "</svg>\n";
     }
 
@@ -106,7 +122,7 @@ private:
     }
 
     /// Between points that failed or have no such answer there is no line; those that failed are crosses below.
-    std::string line(const std::string& name, const std::string& color, std::vector<double>& labels) const {
+    std::string line(const std::vector<double>& of, const std::string& color, std::vector<double>& labels) const {
         std::string text;
         std::vector<Vec2> run;
         Vec2 last(0, 0);
@@ -115,7 +131,7 @@ private:
             run.clear();
         };
         for (const SweepPoint& p : sweep_.points) {
-            if (line_name(sweep_, p) != name) continue;
+            if (line_of(sweep_, p) != of) continue;
             const double x = abscissa(sweep_, p);
             const std::optional<SweepValue>& v = p.values[quantity_];
             if (!v) {
@@ -126,16 +142,18 @@ private:
             run.push_back(last = at(x, v->value));
             if (v->error)
                 text += report::line(at(x, v->value - *v->error), at(x, v->value + *v->error), "stroke=\"" + color + "\"");
-            text += "<g><title>" + escape_xml(p.job + ": " + number_text(v->value, 5)) + "</title>" +
+            text += "<g><title>" + escape_xml(p.job + ": " + line_name(sweep_, of) + ": " + number_text(v->value, 5)) +
+                    "</title>" +
                     report::circle(last, 3,
                                    p.status == "ok" ? "fill=\"" + color + "\""
                                                     : "fill=\"#fff\" stroke=\"" + color + "\" stroke-width=\"1.6\"") +
                     "</g>\n";
         }
         end_run();
-        if (name.empty() || last.isZero(0)) return text;
-        return text + report::text({width - right - 4, free_height(last.y() - 8, labels)}, "end", name,
-                                   "style=\"fill:" + color + "\"");
+        if (of.empty() || last.isZero(0)) return text;
+        const double label = free_height(last.y() - 8, labels);
+        if (label > height - bottom) return text;  // no room: the points tell their values
+        return text + report::text({width - right - 4, label}, "end", line_name(sweep_, of), "style=\"fill:" + color + "\"");
     }
 
     /// Where a label covers no other: as high as wanted, or below what is there.
@@ -163,7 +181,8 @@ std::string failures(const Sweep& sweep) {
     std::string rows;
     for (const SweepPoint& p : sweep.points) {
         if (p.status == "ok") continue;
-        rows += "<tr><td><a href=\"jobs/" + escape_xml(p.job) + "/report.html\">" + escape_xml(p.job) + "</a></td>";
+        rows += p.has_report ? "<tr><td><a href=\"jobs/" + p.job + "/report.html\">" + p.job + "</a></td>"
+                             : "<tr><td>" + p.job + "</td>";
         for (const SweptParameter& parameter : sweep.parameters)
             rows += "<td>" + number_text(p.parameters.at(parameter.name), 6) + "</td>";
         rows += "<td>" + escape_xml(p.status) + "</td><td>" + escape_xml(p.message) + "</td></tr>\n";
@@ -185,7 +204,7 @@ std::string sweep_csv(const Sweep& sweep) {
     std::string text = "job,status";
     for (const SweptParameter& p : sweep.parameters) text += "," + csv_field(p.name);
     for (const SweepQuantity& q : sweep.quantities)
-        text += "," + csv_field(q.of + ": " + heading(q.quantity, q.unit)) + ",error";
+        text += "," + csv_field(q.of + ": " + heading(q.quantity, q.unit)) + "," + csv_field(q.of + ": error of " + q.quantity);
     text += "\n";
     for (const SweepPoint& point : sweep.points) {
         text += point.job + "," + point.status;

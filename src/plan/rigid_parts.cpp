@@ -36,7 +36,7 @@ bool deforms_by_itself(const Scene& scene, int part) {
         if (s.kind == Support::Kind::spring || s.kind == Support::Kind::displacement) return true;
         held = held || s.kind == Support::Kind::fix || s.kind == Support::Kind::points;  // the others are guides
     }
-    for (const Load& load : scene.loads) {
+    for (const Load& load : scene.loads_of_all_cases.empty() ? scene.loads : scene.loads_of_all_cases) {
         if (is_edge_load(load) ? !is_on(scene, load.on, part) : !acts_on_volume_of(scene, load, part)) continue;
         if (load.kind == Load::Kind::temperature) return true;
         loaded = true;

@@ -11,11 +11,14 @@ void raise(CaseValue& largest, double value, const Vec2& at, std::size_t in_case
     if (value > largest.value) largest = {value, at, in_case};
 }
 
-/// That of the edges of a contact, made where there is none.
-ContactEnvelope& envelope_for(const ContactResult& contact, std::vector<ContactEnvelope>& all) {
-    const auto is_same = [&](const ContactEnvelope& e) { return e.parts == contact.parts && e.edges == contact.edges; };
-    const auto found = std::find_if(all.begin(), all.end(), is_same);
-    if (found != all.end()) return *found;
+bool is_of(const ContactEnvelope& e, const ContactResult& contact) {
+    return e.parts == contact.parts && e.edges == contact.edges;
+}
+
+/// That of the `which`-th contact of these edges in a case, made where there is none.
+ContactEnvelope& envelope_for(const ContactResult& contact, int which, std::vector<ContactEnvelope>& all) {
+    for (ContactEnvelope& e : all)
+        if (is_of(e, contact) && which-- == 0) return e;
     all.emplace_back();
     all.back().parts = contact.parts;
     all.back().edges = contact.edges;
@@ -23,8 +26,13 @@ ContactEnvelope& envelope_for(const ContactResult& contact, std::vector<ContactE
 }
 
 void add(const Result& result, std::size_t in_case, Envelope& all) {
-    for (const ContactResult& contact : result.contacts) {
-        ContactEnvelope& e = envelope_for(contact, all.contacts);
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+        const ContactResult& contact = result.contacts[k];
+        if (contact.edges[0].empty()) continue;  // of parts that were not analysed: nothing acts on them
+        const auto of_same_edges = [&](const ContactResult& c) { return c.parts == contact.parts && c.edges == contact.edges; };
+        const auto before =
+            std::count_if(result.contacts.begin(), result.contacts.begin() + static_cast<std::ptrdiff_t>(k), of_same_edges);
+        ContactEnvelope& e = envelope_for(contact, static_cast<int>(before), all.contacts);
         raise(e.max_pressure, contact.max_pressure.value, contact.max_pressure.at, in_case);
         raise(e.force, contact.force.norm(), {0, 0}, in_case);
         raise(e.contact_length, contact.contact_length, {0, 0}, in_case);
@@ -45,10 +53,13 @@ void add(const Result& result, std::size_t in_case, Envelope& all) {
 
 Envelope envelope_of(const std::vector<CaseResult>& cases) {
     Envelope all;
-    if (cases.empty()) return all;
-    for (const PartResult& part : cases.front().result.parts) all.parts.push_back({part.name, {}, {}, {}});
-    for (std::size_t k = 0; k < cases.size(); ++k)
-        if (cases[k].result.status == "ok") add(cases[k].result, k, all);
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const Result& result = cases[k].result;
+        if (result.status != "ok") continue;
+        if (all.parts.empty())
+            for (const PartResult& part : result.parts) all.parts.push_back({part.name, {0, {0, 0}, k}, {0, {0, 0}, k}, {}});
+        add(result, k, all);
+    }
     return all;
 }
 

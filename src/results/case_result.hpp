@@ -25,7 +25,8 @@ struct CaseValue {
     std::size_t in_case = 0;
 };
 
-/// The largest values of one contact, in the cases that have an answer. Contacts are the same where their edges are.
+/// The largest values of one contact, in the cases that have an answer. Contacts of two cases are the same where their edges
+/// are; of several on the same edges the first is the first.
 struct ContactEnvelope {
     std::array<std::string, 2> parts;
     std::array<std::vector<std::string>, 2> edges;
@@ -40,7 +41,7 @@ struct PartEnvelope {
     std::optional<CaseValue> utilisation;
 };
 
-/// The largest values of all cases: those of equal size are of the first.
+/// The largest values of all cases that have an answer, empty where none has; those of equal size are of the first.
 struct Envelope {
     std::vector<ContactEnvelope> contacts;  ///< in the order in which they first appear
     std::vector<PartEnvelope> parts;        ///< in the scene's order
@@ -59,6 +60,9 @@ std::vector<EnvelopeLine> envelope_lines(const std::vector<CaseResult>& cases);
 Verdict verdict_of(const std::vector<CaseResult>& cases);
 /// The folder of a case's files: "case_1", from 1.
 std::string case_folder(std::size_t k);
+
+/// The folders that a cases.json lists, of names that case_folder gives; none where the text is no such file.
+std::vector<std::string> folders_of_cases(const std::string& text);
 
 /// The text of cases.json (data/schema/cases.schema.json); deterministic.
 std::string cases_json(const std::vector<CaseResult>& cases);

@@ -157,6 +157,14 @@ std::string cases_json(const Cases& cases) {
     return j.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::vector<std::string> folders_of_cases(const std::string& text) {
+    const Json json = Json::parse(text, nullptr, false);
+    std::vector<std::string> folders;
+    if (!json.is_object() || !json.contains("cases") || !json["cases"].is_array()) return folders;
+    for (std::size_t k = 0; k < json["cases"].size(); ++k) folders.push_back(case_folder(k));
+    return folders;
+}
+
 std::string envelope_csv(const Cases& cases) {
     std::string text = "of,quantity,unit,value,case,x,y\n";
     for (const EnvelopeLine& line : envelope_lines(cases)) {

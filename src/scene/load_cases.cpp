@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scene/load_cases.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/brep/input_error.hpp"
@@ -36,6 +37,14 @@ Scene scene_of_case(const Scene& scene, const LoadCase& c) {
             own.loads.push_back(scaled(load, factor));
     std::erase_if(own.expect, [&](const Expectation& e) { return e.in_case != c.name; });
     return own;
+}
+
+std::vector<Load> acting_loads(const Scene& scene) {
+    std::vector<Load> loads;
+    for (const Load& load : scene.loads)
+        if (std::any_of(scene.cases.begin(), scene.cases.end(), [&](const LoadCase& c) { return factor_of(load, c) != 0; }))
+            loads.push_back(load);
+    return loads;
 }
 
 const LoadCase& case_named(const Scene& scene, const std::string& name) {

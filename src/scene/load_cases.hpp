@@ -8,6 +8,9 @@ namespace abut {
 /// of this case alone. It has no cases.
 Scene scene_of_case(const Scene& scene, const LoadCase& load_case);
 
+/// The loads that act in any of the scene's cases, as they are given.
+std::vector<Load> acting_loads(const Scene& scene);
+
 /// The case of this name. Throws InputError where the scene has none.
 const LoadCase& case_named(const Scene& scene, const std::string& name);
 

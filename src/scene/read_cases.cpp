@@ -2,6 +2,7 @@
 #include "src/scene/read_cases.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "src/io/nearest_name.hpp"
 
@@ -52,6 +53,10 @@ std::optional<LoadCase> read_case(SceneReading& reading, const JsonValue& value,
         return std::nullopt;
     }
     if (!name || !loads) return std::nullopt;
+    if (std::any_of(name->begin(), name->end(), [](char k) { return std::iscntrl(static_cast<unsigned char>(k)); })) {
+        report_problem(reading, *find_member(value, "name"), "a name has no line breaks or other control characters");
+        return std::nullopt;
+    }
     c.name = *name;
     for (const JsonValue& item : loads->items) read_factor(reading, item, scene, c);
     return c;

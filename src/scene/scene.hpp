@@ -212,6 +212,8 @@ struct Scene {
     std::vector<Support> supports;
     std::vector<Load> loads;
     std::vector<LoadCase> cases;  ///< empty: all loads act
+    /// Of one case among others: the loads of all, since what is made of a part has to do for every case.
+    std::vector<Load> loads_of_all_cases{};
     ContactOptions contacts;
     Accuracy accuracy;
     Output output;

@@ -210,55 +210,77 @@ void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
         if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
 }
 
-}  // namespace
-
-SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
-                          Stopwatches& seconds, int threads) {
+/// What cannot be put on a grid is told in `failure`.
+SolvedAssembly put_on_grids(const Scene& scene, const std::vector<bool>& solve_part, const WantedSizes& wanted,
+                            double coarseness, Stopwatches& seconds) {
     ENSURE(solve_part.size() == scene.parts.size() && wanted.size() == scene.parts.size(),
            "every part has a wanted size, and is solved or not");
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
-    {
-        const Timed timed(seconds, "geometry");
-        for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-            if (!solve_part[i]) continue;
-            solved.solver_part[i] = static_cast<int>(solved.grids.size());
-            solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
-            if (!solved.grids.back().input.space.failure.empty())
-                solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
-        }
+    const Timed timed(seconds, "geometry");
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        if (!solve_part[i]) continue;
+        solved.solver_part[i] = static_cast<int>(solved.grids.size());
+        solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
+        if (!solved.grids.back().input.space.failure.empty())
+            solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
     }
+    return solved;
+}
+
+/// Interfaces, systems and factors of parts on their grids.
+void make_assembly(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                   Stopwatches& seconds, int threads, SolvedAssembly& solved) {
+    const Timed timed(seconds, "assembly");
+    make_interfaces(scene, candidates, solved);
+    note_contact_elements(solved);
+    const double before = timed.seconds();
+    make_systems(scene, conditions, threads, solved);
+    seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
+}
+
+}  // namespace
+
+SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                             const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                             Stopwatches& seconds, int threads) {
+    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
     if (!solved.failure.empty()) return solved;
-    {
-        const Timed timed(seconds, "assembly");
-        make_interfaces(scene, candidates, solved);
-        note_contact_elements(solved);
-        const double before = timed.seconds();
-        make_systems(scene, conditions, threads, solved);
-        seconds["factorisation"] += factorisation_seconds(solved, timed.seconds() - before);
-        if (!solved.failure.empty()) return solved;
-    }
-    solve_contacts(solved, seconds, threads);
+    make_assembly(scene, conditions, candidates, seconds, threads, solved);
+    solved.failure.clear();
     return solved;
 }
 
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const SolvedAssembly& of_parts, Stopwatches& seconds, int threads) {
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, Stopwatches& seconds,
+                          int threads) {
     SolvedAssembly solved;
-    solved.solver_part = of_parts.solver_part;
-    solved.failure = of_parts.failure;
-    solved.refined_for_walls = of_parts.refined_for_walls;
-    solved.limited_grids = of_parts.limited_grids;
-    solved.grids = of_parts.grids;
+    solved.failure = prepared.failure;
+    solved.refined_for_walls = prepared.refined_for_walls;
+    solved.limited_grids = prepared.limited_grids;
+    solved.solver_part.assign(scene.parts.size(), -1);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        if (!solve_part[i]) continue;
+        solved.solver_part[i] = static_cast<int>(solved.grids.size());
+        solved.grids.push_back(prepared.grids[at(prepared.solver_part[i])]);
+    }
     if (!solved.failure.empty()) return solved;
-    {
+    try {
         const Timed timed(seconds, "assembly");
         make_interfaces(scene, candidates, solved);
-        load_systems(scene, conditions, of_parts, threads, solved);
-        if (!solved.failure.empty()) return solved;
-    }
-    solve_contacts(solved, seconds, threads);
+        load_systems(scene, conditions, prepared, threads, solved);
+    } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
+    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
+    return solved;
+}
+
+SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                          const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                          Stopwatches& seconds, int threads) {
+    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
+    if (!solved.failure.empty()) return solved;
+    make_assembly(scene, conditions, candidates, seconds, threads, solved);
+    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
     return solved;
 }
 

@@ -21,10 +21,18 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads = 1);
 
-/// Solves the same parts on the grids and factors of a solved pass, under other loads. The scenes differ by their loads alone.
-/// Parts that temperatures act on get a factor of their own.
+/// The parts of a pass ready to be solved, for several cases: grids and systems, no interfaces. candidates: of one case; where
+/// they lie the factors are quick. scene: its loads are not those of any case, none are best. What cannot be put on a grid is
+/// told in `failure`; systems that cannot be made tell so themselves.
+SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
+                             const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
+                             Stopwatches& seconds, int threads);
+
+/// Solves those of the prepared parts that `solve_part` names, under the loads of one case. The scenes of the cases differ by
+/// their loads alone. Parts that temperatures act on, and rigid ones, are made anew. Loads that cannot be computed are told in
+/// `failure`.
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const SolvedAssembly& solved, Stopwatches& seconds, int threads);
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, Stopwatches& seconds, int threads);
 
 /// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of
 /// contact. Costs the contact solution alone.

@@ -133,18 +133,18 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, int 
     take_systems(scene, std::move(made), solved);
 }
 
-void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& of_parts, int threads,
+void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& prepared, int threads,
                   SolvedAssembly& solved) {
     std::vector<LoadedSystem> made(solved.grids.size());
     solver::parallel_for(static_cast<int>(made.size()), threads, [&](int i) {
         PartOnGrid& g = solved.grids[at(i)];
-        if (g.is_rigid || g.input.free_strain || free_strain(scene, g)) {
+        const solver::PartSystem& system = prepared.problem.parts[at(prepared.solver_part[at(g.part)])];
+        if (g.is_rigid || g.input.free_strain || free_strain(scene, g) || !system.failure.empty()) {
             made[at(i)] = make_system(scene, conditions, g);
             return;
         }
         PartLoad load = load_vector(scene, conditions, g);
-        made[at(i)] = {solver::with_loads(of_parts.problem.parts[at(i)], std::move(load.vector), load.weighted), load.scale,
-                       std::move(load.uses)};
+        made[at(i)] = {solver::with_loads(system, std::move(load.vector), load.weighted), load.scale, std::move(load.uses)};
         made[at(i)].system.seconds = {};
     });
     take_systems(scene, std::move(made), solved);

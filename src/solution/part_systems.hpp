@@ -10,9 +10,9 @@ namespace abut {
 /// solved.failure.
 void make_systems(const Scene& scene, const ResolvedConditions& conditions, int threads, SolvedAssembly& solved);
 
-/// The same parts under the loads of another case: systems that share the factors of `of_parts`, whose grids they are on. Parts
-/// that temperatures act on, and rigid ones, are made anew.
-void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& of_parts, int threads,
+/// The systems of solved.grids, which are of the prepared parts, under other loads: they share the factors. Parts that
+/// temperatures act on, rigid ones, and those whose system could not be made before are made anew.
+void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& prepared, int threads,
                   SolvedAssembly& solved);
 
 }  // namespace abut

@@ -11,6 +11,7 @@
 #include "src/io/folder_walk.hpp"
 #include "src/io/json_document.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/load_cases.hpp"
 #include "src/scene/read_scene.hpp"
 
 namespace abut {
@@ -104,12 +105,25 @@ std::vector<VerifyRow> compared_with_expectations(const Scene& scene, const Resu
     return rows;
 }
 
+std::vector<VerifyRow> compared_with_cases(const Scene& scene, const std::vector<CaseResult>& cases) {
+    std::vector<VerifyRow> rows;
+    for (std::size_t k = 0; k < cases.size(); ++k)
+        for (VerifyRow& row : compared_with_expectations(scene_of_case(scene, scene.cases[k]), cases[k].result)) {
+            row.quantity = cases[k].name + ": " + row.quantity;
+            rows.push_back(std::move(row));
+        }
+    return rows;
+}
+
 std::vector<VerifyRow> verify_scene(const std::string& file) {
     const auto begin = std::chrono::steady_clock::now();
     std::vector<VerifyRow> rows;
     try {
         const Scene scene = read_scene(file);
-        rows = compared_with_expectations(scene, analyze(scene, {}));
+        if (scene.cases.empty())
+            rows = compared_with_expectations(scene, analyze(scene, {}));
+        else
+            rows = compared_with_cases(scene, analyze_cases(scene, {}));
     } catch (const InputError& error) { rows = {row_of_unreadable(file, error)}; }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     for (VerifyRow& row : rows) row.seconds = seconds;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/results/result.hpp"
+#include "src/results/case_result.hpp"
 #include "src/scene/scene.hpp"
 #include "src/verification/verify.hpp"
 
@@ -13,6 +13,9 @@ namespace abut {
 /// Every expectation of a scene, compared with its answer; seconds are left to be filled in. A quantity that result.json does
 /// not have, or that is no number there, and an analysis that failed give rows that do not pass.
 std::vector<VerifyRow> compared_with_expectations(const Scene& scene, const Result& result);
+
+/// The same of a scene with load cases, their answers in its order; quantities begin with the case's name.
+std::vector<VerifyRow> compared_with_cases(const Scene& scene, const std::vector<CaseResult>& cases);
 
 /// Solves the scene of a file and compares. Throws InputError where the scene cannot be read.
 std::vector<VerifyRow> verify_scene(const std::string& file);

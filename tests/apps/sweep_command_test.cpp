@@ -21,7 +21,8 @@ TEST_F(CommandLine, SweepFollowsHertz) {
     EXPECT_TRUE(any_line_has(lines_of(run.output), {"curves: o/sweep.html"})) << run.output;
     const std::vector<std::string> rows = lines_of(read(folder_ / "o/sweep.csv"));
     ASSERT_EQ(rows.size(), 3U);
-    EXPECT_EQ(rows[0].rfind("job,status,Q,cylinder - block: max pressure,error,", 0), 0U) << rows[0];
+    EXPECT_EQ(rows[0].rfind("job,status,Q,cylinder - block: max pressure,cylinder - block: error of max pressure,", 0), 0U)
+        << rows[0];
     const auto pressure = [](const std::string& row) {
         std::istringstream fields(row);
         std::string field;
@@ -32,6 +33,10 @@ TEST_F(CommandLine, SweepFollowsHertz) {
     EXPECT_NE(read(folder_ / "o/sweep.html").find("<polyline"), std::string::npos);
     const Outcome again = abut({"sweep", scene, "Q=100,400", "-o", "o", "--accuracy", "draft"});
     EXPECT_TRUE(any_line_has(lines_of(again.output), {"0 done now", "2 kept from before"})) << again.output;
+    // Other values by the same places are other jobs, whatever is there.
+    const Outcome other = abut({"sweep", scene, "Q=900,1600", "-o", "o", "--accuracy", "draft"});
+    EXPECT_EQ(other.status, 0) << joined(other.errors);
+    EXPECT_NEAR(pressure(lines_of(read(folder_ / "o/sweep.csv"))[1]) / pressure(rows[1]), 3, 0.15);
 }
 
 TEST_F(CommandLine, SweepMarksWhatHasNoAnswer) {
@@ -45,12 +50,14 @@ TEST_F(CommandLine, SweepMarksWhatHasNoAnswer) {
 
 TEST_F(CommandLine, SweepRefusesWhatItDoesNotUnderstand) {
     const std::string scene = data + "verification/cylinder_on_plane.json";
-    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"sweep"},
-                                                                                       {"sweep", scene},
-                                                                                       {"sweep", scene, "q=1,2"},
-                                                                                       {"sweep", scene, "Q=1:2"},
-                                                                                       {"sweep", scene, "Q=1", "Q=2"},
-                                                                                       {"sweep", "no_such.json", "Q=1"}})
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"sweep"},
+                                               {"sweep", scene},
+                                               {"sweep", scene, "q=1,2"},
+                                               {"sweep", scene, "Q=1:2"},
+                                               {"sweep", scene, "Q=1", "Q=2"},
+                                               {"sweep", "no_such.json", "Q=1"},
+                                               {"sweep", data + "scenes/pin_bracket_cases.json", "Q=1"}})
         expect_refused(abut(words), 1);
     EXPECT_FALSE(fs::exists(folder_ / "out"));
     EXPECT_NE(joined(abut({"sweep", scene, "q=1"}).errors).find("'q' is no parameter of"), std::string::npos);
@@ -84,6 +91,12 @@ TEST_F(CommandLine, AnalyzeWritesEveryLoadCaseAndWhatIsLargest) {
     for (const char* file : {"cases.json", "envelope.csv", "case_1", "case_4"})
         EXPECT_FALSE(fs::exists(folder_ / "o" / file)) << file;
 
+    // An analysis leaves alone what is no case of an earlier one.
+    fs::create_directories(folder_ / "o/case_1");
+    write("o/case_1/result.json", "mine");
+    abut({"analyze", scene, "--case", "overload", "-o", "o", "--accuracy", "draft", "--quiet"});
+    EXPECT_EQ(read(folder_ / "o/case_1/result.json"), "mine");
+
     EXPECT_TRUE(any_line_has(abut({"analyze", scene, "--case", "overlaod"}).errors, {"did you mean 'overload'"}));
     EXPECT_TRUE(any_line_has(abut({"study", scene}).errors, {"load cases"}));
 }
@@ -101,6 +114,10 @@ TEST_F(CommandLine, AnalyzeSaysWhichCaseFailed) {
     EXPECT_EQ(run.status, 1);
     EXPECT_TRUE(any_line_has(run.errors, {"the analysis failed: up: "})) << joined(run.errors);
     EXPECT_TRUE(any_line_has(run.errors, {"not as expected"})) << joined(run.errors);
+    const Outcome verified = abut({"verify", "."});
+    EXPECT_EQ(verified.status, 1);
+    EXPECT_TRUE(any_line_has(lines_of(verified.output), {"down: contacts[0].force[1]", "pass"})) << verified.output;
+    EXPECT_TRUE(any_line_has(lines_of(verified.output), {"up: contacts[0].force[1]"})) << verified.output;
     const Json cases = Json::parse(read(folder_ / "o/cases.json"));
     EXPECT_EQ(cases["cases"][0]["status"], "ok");
     EXPECT_EQ(cases["cases"][1]["status"], "failed");

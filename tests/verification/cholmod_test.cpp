@@ -11,6 +11,7 @@
 
 #include "src/analysis/analysis.hpp"
 #include "src/results/result.hpp"
+#include "src/scene/load_cases.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
@@ -60,6 +61,7 @@ class Cholmod : public testing::TestWithParam<std::string> {};
 
 TEST_P(Cholmod, FactorsGiveTheAnswersOfOurs) {
     Scene scene = read_scene(GetParam());
+    if (!scene.cases.empty()) scene = scene_of_case(scene, scene.cases.back());
     const Result ours = analyze(scene, {});
     scene.accuracy.by_cholmod = true;
     const Result theirs = analyze(scene, {});

@@ -150,6 +150,53 @@ TEST(LoadCases, OneThatFailsLeavesTheOthers) {
     EXPECT_EQ(envelope_of(cases).contacts[0].force.in_case, 1U);
 }
 
+/// A part that is stiff enough to be rigid in one case alone is elastic in all: what a part is made of is common.
+TEST(LoadCases, APartIsRigidInAllOrNone) {
+    const auto scene = [](const std::string& first, const std::string& second) {
+        return read_scene_text(R"({"abut": 1, "materials": {"hard": {"E": 1e9, "nu": 0.3}, "soft": {"E": 100, "nu": 0.3}},
+            "parts": [{"name": "beam", "material": "hard", "geometry": {"rectangle": {"min": [0, 0], "max": [50, 5]}}},
+                      {"name": "pad", "material": "soft", "geometry": {"rectangle": {"min": [20, 5], "max": [30, 10]}}}],
+            "supports": [{"on": "beam/left", "fix": ["x", "y"]}, {"on": "pad/left", "fix": ["x"]}],
+            "loads": [{"name": "pad", "on": "pad/top", "pressure": 1}, {"name": "beam", "on": "beam/right", "force": [0, -100000]}],
+            "cases": [{"name": ")" +
+                                   first + R"(", "loads": {")" + first + R"(": 1}}, {"name": ")" + second +
+                                   R"(", "loads": {")" + second + R"(": 1}}]})",
+                               "cases.json");
+    };
+    for (const auto& [first, second] : {std::pair("pad", "beam"), std::pair("beam", "pad")}) {
+        const Scene together = scene(first, second);
+        const std::vector<CaseResult> cases = analyze_cases(together, {});
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+            if (cases[k].name != "beam") continue;
+            const Result alone = analyze(scene_of_case(together, together.cases[k]), {});
+            EXPECT_FALSE(cases[k].result.parts[0].rigid);
+            EXPECT_GT(alone.parts[0].max_displacement.value, 0);
+            EXPECT_NEAR(cases[k].result.parts[0].max_displacement.value, alone.parts[0].max_displacement.value,
+                        0.01 * alone.parts[0].max_displacement.value);
+        }
+    }
+}
+
+/// What one case cannot be solved for is not the others' failure, whichever comes first; idle parts are left out of a case.
+TEST(LoadCases, ShareNeitherFailuresNorIdleParts) {
+    const auto scene = [](const std::string& cases) {
+        return scene_with(bar + R"(, {"name": "other", "material": "steel", "geometry": {"rectangle": {"min": [0, 100], "max": [40, 110]}}})",
+                          R"("supports": [{"on": "bar/left", "fix": ["x", "y"]}], "accuracy": {"dirichlet": "solution_structure"},
+                             "loads": [{"name": "push", "on": "bar/top", "pressure": 3}, {"name": "heat", "part": "bar", "temperature": 10},
+                                       {"name": "bad", "on": "bar/top", "pressure": "1/(x-x)"}, {"name": "spin", "part": "other", "spin": {"about": [20, 105], "omega": 9}}],
+                             "cases": [)" + cases + "]");
+    };
+const std::string push = R"({"name": "push", "loads": {"push": 1}})", heat = R"({"name": "heat", "loads": {"heat": 1}})",
+                  bad = R"({"name": "bad", "loads": {"bad": 1}})", spin = R"({"name": "spin", "loads": {"spin": 1}})";
+for (const std::string& order : {heat + "," + bad + "," + push + "," + spin, spin + "," + push + "," + bad + "," + heat}) {
+    for (const CaseResult& c : analyze_cases(scene(order), {})) {
+        EXPECT_EQ(c.result.status, c.name == "heat" || c.name == "bad" ? "failed" : "ok") << c.name << ": " << c.result.message;
+        if (c.name == "push") EXPECT_FALSE(c.result.parts[1].solved) << "nothing acts on it here";
+        if (c.name == "spin") EXPECT_FALSE(c.result.parts[0].solved);
+    }
+}
+}
+
 TEST(LoadCases, AreNotAnsweredAsOneScene) {
     const Scene scene = loaded_bar(R"("cases": [{"name": "a", "loads": {"push": 1}}])");
     EXPECT_THROW(analyze(scene, {}), InputError);

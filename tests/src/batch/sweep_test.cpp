@@ -21,6 +21,7 @@ TEST(Sweep, ValuesAreRangesOrLists) {
     EXPECT_EQ(range.values.back(), 20000);
     EXPECT_EQ(parse_swept("c=0.05,-1e-2,0.02").values, (std::vector<double>{-0.01, 0.02, 0.05})) << "ascending";
     EXPECT_EQ(parse_swept("c=1:0:3").values, (std::vector<double>{0, 0.5, 1}));
+    EXPECT_EQ(parse_swept("c=1e308:-1e308:3").values, (std::vector<double>{-1e308, 0, 1e308}));
     for (const char* wrong : {"", "F", "=1", "F=", "F=1,", "F=1:2", "F=1:2:1", "F=1:2:2.5", "F=1:1:3", "F=1:2:1e9", "F=1,1",
                               "F=x", "F=nan", "F=1e999", "F=1:2:3:4", "F=1 "})
         EXPECT_THROW(parse_swept(wrong), InputError) << wrong;
@@ -50,7 +51,7 @@ Sweep made_up() {
     sweep.parameters = {parse_swept("F=1,2,3"), parse_swept("R=5,6")};
     sweep.quantities = {{"pin - \"hole\"", "max pressure", "MPa"}, {"pin", "max von Mises stress", "MPa"}};
     for (const BatchJob& job : sweep_jobs(sweep.parameters).jobs) {
-        SweepPoint point{job.name, "ok", "", job.parameters, {}};
+        SweepPoint point{job.name, "ok", "", true, job.parameters, {}};
         const double f = job.parameters.at("F");
         if (f == 2 && job.parameters.at("R") == 6) {
             point.status = "failed";
@@ -72,7 +73,9 @@ std::size_t count(const std::string& text, const std::string& words) {
 
 TEST(Sweep, TheTableHasARowAJob) {
     const std::string begin =
-        "job,status,F,R,\"pin - \"\"hole\"\": max pressure [MPa]\",error,pin: max von Mises stress [MPa],error\n"
+        "job,status,F,R,\"pin - \"\"hole\"\": max pressure [MPa]\",\"pin - \"\"hole\"\": error of max pressure\",pin: max von "
+        "Mises stress [MPa],"
+        "pin: error of max von Mises stress\n"
         "1_1,ok,1,5,100,2.5,50,\n"
         "2_1,ok,2,5,200,2.5,100,\n";
     EXPECT_EQ(sweep_csv(made_up()).substr(0, begin.size()), begin);
@@ -91,9 +94,18 @@ TEST(Sweep, CurvesHaveEveryPointAndMarkThoseThatFailed) {
     EXPECT_NE(html.find("a&lt;b.json"), std::string::npos);
 }
 
+TEST(Sweep, LinesAreToldApartByAsManyDigitsAsItTakes) {
+    Sweep sweep = made_up();
+    sweep.parameters[1] = parse_swept("R=1.00000001,1.00000002");
+    for (SweepPoint& p : sweep.points) p.parameters["R"] = p.parameters["R"] == 5 ? 1.00000001 : 1.00000002;
+    const std::string html = sweep_html(sweep);
+    EXPECT_EQ(count(html, ">R = 1.00000001<"), 2U);
+    EXPECT_EQ(count(html, ">R = 1.00000002<"), 2U);
+    EXPECT_EQ(count(html, "<polyline"), 2U);
+}
+
 TEST(Sweep, JobsThatAreNotThereAreMissing) {
-    const Sweep sweep =
-        read_sweep("s.json", {parse_swept("F=1,2")}, std::filesystem::temp_directory_path() / "abut_no_such_sweep");
+    const Sweep sweep = read_sweep({}, {parse_swept("F=1,2")}, std::filesystem::temp_directory_path() / "abut_no_such_sweep");
     ASSERT_EQ(sweep.points.size(), 2U);
     EXPECT_EQ(sweep.points[0].status, "missing");
     EXPECT_NE(sweep_html(sweep).find("No job has an answer"), std::string::npos);

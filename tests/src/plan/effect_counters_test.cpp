@@ -8,6 +8,7 @@
 #include <map>
 
 #include "src/plan/plan.hpp"
+#include "src/scene/load_cases.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/src/analysis/plate_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
@@ -61,6 +62,7 @@ TEST(PlanOfTheRun, WhatIsOffIsNotEntered) {
         for (const auto& entry : std::filesystem::directory_iterator(std::string(ABUT_SOURCE_DIR) + folder)) {
             if (entry.path().extension() != ".json") continue;
             Scene scene = read_scene(entry.path().string());
+            if (!scene.cases.empty()) scene = scene_of_case(scene, scene.cases.back());
             scene.accuracy.level = "draft";
             scene.accuracy.target.reset();
             scene.accuracy.adapt = false;  // one solution is enough to enter what will be entered

@@ -89,7 +89,8 @@ const char* const every_object =
   "contacts": {"pairs": [{"between": ["a/*", "b/*"]}]},
   "accuracy": {"refine": [{"near": [0, 0], "radius": 1, "cell_size": 1}], "grids": {"a": {"cells": [2, 2]}}},
   "output": {"probes": [{"part": "a", "at": [0, 0]}]},
-  "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1}]})";
+  "cases": [{"name": "one", "loads": {}}],
+  "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1, "case": "one"}]})";
 
 /// The keys that the reader knows in the object at this place.
 Strings keys_of_the_reader(const std::string& place) {

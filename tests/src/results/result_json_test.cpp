@@ -36,7 +36,7 @@ TEST(ResultJson, HasTheKeysOfTheContractInItsOrder) {
     EXPECT_EQ(keys(j["timing"]), (Names{"import", "geometry", "assembly", "solve", "recovery", "output", "total"}));
     EXPECT_EQ(keys(j["equilibrium"]), (Names{"applied", "reaction", "relative_residual", "relative_moment_residual"}));
     EXPECT_EQ(keys(j["parts"][0]), (Names{"name", "area", "unknowns", "solved", "rigid", "max_displacement", "max_von_mises",
-                                          "cells", "self_check"}));
+                                          "utilisation", "cells", "self_check"}));
     EXPECT_EQ(keys(j["contacts"][0]), (Names{"parts", "between", "edges", "kind", "interface", "functional_interface", "status",
                                              "initial_gap", "force", "moment", "contact_length", "ends", "max_pressure",
                                              "max_penetration", "error_estimate", "errors", "profile"}));
