@@ -105,7 +105,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
 }
 
-/// Thicknesses have no meaning around an axis; the full circle takes their place.
+/// Thicknesses have no meaning around an axis, where the full circle takes their place, nor levels.
 void check_thickness(SceneReading& reading, Scene& scene) {
     if (scene.analysis != Analysis::axisymmetric) return;
     const auto refuse = [&](const JsonValue& in) {
@@ -113,6 +113,9 @@ void check_thickness(SceneReading& reading, Scene& scene) {
         if (const JsonValue* thickness = find_member(in, "thickness"))
             report_problem(reading, *thickness, "parts around an axis have no thickness",
                            "forces are totals over the full circle");
+        if (const JsonValue* level = find_member(in, "level"))
+            report_problem(reading, *level, "parts around an axis have no levels",
+                           "their sections cannot lie above each other");
     };
     refuse(reading.root);
     if (const JsonValue* parts = find_member(reading.root, "parts"))
