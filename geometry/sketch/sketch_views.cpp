@@ -2,6 +2,7 @@
 #include "geometry/sketch/sketch_views.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -51,8 +52,8 @@ bool join_neighbours(std::vector<Figure>& figures) {
     for (std::size_t i = 0; i < figures.size(); ++i)
         for (const int k : tree.near(boxes[i], figure_fraction * boxes[i].diagonal()))
             if (are_near(boxes[i], boxes[at(k)])) {
-                const auto [first, second] = std::minmax(root_of(static_cast<int>(i)), root_of(k));
-                root[at(second)] = first;
+                const int own = root_of(static_cast<int>(i)), other = root_of(k);
+                root[at(std::max(own, other))] = std::min(own, other);
             }
     std::map<int, Figure> joined;
     for (std::size_t i = 0; i < figures.size(); ++i) take_in(joined[root_of(static_cast<int>(i))], figures[i]);
@@ -88,57 +89,62 @@ struct Search {
         return is_same(box(i).size().x(), box(k).size().x()) && is_same(box(i).size().y(), box(k).size().y());
     }
 
-    /// The views around a figure, of a body so deep.
-    Views around(int front, double depth) const {
+    /// Figures above, below and beside one, flush with it.
+    Views flush_with(int front) const {
+        Views found;
+        for (int k = 0; k < static_cast<int>(figures.size()); ++k)
+            if (k != front && (is_flush(front, k, 0) || is_flush(front, k, 1))) found.push_back(k);
+        return found;
+    }
+
+    /// How deep the body is that a figure shows one flush with the front from the side.
+    double depth_of(int front, int side) const { return box(side).size()[is_flush(front, side, 0) ? 1 : 0]; }
+
+    /// A figure with those of its neighbours that are its views if it is so deep.
+    Views around(int front, const Views& flush, double depth) const {
         Views views{front};
-        for (int k = 0; k < static_cast<int>(figures.size()); ++k) {
-            if (k == front) continue;
-            const bool is_above = is_flush(front, k, 0), is_beside = is_flush(front, k, 1);
-            const bool is_side =
-                (is_above && is_same(box(k).size().y(), depth)) || (is_beside && is_same(box(k).size().x(), depth));
-            const bool is_back = (is_above || is_beside) && is_as_large(front, k);
-            if (is_side || is_back) views.push_back(k);
-        }
+        for (const int k : flush)
+            if (is_as_large(front, k) || is_same(depth_of(front, k), depth)) views.push_back(k);
         return views;
     }
 
-    /// Are there views both above (or below) the first and beside it, which are not all the same?
-    bool is_certain(const Views& views) const {
-        bool is_above = false, is_beside = false, differs = false;
-        for (std::size_t k = 1; k < views.size(); ++k) {
-            is_above = is_above || is_flush(views[0], views[k], 0);
-            is_beside = is_beside || is_flush(views[0], views[k], 1);
-            differs = differs || !is_as_large(views[0], views[k]);
-        }
-        return is_above && is_beside && differs;
+    /// Are there views both above (or below) the front and beside it that tell the same depth?
+    bool is_certain(const Views& views, double depth) const {
+        std::array<bool, 2> is_there{false, false};
+        for (std::size_t k = 1; k < views.size(); ++k)
+            if (is_same(depth_of(views[0], views[k]), depth) && !is_as_large(views[0], views[k]))
+                is_there[is_flush(views[0], views[k], 0) ? 0 : 1] = true;
+        return is_there[0] && is_there[1];
     }
 
     /// The largest projection.
     Views projection() const {
         Views best;
-        for (int front = 0; front < static_cast<int>(figures.size()); ++front)
-            for (int k = 0; k < static_cast<int>(figures.size()); ++k) {
-                if (k == front || !(is_flush(front, k, 0) || is_flush(front, k, 1))) continue;
-                Views views = around(front, is_flush(front, k, 0) ? box(k).size().y() : box(k).size().x());
+        for (int front = 0; front < static_cast<int>(figures.size()); ++front) {
+            const Views flush = flush_with(front);
+            for (const int k : flush) {
+                const double depth = depth_of(front, k);
+                Views views = around(front, flush, depth);
                 const bool is_all = views.size() == figures.size();
-                if (views.size() <= most_views && views.size() > best.size() && (is_all || is_certain(views)))
+                if (views.size() <= most_views && views.size() > best.size() && (is_all || is_certain(views, depth)))
                     best = std::move(views);
             }
+        }
         return best;
     }
 
+    /// All figures, where they are the same.
     Views copies() const {
-        if (figures.size() > most_views) return {};
-        for (std::size_t i = 0; i < figures.size(); ++i) {
-            Views same{static_cast<int>(i)};
-            for (std::size_t k = i + 1; k < figures.size(); ++k)
-                if (is_as_large(static_cast<int>(i), static_cast<int>(k)) &&
-                    std::abs(figures[i].area - figures[k].area) <= tolerance * figures[i].perimeter &&
-                    is_same(figures[i].perimeter, figures[k].perimeter))
-                    same.push_back(static_cast<int>(k));
-            if (same.size() > 1) return same;
-        }
-        return {};
+        const Figure& first = figures.front();
+        const auto is_copy = [&](const Figure& other) {
+            return is_same(first.box.size().x(), other.box.size().x()) && is_same(first.box.size().y(), other.box.size().y()) &&
+                   is_same(first.perimeter, other.perimeter) &&
+                   std::abs(first.area - other.area) <= tolerance * first.perimeter;
+        };
+        if (figures.size() > most_views || !std::all_of(figures.begin(), figures.end(), is_copy)) return {};
+        Views all(figures.size());
+        std::iota(all.begin(), all.end(), 0);
+        return all;
     }
 };
 
