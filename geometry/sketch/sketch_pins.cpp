@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "geometry/brep/closest_points.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/outline.hpp"
 #include "geometry/brep/overlap.hpp"
@@ -16,9 +15,10 @@ namespace {
 /// Of a pin's size: what is nearer touches, and of its area: rounding.
 constexpr double pin_rounding = 1e-6;
 
+/// Parts that have some place in common, neither inside the other.
 bool are_laid_across(const Part& a, const Part& b) {
-    return closest_points(outer_outline(a), outer_outline(b), 0) && !lies_in_outline(a, b) && !lies_in_outline(b, a) &&
-           overlap(a, b, pin_rounding * std::min(bounding_box(a).diagonal(), bounding_box(b).diagonal())).area > 0;
+    const double tolerance = pin_rounding * std::min(bounding_box(a).diagonal(), bounding_box(b).diagonal());
+    return !lies_in_outline(a, b) && !lies_in_outline(b, a) && overlap(a, b, tolerance).area > 0;
 }
 
 bool is_drawn_without_it(const Part& pin, const Part& plate) {

@@ -2,6 +2,7 @@
 #include "src/contact/guessed_levels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -9,6 +10,7 @@
 #include "geometry/brep/outline.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
 #include "src/scene/part_levels.hpp"
 #include "src/scene/read_drawing.hpp"
@@ -22,6 +24,38 @@ using PartSet = std::set<int>;
 
 bool overlaps_as_plates_do(const Meeting& m) {
     return m.overlap && m.too_deep;
+}
+
+/// The round holes of a part.
+std::vector<geometry::Arc> eyes_of(const geometry::Part& part, double tolerance) {
+    std::vector<geometry::Arc> eyes;
+    for (std::size_t k = 1; k < part.loops.size(); ++k) {
+        const std::vector<int>& edges = part.loops[k].edges;
+        const auto* first = std::get_if<geometry::Arc>(&curve_of(part, edges.front()));
+        if (first && std::all_of(edges.begin(), edges.end(), [&](int e) {
+                const auto* arc = std::get_if<geometry::Arc>(&curve_of(part, e));
+                return arc && (arc->center - first->center).norm() + std::abs(arc->radius - first->radius) <= tolerance;
+            }))
+            eyes.push_back(*first);
+    }
+    return eyes;
+}
+
+/// Round holes of both parts at one place, of one size, in which nothing is drawn.
+std::vector<geometry::Arc> empty_eyes(const Scene& scene, const Meeting& m) {
+    const double tolerance = touching_length(part_of(scene, m.first), part_of(scene, m.second));
+    std::vector<geometry::Arc> found;
+    for (const geometry::Arc& a : eyes_of(part_of(scene, m.first), tolerance))
+        for (const geometry::Arc& b : eyes_of(part_of(scene, m.second), tolerance)) {
+            geometry::Box2 box;
+            for (const double side : {-1.0, 1.0}) box.extend(a.center + side * Vec2(a.radius, a.radius));
+            const bool is_same = (a.center - b.center).norm() + std::abs(a.radius - b.radius) <= tolerance;
+            if (is_same && std::none_of(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& part) {
+                    return bounding_box(part.part).is_within(box, tolerance);
+                }))
+                found.push_back(a);
+        }
+    return found;
 }
 
 /// Which parts lie over which, and which join them.
@@ -42,18 +76,16 @@ public:
 
     const std::vector<Meeting>& meetings() const { return meetings_; }
 
-    /// The plates that pins join directly or through what lies between, by the first of each group.
+    /// The plates that pins join, or could, directly or through what lies over them, by the first of each group.
     std::vector<PartSet> groups() const {
-        std::vector<PartSet> found;
-        PartSet seen;
-        for (const auto& [pin, joined] : joined_by_)
-            for (const int plate : plates_of(pin)) {
-                if (seen.contains(plate)) continue;
-                found.push_back(connected(plate));
-                seen.insert(found.back().begin(), found.back().end());
-            }
-        std::sort(found.begin(), found.end());
-        return found;
+        PartSet joined;
+        for (const auto& [pin, around] : joined_by_) joined.merge(plates_of(pin));
+        for (const Meeting& m : meetings_)
+            if (overlaps_as_plates_do(m) && !empty_eyes(scene_, m).empty()) joined.insert({m.first, m.second});
+        std::set<PartSet> found;
+        for (const int plate : joined)
+            if (!beside_[at(plate)].empty()) found.insert(connected(plate));
+        return {found.begin(), found.end()};
     }
 
     /// Levels of the plates of a group, from 1.
@@ -157,6 +189,22 @@ Vec2 place_of_group(const LevelStack& stack, const PartSet& group) {
     return {0, 0};
 }
 
+/// A pin that the drawing leaves out, as the scene would have it.
+void tell_empty_eyes(const Scene& scene, const Meeting& m, GuessedLevels& guessed) {
+    Levels on = guessed.of[at(m.first)];
+    on.insert(on.end(), guessed.of[at(m.second)].begin(), guessed.of[at(m.second)].end());
+    std::sort(on.begin(), on.end());
+    const std::string pair = scene_part(scene, m.first).name + " and " + scene_part(scene, m.second).name;
+    constexpr int digits = 9;
+    for (const geometry::Arc& eye : empty_eyes(scene, m))
+        guessed.told.push_back({"no pin is drawn in the common hole of " + pair, eye.center, pair, 0,
+                                "where one joins them, add it to the scene: \"parts\": [{\"name\": \"pin\", \"material\": "
+                                "\"steel\", \"level\": [" +
+                                    levels_text(on) + "], \"geometry\": {\"circle\": {\"center\": [" +
+                                    number_text(eye.center.x(), digits) + ", " + number_text(eye.center.y(), digits) +
+                                    "], \"radius\": " + number_text(eye.radius, digits) + "}}}]"});
+}
+
 GuessedLevels guess_levels(const Scene& scene, const std::string& what_of_it, const std::string& hint) {
     const LevelStack stack(scene);
     GuessedLevels guessed{std::vector<Levels>(scene.parts.size()), {}};
@@ -175,10 +223,15 @@ GuessedLevels guess_levels(const Scene& scene, const std::string& what_of_it, co
         all.insert(pins.begin(), pins.end());
         for (const int part : all)
             text += (text.empty() ? "" : "; ") + scene_part(scene, part).name + " " + levels_text(guessed.of[at(part)]);
-        guessed.told.push_back({names_of(scene, group) +
-                                    " overlap in the plan, and parts that fit holes of two of them join them (" +
-                                    names_of(scene, pins) + "): " + what_of_it + ", levels " + text,
-                                place_of_group(stack, group), names_of(scene, group), 0, hint});
+        guessed.told.push_back(
+            {names_of(scene, group) + " overlap in the plan, and " +
+                 (pins.empty() ? "have round holes in common"
+                               : "parts that fit holes of two of them join them (" + names_of(scene, pins) + ")") +
+                 ": " + what_of_it + ", levels " + text,
+             place_of_group(stack, group), names_of(scene, group), 0, hint});
+        for (const Meeting& m : stack.meetings())
+            if (group.contains(m.first) && group.contains(m.second) && overlaps_as_plates_do(m))
+                tell_empty_eyes(scene, m, guessed);
     }
     for (const Meeting& m : stack.meetings()) {
         if (overlaps_as_plates_do(m) || (m.candidates.empty() && !m.unpaired) ||

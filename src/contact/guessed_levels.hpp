@@ -8,6 +8,7 @@ namespace abut {
 /// Gives levels to parts that overlap in the plan as the plates of a linkage do, each time with a warning in the scene and in
 /// the record of its import:
 ///   1. Plates lie above each other where they overlap deeper than any fit, and some part fits holes of both: a pin joins them.
+///      So they do where they have a round hole in common in which nothing is drawn; that no pin is there is told.
 ///   2. They and what else overlaps them as deep, and so on, get as few levels as a greedy colouring finds (those with most
 ///      levels beside them first: two where two will do). A pin that something lies over counts for the plates that it joins.
 ///   3. A pin lies on all levels of what it joins.

@@ -53,6 +53,17 @@ TEST(SketchPins, CirclesDrawnOnceOrTwiceAreHolesOfBothPlates) {
                      "a hole of its size in A and B"));
 }
 
+TEST(SketchPins, PlatesMayLieAcrossAtAnyAngle) {
+    const Vec2 along{0.242, 0.9703}, across{0.9703, -0.242};
+    const Entities slanted = drawn_polygon(
+        {-8 * along - 9 * across, -8 * along + 9 * across, 50 * along + 9 * across, 50 * along - 9 * across}, "b", "B");
+    const SketchParts sketch =
+        parts_by(drawn_rectangle({-20, -40}, {80, 14}, "a", "A") + slanted + Entities{drawn_circle({0, 0}, 5, "pin", "PIN")},
+                 PartsBy::layer);
+    EXPECT_EQ(n_told(sketch), 1);
+    for (const char* plate : {"A", "B"}) EXPECT_EQ(count_holes(*part_called(sketch, plate)), 1) << plate;
+}
+
 TEST(SketchPins, WhatLiesOnOnePlateStaysThere) {
     // neither a part beside the overlap, nor plates of which one lies on the other, nor plates side by side
     const Entities beside{drawn_circle({20, 10}, 5, "pin", "PIN")};

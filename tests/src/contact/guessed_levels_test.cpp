@@ -39,7 +39,7 @@ std::string guessed(const std::string& entities) {
     EXPECT_EQ(levels_text(scene).empty(), scene.warnings.size() == n_warnings);
     EXPECT_EQ(scene.imports[0].warnings.size() - scene.warnings.size(),
               drawing(entities).imports[0].warnings.size() - n_warnings);
-    if (!levels_text(scene).empty()) EXPECT_NO_THROW(find_candidates(scene, 1));
+    if (!levels_text(scene).empty()) { EXPECT_NO_THROW(find_candidates(scene, 1)); }
     return levels_text(scene);
 }
 
@@ -65,6 +65,19 @@ TEST(GuessedLevels, TellingChangesNothing) {
     EXPECT_EQ(levels_text(scene), "");
     EXPECT_NE(scene.warnings.back().find("they look as if they lay above each other"), std::string::npos);
     EXPECT_THROW(find_candidates(scene, 1), InputError);
+}
+
+TEST(GuessedLevels, APinThatNobodyDrew) {
+    const std::string bars = bar("A", 0, 50, 4) + bar("B", 50, 100, 4);
+    EXPECT_EQ(guessed(bars), "A 1; B 2");
+    Scene scene = drawing(bars);
+    take_guessed_levels(scene);
+    EXPECT_NE(scene.warnings.back().find(
+                  R"("parts": [{"name": "pin", "material": "steel", "level": [1, 2], "geometry": {"circle": {"center": )"
+                  R"([50, 0], "radius": 4}}}])"),
+              std::string::npos)
+        << scene.warnings.back();
+    EXPECT_EQ(guessed(bar("A", 0, 50, 4) + bar("B", 50, 100, 4.5)), "");
 }
 
 TEST(GuessedLevels, AChainNeedsTwo) {

@@ -2,6 +2,7 @@
 // Parts without a common level have nothing to do with each other, in every search.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -137,9 +138,11 @@ TEST(Levels, OverlapsAreRefusedOnACommonLevelAlone) {
 
 TEST(Levels, ThePlanSearchesNoOtherPairs) {
     const Scene scene = scene_of(link(-60, "1") + ", " + link(60, "2") + ", " + pin, pulled);
-    for (const Effect& effect : plan_effects(scene, resolve_conditions(scene)))
-        if (effect.name == "contact")
-            EXPECT_EQ(effect.pairs, (std::vector<std::array<std::string, 2>>{{"left", "pin"}, {"right", "pin"}}));
+    const std::vector<Effect> effects = plan_effects(scene);
+    const auto contact =
+        std::find_if(effects.begin(), effects.end(), [](const Effect& effect) { return effect.name == "contact"; });
+    ASSERT_NE(contact, effects.end());
+    EXPECT_EQ(contact->pairs, (std::vector<std::array<std::string, 2>>{{"left", "pin"}, {"right", "pin"}}));
 }
 
 TEST(Levels, APinThatJoinsTwoLinksCarriesThePullOnEach) {

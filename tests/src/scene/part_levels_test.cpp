@@ -11,7 +11,7 @@
 namespace abut::part_levels_test {
 namespace {
 
-const std::string head = R"({"abut": 1, "parameters": {"top": 3}, )";
+const std::string head = R"({"abut": 1, "units": {"length": "mm", "force": "N"}, "parameters": {"top": 3}, )";
 
 std::string block(const std::string& name, double x, const std::string& more) {
     return R"({"name": ")" + name + R"(", "material": "steel", )" + more + R"("geometry": {"rectangle": {"min": [)" +
