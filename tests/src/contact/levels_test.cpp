@@ -85,7 +85,8 @@ std::string link(double to, const std::string& level) {
 const std::string pin = part("pin", R"({"circle": {"center": [0, 0], "radius": 6}})", "[1, 2]");
 const std::string draft = R"(, "accuracy": {"level": "draft"})";
 const std::string pulled =
-    draft + R"(, "supports": [{"on": "left/end", "fix": ["x", "y"]}], "loads": [{"on": "right/end", "force": [5000, 0]}])";
+    draft +
+    R"(, "supports": [{"on": "left/end/circle", "fix": ["x", "y"]}], "loads": [{"on": "right/end/circle", "force": [5000, 0]}])";
 
 }  // namespace
 
