@@ -39,6 +39,24 @@ void cut_out(const Part& pin, Part& plate) {
     plate.loops.push_back(std::move(hole));
 }
 
+using PartNumbers = std::vector<std::size_t>;
+
+bool is_laid_across_any(const std::vector<Part>& parts, std::size_t plate, const PartNumbers& others) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](std::size_t other) { return other != plate && are_laid_across(parts[plate], parts[other]); });
+}
+
+/// Of the parts around a pin those that lack its hole; none where some that have it are joined: the others lie over them.
+PartNumbers plates_without_hole(const std::vector<Part>& parts, const PartNumbers& around, std::size_t pin) {
+    PartNumbers with, without;
+    for (const std::size_t plate : around)
+        if (is_laid_across_any(parts, plate, around))
+            (is_drawn_without_it(parts[pin], parts[plate]) ? without : with).push_back(plate);
+    const bool is_joined =
+        std::any_of(with.begin(), with.end(), [&](std::size_t plate) { return is_laid_across_any(parts, plate, with); });
+    return is_joined ? PartNumbers{} : without;
+}
+
 }  // namespace
 
 void cut_pins(std::vector<Part>& parts, const std::vector<std::string>& group, std::vector<SketchProblem>& warnings) {
@@ -46,17 +64,13 @@ void cut_pins(std::vector<Part>& parts, const std::vector<std::string>& group, s
     for (const Part& part : parts) boxes.push_back(bounding_box(part));
     const EdgeTree tree(boxes);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        std::vector<std::size_t> around;
+        PartNumbers around;
         for (const int near : tree.near(boxes[p], 0))
             if (group[at(near)] != group[p] && boxes[p].is_within(boxes[at(near)], 0) &&
                 lies_in_outline(parts[p], parts[at(near)]))
                 around.push_back(at(near));
         std::string cut;
-        for (const std::size_t plate : around) {
-            const bool is_joined = std::any_of(around.begin(), around.end(), [&](std::size_t other) {
-                return other != plate && are_laid_across(parts[plate], parts[other]);
-            });
-            if (!is_joined || !is_drawn_without_it(parts[p], parts[plate])) continue;
+        for (const std::size_t plate : plates_without_hole(parts, around, p)) {
             cut_out(parts[p], parts[plate]);
             cut += (cut.empty() ? "" : " and ") + parts[plate].name;
         }

@@ -72,6 +72,10 @@ TEST(SketchPins, WhatLiesOnOnePlateStaysThere) {
     EXPECT_EQ(n_told(parts_by(first + on_it + pin, PartsBy::layer)), 0);
     const Entities below = drawn_rectangle({0, -20}, {60, 0}, "d", "D"), dowel{drawn_circle({30, 0}, 5, "dowel", "DOWEL")};
     EXPECT_EQ(n_told(parts_by(first + below + dowel, PartsBy::layer)), 0);
+    // a cover over a pin that joins two plates as they are drawn
+    const Entities cover = drawn_rectangle({43, -30}, {58, 50}, "e", "E");
+    EXPECT_EQ(n_told(parts_by(first + hole_on("A") + second + hole_on("B") + pin + cover, PartsBy::layer)), 0);
+    EXPECT_EQ(n_told(parts_by(first + hole_on("A") + second + pin + cover, PartsBy::layer)), 1);
     // what is on the plate's own layer is its hole already
     EXPECT_EQ(n_told(parts_by(first + hole_on("A") + second + hole_on("B"), PartsBy::layer)), 0);
 }

@@ -139,7 +139,7 @@ TEST(Levels, OverlapsAreRefusedOnACommonLevelAlone) {
 
 TEST(Levels, ThePlanSearchesNoOtherPairs) {
     const Scene scene = scene_of(link(-60, "1") + ", " + link(60, "2") + ", " + pin, pulled);
-    const std::vector<Effect> effects = plan_effects(scene);
+    const std::vector<Effect> effects = plan_effects(scene, resolve_conditions(scene));
     const auto contact =
         std::find_if(effects.begin(), effects.end(), [](const Effect& effect) { return effect.name == "contact"; });
     ASSERT_NE(contact, effects.end());
