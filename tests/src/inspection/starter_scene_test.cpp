@@ -102,7 +102,7 @@ TEST(StarterScene, GuessedLevelsStandWithTheParts) {
     const std::string scene = starter_scene(reading, {}, detect_contacts(reading.scene, std::nullopt));
     for (const char* words :
          {R"("LEFT": {"material": "steel", "level": 1})", R"("RIGHT": {"material": "steel", "level": 2})",
-          R"("PIN": {"material": "steel", "level": [1, 2]})", "check \"level\"", "LEFT/hA4 and PIN/C: pin-in-hole"})
+          R"("PIN": {"material": "steel", "level": [1, 2]})", "check \"level\"", "LEFT/hA4 and PIN/hC: pin-in-hole"})
         EXPECT_NE(scene.find(words), std::string::npos) << words << " in\n" << scene;
     EXPECT_EQ(scene.find("LEFT/hA4 and RIGHT"), std::string::npos);
     EXPECT_EQ(starter(folder.write("stack.dxf", dxf_file(stack))).find("level"), std::string::npos);
