@@ -10,6 +10,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/print_text.hpp"
 #include "src/contact/detect.hpp"
+#include "src/contact/guessed_levels.hpp"
 #include "src/inspection/detect_pictures.hpp"
 #include "src/io/write_file.hpp"
 #include "src/results/result.hpp"
@@ -21,9 +22,13 @@ namespace abut {
 namespace {
 
 Scene read_model(const Arguments& arguments) {
-    if (kind_of_file(arguments.operand) != FileKind::scene) return read_whole_sketch(arguments).scene;
-    drawing_options(arguments);
-    return read_scene(arguments.operand);
+    if (kind_of_file(arguments.operand) == FileKind::scene) {
+        drawing_options(arguments);
+        return read_scene(arguments.operand);
+    }
+    Scene scene = read_whole_sketch(arguments).scene;
+    tell_guessed_levels(scene);
+    return scene;
 }
 
 /// Without any pair there is no picture, and none of an earlier run is left.

@@ -9,6 +9,7 @@
 #include "apps/print_text.hpp"
 #include "geometry/brep/input_error.hpp"
 #include "src/contact/detect.hpp"
+#include "src/contact/guessed_levels.hpp"
 #include "src/inspection/starter_scene.hpp"
 #include "src/io/write_file.hpp"
 #include "src/scene/read_sketch.hpp"
@@ -47,7 +48,8 @@ int init_command(const Arguments& arguments) {
     choice.material = value_or(arguments, "--material", choice.material);
     choice.thickness = positive_number(arguments, "--thickness");
     if (!file.empty()) choice.folder = file.has_parent_path() ? file.parent_path().string() : ".";
-    const SketchReading reading = read_whole_sketch(arguments);
+    SketchReading reading = read_whole_sketch(arguments);
+    take_guessed_levels(reading.scene);
     refuse_guesses(reading.scene, arguments);
     for (const std::string& warning : reading.scene.warnings) std::cerr << "warning: " << warning << "\n";
     const std::string scene =

@@ -22,6 +22,7 @@
 #include "geometry/sketch/sketch_grouping.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
+#include "geometry/sketch/sketch_pins.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -184,6 +185,7 @@ SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, Part
         sketch.layers.push_back(std::move(one.label));
     }
     number_parts(sketch.parts);
+    if (parts_by != PartsBy::loop && !are_bodies(drawing.entities)) cut_pins(sketch.parts, sketch.layers, sketch.warnings);
     std::vector<std::size_t> place(found.size());
     for (std::size_t k = 0; k < found.size(); ++k) place[at(found[k].number)] = k;
     for (std::size_t r = 0; r < region_parts.size(); ++r)

@@ -192,7 +192,9 @@ SketchProblem crossing(const SketchPiece& a, const SketchPiece& b, const Vec2& a
     const std::string what =
         is_same_chain ? "an outline" + where + " crosses or touches itself: " : "two outlines" + where + " cross: ";
     return {what + names, at, names, std::min(a.line, b.line),
-            is_same_chain ? "mend it in CAD" : "put each part on a layer of its own, or mend it in CAD"};
+            is_same_chain ? "mend it in CAD"
+                          : "put each part on a layer of its own (parts above each other get a \"level\" each in the scene), "
+                            "or mend it in CAD"};
 }
 
 }  // namespace

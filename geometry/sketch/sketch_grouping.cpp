@@ -11,6 +11,7 @@
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
+#include "geometry/brep/outline.hpp"
 
 namespace abut::geometry {
 
@@ -62,12 +63,6 @@ std::vector<EntityGroup> grouped(const std::vector<SketchEntity>& entities,
         groups[at->second].entities.push_back(entity);
     }
     return groups;
-}
-
-Part outer_outline(const Part& part) {
-    Part outline;
-    for (const int e : part.loops.front().edges) outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
-    return outline;
 }
 
 /// Outlines do not cross as a rule; where they do, some corner or middle of an edge tells.

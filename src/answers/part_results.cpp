@@ -33,6 +33,7 @@ void fill_parts(const Scene& scene, const SolvedAssembly& solved, Result& result
         PartResult part;
         part.name = scene.parts[i].name;
         part.material = scene.materials[at(scene.parts[i].material)].name;
+        part.level = scene.parts[i].level;
         part.area = area(scene.parts[i].part);
         part.solved = !solved.solver_part.empty() && solved.solver_part[i] >= 0;
         part.rigid = part.solved && solved.grids[at(solved.solver_part[i])].is_rigid;

@@ -9,6 +9,7 @@
 #include "geometry/proximity/zone_pieces.hpp"
 #include "src/base/index.hpp"
 #include "src/scene/dissertation_method.hpp"
+#include "src/scene/part_levels.hpp"
 
 namespace abut {
 
@@ -99,7 +100,13 @@ geometry::CommonGrid search_grid(const Scene& scene) {
     return grid;
 }
 
-CellSearch::CellSearch(const Scene& scene) : grid_(search_grid(scene)) {}
+CellSearch::CellSearch(const Scene& scene) : grid_(search_grid(scene)) {
+    for (const ScenePart& part : scene.parts) levels_.push_back(part.level);
+}
+
+char CellSearch::case_of(int first, int second) const {
+    return have_common_level(levels_[at(first)], levels_[at(second)]) ? case_of_parts(grid_, first, second) : 'e';
+}
 
 std::vector<FacingZone> CellSearch::in_cells(const Scene& scene, int first, int second,
                                              const std::vector<FacingZone>& zones) const {

@@ -25,8 +25,8 @@ geometry::CommonGrid search_grid(const Scene& scene);
 class CellSearch {
 public:
     explicit CellSearch(const Scene& scene);
-    /// The case a to e of two parts, in either order; of 'e' there is no contact.
-    char case_of(int first, int second) const { return case_of_parts(grid_, first, second); }
+    /// The case a to e of two parts, in either order; of 'e', and so of all that have no level in common, there is no contact.
+    char case_of(int first, int second) const;
     /// The stretches of zones that lie in the first part's contact cells. Where one ends at a cell's side it is marked as a
     /// limit of the search.
     std::vector<geometry::FacingZone> in_cells(const Scene& scene, int first, int second,
@@ -34,6 +34,7 @@ public:
 
 private:
     geometry::CommonGrid grid_;
+    std::vector<Levels> levels_;
 };
 
 /// The search of a scene by the dissertation's method; none for others.

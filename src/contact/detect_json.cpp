@@ -46,11 +46,13 @@ Json pairs_json(const std::vector<DetectedPair>& pairs, bool near_misses) {
 }  // namespace
 
 std::string detection_json(const Scene& scene, const Detection& detection) {
-    const Json json{{"abut", 1},
-                    {"unit", scene.length_unit},
-                    {"pairs", pairs_json(detection.pairs, false)},
-                    {"near_misses", pairs_json(detection.near_misses, true)},
-                    {"warnings", names(scene.warnings)}};
+    Json json{{"abut", 1},
+              {"unit", scene.length_unit},
+              {"pairs", pairs_json(detection.pairs, false)},
+              {"near_misses", pairs_json(detection.near_misses, true)},
+              {"warnings", names(scene.warnings)}};
+    for (const ScenePart& part : scene.parts)
+        if (!part.level.empty()) json["levels"][part.name] = part.level;
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

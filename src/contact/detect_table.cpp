@@ -6,6 +6,7 @@
 #include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/part_levels.hpp"
 
 namespace abut {
 
@@ -43,6 +44,8 @@ std::string detection_table(const Scene& scene, const Detection& detection) {
     std::string text = detection.pairs.empty() ? "no contacts: no two parts come within " +
                                                      with_unit(detection.distance, 4, scene.length_unit) + " of each other\n"
                                                : pair_rows(scene, detection.pairs);
+    const std::string levels = levels_text(scene);
+    if (!levels.empty()) text += "\nlevels: " + levels + "\n";
     return warnings + text + near_miss_lines(detection.near_misses);
 }
 

@@ -35,7 +35,9 @@ std::string overlap_text(const Scene& scene, const Meeting& m) {
 
 std::string overlap_hint(const Scene& scene, const Meeting& m) {
     if (!m.too_deep) return "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\"";
-    return "move them apart, cut the one out of the other, or leave them to overlap by contacts.pairs {\"between\": [\"" +
+    return "move them apart, cut the one out of the other, give each its own \"level\" where they lie above each other, or "
+           "leave "
+           "them to overlap by contacts.pairs {\"between\": [\"" +
            scene_part(scene, m.first).name + "/*\", \"" + scene_part(scene, m.second).name + "/*\"], \"kind\": \"ignore\"}";
 }
 

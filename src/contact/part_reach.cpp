@@ -16,6 +16,7 @@ PartReach::PartReach(const Scene& scene) : given_(scene.contacts.search_distance
     for (const ScenePart& part : scene.parts) {
         boxes_.push_back(bounding_box(part.part));
         extents_.push_back(geometry::extent(part.part));
+        levels_.push_back(part.level);
     }
 }
 
@@ -32,7 +33,8 @@ double PartReach::shown(int first, int second) const {
 }
 
 bool PartReach::within(int first, int second, double distance) const {
-    return boxes_[at(first)].overlaps(boxes_[at(second)], distance);
+    return have_common_level(levels_[at(first)], levels_[at(second)]) &&
+           boxes_[at(first)].overlaps(boxes_[at(second)], distance);
 }
 
 }  // namespace abut

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/curves/curve.hpp"
+#include "src/scene/part_levels.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {
@@ -20,7 +21,7 @@ inline constexpr double touching_fraction = 1e-6;
 /// The gap up to which two parts touch: touching_fraction of the smaller extent.
 double touching_length(const geometry::Part& first, const geometry::Part& second);
 
-/// Boxes and extents of all parts, once for all distances between them: lengths do not depend on how the assembly lies.
+/// Boxes, extents and levels of all parts, once for all distances between them: lengths do not depend on how the assembly lies.
 class PartReach {
 public:
     explicit PartReach(const Scene& scene);
@@ -31,13 +32,15 @@ public:
     double searched(int first, int second, double factor) const;
     double shown(int first, int second) const;
     double touching(int first, int second) const { return touching_fraction * size(first, second); }
-    /// Do the parts' boxes come as near as this?
+    /// Do the parts have a level in common, and come their boxes as near as this? Those that do not have nothing to do with
+    /// each other.
     bool within(int first, int second, double distance) const;
 
 private:
     std::optional<double> given_;  // by the scene
     std::vector<geometry::Box2> boxes_;
     std::vector<double> extents_;
+    std::vector<Levels> levels_;
 };
 
 }  // namespace abut

@@ -86,9 +86,11 @@ Json part_json(const ScenePart& scene_part) {
     const geometry::Part& part = scene_part.part;
     Json edges = Json::array();
     for (const geometry::Edge& edge : part.edges) edges.push_back(edge_json(edge));
-    return {{"name", scene_part.name},      {"area", area(part)},
-            {"perimeter", perimeter(part)}, {"centroid", point_json(centroid(part))},
-            {"holes", count_holes(part)},   {"edges", edges}};
+    Json json{{"name", scene_part.name},      {"area", area(part)},
+              {"perimeter", perimeter(part)}, {"centroid", point_json(centroid(part))},
+              {"holes", count_holes(part)},   {"edges", edges}};
+    if (!scene_part.level.empty()) json["level"] = scene_part.level;
+    return json;
 }
 
 Json entities_json(const Inspection& inspection) {

@@ -8,6 +8,7 @@
 #include "src/io/utf8.hpp"
 #include "src/report/svg.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/part_levels.hpp"
 
 namespace abut {
 
@@ -60,7 +61,8 @@ std::string part_rows(const Inspection& inspection) {
         rows.push_back({p.name, size_text(bounding_box(p.part)), number_text(area(p.part), 6),
                         number_text(perimeter(p.part), 6), std::to_string(count_holes(p.part)),
                         std::to_string(p.part.edges.size())});
-    return columns(rows);
+    const std::string levels = levels_text(inspection.scene);
+    return columns(rows) + (levels.empty() ? "" : "levels: " + levels + "\n");
 }
 
 std::string edge_lines(const Inspection& inspection) {

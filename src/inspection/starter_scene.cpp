@@ -8,6 +8,7 @@
 
 #include "src/io/number_text.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/part_levels.hpp"
 #include "src/scene/read_materials.hpp"
 #include "src/scene/read_sketch.hpp"
 
@@ -54,12 +55,20 @@ std::string edge_line(const ScenePart& part, const geometry::Edge& edge) {
     return for_comment(line.str());
 }
 
+std::string level_key(const ScenePart& part) {
+    if (part.level.empty()) return "";
+    const std::string levels = levels_text(part.level);
+    return ", \"level\": " + (part.level.size() == 1 ? levels : "[" + levels + "]");
+}
+
 void write_parts(std::ostream& out, const Scene& scene, const std::string& material) {
     out << "    \"parts\": {\n";
+    if (!levels_text(scene).empty())
+        out << "      // check \"level\": guessed for parts that overlap; those without a common one do not meet\n";
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const ScenePart& part = scene.parts[i];
         const auto box = bounding_box(part.part);
-        out << "      " << quoted(part.name) << ": {\"material\": " << quoted(material) << "}"
+        out << "      " << quoted(part.name) << ": {\"material\": " << quoted(material) << level_key(part) << "}"
             << (i + 1 < scene.parts.size() ? "," : "") << "  // " << number(box.size().x()) << " x " << number(box.size().y())
             << ", area " << number(area(part.part)) << ", " << counted(part.part.edges.size(), "edge") << "\n";
     }

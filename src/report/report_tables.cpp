@@ -8,6 +8,7 @@
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/results/result_units.hpp"
+#include "src/scene/part_levels.hpp"
 
 namespace abut::report {
 
@@ -115,7 +116,7 @@ std::string part_table(const Result& result, const ResultUnits& u) {
         const auto known = [&](const ValueAt& v) { return p.solved && (result.status == "ok" || v.value != 0); };
         const auto value = [&](const ValueAt& v) { return known(v) ? number_text(v.value, 5) : "–"; };
         const auto at = [&](const ValueAt& v) { return known(v) ? place_text(v.at, size) : "–"; };
-        rows.push_back({p.name, p.material, number_text(p.area, 6),
+        rows.push_back({p.name + (p.level.empty() ? "" : ", level " + levels_text(p.level)), p.material, number_text(p.area, 6),
                         p.rigid    ? "rigid"
                         : p.solved ? count_text(p.unknowns)
                                    : "not analysed: no load reaches it",

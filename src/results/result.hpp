@@ -58,6 +58,7 @@ struct CutQuality {
 /// What is known of one part.
 struct PartResult {
     std::string name, material;
+    std::vector<int> level{};  ///< those on which it lies; none: all
     double area = 0;
     int unknowns = 0;
     bool solved = true;  ///< false: carries nothing and was not analysed

@@ -86,16 +86,18 @@ Json largest_displacement(const PartResult& p) {
 }
 
 Json part(const PartResult& p) {
-    return {{"name", p.name},
-            {"area", number(p.area)},
-            {"unknowns", p.unknowns},
-            {"solved", p.solved},
-            {"rigid", p.rigid},
-            {"max_displacement", largest_displacement(p)},
-            {"max_von_mises", largest_stress(p)},
-            {"utilisation", number(p.utilisation)},
-            {"cells", cells_of(p)},
-            {"self_check", self_check_of(p)}};
+    Json j{{"name", p.name},
+           {"area", number(p.area)},
+           {"unknowns", p.unknowns},
+           {"solved", p.solved},
+           {"rigid", p.rigid},
+           {"max_displacement", largest_displacement(p)},
+           {"max_von_mises", largest_stress(p)},
+           {"utilisation", number(p.utilisation)},
+           {"cells", cells_of(p)},
+           {"self_check", self_check_of(p)}};
+    if (!p.level.empty()) j["level"] = p.level;
+    return j;
 }
 
 Json profile(const ContactProfile& p) {

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/sketch/sketch_views.hpp"
 #include "src/io/nearest_name.hpp"
+#include "src/scene/part_levels.hpp"
 #include "src/scene/read_drawing.hpp"
 #include "src/scene/read_materials.hpp"
 #include "src/scene/read_parts.hpp"
@@ -18,6 +20,7 @@ struct PartRule {
     std::optional<std::string> name;
     std::optional<int> material;
     std::optional<double> thickness;
+    std::optional<Levels> level;
 };
 using PartRules = std::map<std::string, PartRule>;
 
@@ -28,12 +31,13 @@ PartRule read_rule(SceneReading& reading, const JsonValue& value, Scene& scene) 
         rule.ignore = read_word(reading, value, {{"ignore"}, {}}).has_value();
         return rule;
     }
-    if (!check_object(reading, value, {{"name", "material", "thickness"}, {}})) return rule;
+    if (!check_object(reading, value, {{"name", "material", "thickness", "level"}, {}})) return rule;
     if (const JsonValue* name = find_member(value, "name")) rule.name = read_new_part_name(reading, *name);
     if (const JsonValue* material = find_member(value, "material"))
         rule.material = read_material_name(reading, *material, scene);
     if (const JsonValue* thickness = find_member(value, "thickness"))
         rule.thickness = read_positive(reading, *thickness, dimension::length);
+    if (const JsonValue* level = find_member(value, "level")) rule.level = read_levels(reading, *level);
     return rule;
 }
 
@@ -60,15 +64,17 @@ struct PartPlan {
     bool ignore = false;
     std::optional<int> material;
     std::optional<double> thickness;
+    Levels level{};
     const JsonValue* at = nullptr;
 };
 
 PartPlan plan_part(const PartRules& rules, const std::string& part, const std::string& layer, const JsonValue& assembly) {
-    PartPlan plan{part, false, {}, {}, &assembly};
+    PartPlan plan{part, false, {}, {}, {}, &assembly};
     // "" or "#2": a layer's new name keeps the number of the piece. An instance's part stands for itself: "PIN#1:PIN".
     const std::string piece = part.starts_with(layer) ? part.substr(layer.size()) : "";
     if (const PartRule* rule = find_rule(rules, layer)) {
-        plan = {rule->name ? *rule->name + piece : part, rule->ignore, rule->material, rule->thickness, rule->at};
+        plan = {rule->name ? *rule->name + piece : part, rule->ignore, rule->material, rule->thickness,
+                rule->level.value_or(Levels()),          rule->at};
     }
     const PartRule* own = part == layer ? nullptr : find_rule(rules, part);
     if (!own) return plan;
@@ -76,6 +82,7 @@ PartPlan plan_part(const PartRules& rules, const std::string& part, const std::s
     if (own->name) plan.name = *own->name;
     if (own->material) plan.material = own->material;
     if (own->thickness) plan.thickness = own->thickness;
+    if (own->level) plan.level = *own->level;
     plan.at = own->at;
     return plan;
 }
@@ -99,6 +106,14 @@ void check_rules_used(SceneReading& reading, const PartRules& rules, const std::
 int default_material(SceneReading& reading, const JsonValue& assembly, Scene& scene) {
     const JsonValue* name = find_member(assembly, "material");
     return name ? read_material_name(reading, *name, scene).value_or(-1) : -1;
+}
+
+/// Of the parts that are not ignored, by the names that the drawing gives them.
+void tell_views(const ImportedDrawing& import, const std::vector<geometry::Part>& parts, Imports& imports) {
+    if (is_solid_file(import.drawing.file)) return;
+    const auto record = std::find_if(imports.records.begin(), imports.records.end(),
+                                     [&](const ImportRecord& r) { return r.file == import.drawing.file; });
+    for (geometry::SketchProblem& warning : geometry::views_of_one_part(parts)) record->warnings.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -137,11 +152,13 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
     if (sketch->parts.empty())
         report_problem(reading, *file, "the drawing bounds no part", "lines and arcs must form closed loops");
 
+    std::vector<geometry::Part> drawn;
     const bool material_given = find_member(assembly, "material") != nullptr;
     for (std::size_t i = 0; i < sketch->parts.size(); ++i) {
         geometry::Part& part = sketch->parts[i];
         PartPlan plan = plan_part(rules, part.name, sketch->layers[i], assembly);
         if (plan.ignore) continue;
+        drawn.push_back(part);
         const bool own_material = find_member(*plan.at, "material") != nullptr && plan.at != &assembly;
         if (!plan.material && !own_material && !material_given) {
             report_problem(reading, *plan.at, "the part '" + plan.name + "' has no material",
@@ -149,9 +166,15 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
         }
         note_part_name(reading, *plan.at, plan.name);
         part.name = plan.name;
-        scene.parts.push_back({plan.name, std::move(part), plan.material.value_or(material), plan.thickness.value_or(thickness),
-                               plan.at->pointer});
+        scene.parts.push_back({plan.name,
+                               std::move(part),
+                               plan.material.value_or(material),
+                               plan.thickness.value_or(thickness),
+                               plan.at->pointer,
+                               {},
+                               std::move(plan.level)});
     }
+    tell_views(*import, drawn, imports);
 }
 
 }  // namespace abut

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "src/scene/part_levels.hpp"
 #include "src/scene/read_geometry.hpp"
 #include "src/scene/read_materials.hpp"
 
@@ -55,7 +56,7 @@ std::string repairs_warning(const std::string& part, const std::vector<geometry:
 }
 
 void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, double thickness, Scene& scene) {
-    if (!check_object(reading, value, {{"name", "material", "thickness", "geometry", "place"}, {}})) {
+    if (!check_object(reading, value, {{"name", "material", "thickness", "level", "geometry", "place"}, {}})) {
         reading.all_parts_named = false;
         return;
     }
@@ -68,13 +69,14 @@ void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, 
     const JsonValue* material_name = required(reading, value, "material");
     const auto material = material_name ? read_material_name(reading, *material_name, scene) : std::nullopt;
     thickness = member_or(reading, value, "thickness", thickness, read_positive, dimension::length);
+    Levels level = member_or(reading, value, "level", Levels(), read_levels);
     const std::optional<geometry::CsgNode> tree = read_tree(reading, imports, value);
     std::optional<geometry::CsgResult> result = tree ? evaluated(reading, value, *tree) : std::nullopt;
     if (!name || !result) return;
     result->part.name = *name;
     if (!result->repairs.empty()) scene.warnings.push_back(repairs_warning(*name, result->repairs));
-    scene.parts.push_back(
-        {*name, std::move(result->part), material.value_or(-1), thickness, value.pointer, std::move(result->repairs)});
+    scene.parts.push_back({*name, std::move(result->part), material.value_or(-1), thickness, value.pointer,
+                           std::move(result->repairs), std::move(level)});
 }
 
 }  // namespace

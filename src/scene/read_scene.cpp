@@ -108,7 +108,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
     check_cases_of_expectations(reading, scene);
 }
 
-/// Thicknesses have no meaning around an axis; the full circle takes their place.
+/// Thicknesses have no meaning around an axis, where the full circle takes their place, nor levels.
 void check_thickness(SceneReading& reading, Scene& scene) {
     if (scene.analysis != Analysis::axisymmetric) return;
     const auto refuse = [&](const JsonValue& in) {
@@ -116,6 +116,9 @@ void check_thickness(SceneReading& reading, Scene& scene) {
         if (const JsonValue* thickness = find_member(in, "thickness"))
             report_problem(reading, *thickness, "parts around an axis have no thickness",
                            "forces are totals over the full circle");
+        if (const JsonValue* level = find_member(in, "level"))
+            report_problem(reading, *level, "parts around an axis have no levels",
+                           "their sections cannot lie above each other");
     };
     refuse(reading.root);
     if (const JsonValue* parts = find_member(reading.root, "parts"))

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "src/scene/part_levels.hpp"
 #include "src/scene/selection.hpp"
 
 namespace abut {
@@ -27,14 +28,28 @@ std::optional<std::array<Vec2, 2>> read_box(SceneReading& reading, const JsonVal
     return std::array<Vec2, 2>{a->cwiseMin(*b), a->cwiseMax(*b)};
 }
 
-void check_selector(SceneReading& reading, const Scene& scene, const Selector& selector) {
+std::vector<EdgePortion> check_selector(SceneReading& reading, const Scene& scene, const Selector& selector) {
     const JsonValue* at = find_pointer(reading.root, selector.where);
     try {
-        select(scene, {selector});
+        return select(scene, {selector});
     } catch (const InputError& error) {
         for (const Problem& problem : error.problems())
             report_problem(reading, at ? *at : reading.root, problem.what, problem.hint);
+        return {};
     }
+}
+
+/// A rule for parts that lie on different levels, all of them, says what cannot be.
+void check_rule(SceneReading& reading, const Scene& scene, const PairRule& rule) {
+    const std::vector<EdgePortion> first = check_selector(reading, scene, rule.between[0]),
+                                   second = check_selector(reading, scene, rule.between[1]);
+    if (rule.kind == PairRule::Kind::ignore || first.empty() || second.empty()) return;
+    for (const EdgePortion& a : first)
+        for (const EdgePortion& b : second)
+            if (have_common_level(scene_part(scene, a.part).level, scene_part(scene, b.part).level)) return;
+    report_problem(reading, *find_pointer(reading.root, rule.where),
+                   "these edges belong to parts that have no level in common: they cannot meet",
+                   "give the parts a common \"level\", or take the rule away");
 }
 
 }  // namespace
@@ -87,9 +102,7 @@ void check_selections(SceneReading& reading, const Scene& scene) {
     for (const Load& load : scene.loads) {
         for (const Selector& selector : load.on) check_selector(reading, scene, selector);
     }
-    for (const PairRule& pair : scene.contacts.pairs) {
-        for (const Selector& selector : pair.between) check_selector(reading, scene, selector);
-    }
+    for (const PairRule& pair : scene.contacts.pairs) check_rule(reading, scene, pair);
 }
 
 }  // namespace abut

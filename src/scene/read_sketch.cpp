@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "geometry/sketch/sketch_views.hpp"
 #include "src/scene/import_drawing.hpp"
 #include "src/scene/scene.hpp"
 
@@ -29,6 +30,9 @@ SketchReading read_sketch(const std::string& path, const ImportOptions& options)
     reading.drawing = read_drawing(path, options);
     reading.sketch = geometry::parts_of(reading.drawing, sketch_options(reading.drawing, options));
     check_any_parts(reading);
+    if (!is_solid_file(path) && reading.sketch.problems.empty())
+        for (geometry::SketchProblem& warning : geometry::views_of_one_part(reading.sketch.parts))
+            reading.sketch.warnings.push_back(std::move(warning));
     if (reading.drawing.unit.empty())
         reading.drawing.warnings.insert(
             reading.drawing.warnings.begin(),

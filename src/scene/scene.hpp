@@ -33,6 +33,9 @@ struct Material {
 /// Around an axis forces are totals over the full circle: 2 pi is the thickness.
 inline constexpr double full_circle = 6.283185307179586;
 
+/// Numbers of levels on which a part lies, ascending, each once; none: on all.
+using Levels = std::vector<int>;
+
 /// Where a part came from, and what it is made of.
 struct ScenePart {
     std::string name;
@@ -41,6 +44,7 @@ struct ScenePart {
     double thickness = 1;                     ///< axisymmetric: the full circle
     std::string where;                        ///< JSON pointer
     std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports
+    Levels level{};                           ///< parts without a common one have nothing to do with each other
 };
 
 /// One item of an "on": exactly one of the four ways is set.

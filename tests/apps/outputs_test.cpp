@@ -44,8 +44,8 @@ TEST_F(Outputs, ResultsHaveTheKeysOfTheirSchema) {
                                      R"(, "accuracy": {"method": "dissertation", "cell_size": 0.5})"));
     for (const std::string& scene :
          {std::string("written.json"), data + "scenes/pin_bracket.json", data + "scenes/case_b.json",
-          data + "verification/shrink_fit_rz.json", data + "verification/heated_pin.json", std::string("bonded.json"),
-          std::string("structure.json"), std::string("loose.json"), std::string("moving.json")}) {
+          data + "scenes/clevis.json", data + "verification/shrink_fit_rz.json", data + "verification/heated_pin.json",
+          std::string("bonded.json"), std::string("structure.json"), std::string("loose.json"), std::string("moving.json")}) {
         abut({"analyze", scene, "-o", "out", "--quiet"});
         EXPECT_EQ(in_lines(check.faults(written("out/result.json"))), "") << scene;
         fs::remove_all(folder_ / "out");
@@ -60,12 +60,15 @@ TEST_F(Outputs, ContactsInspectionsAndVerificationsDoSo) {
     const Json contacts = json_of(schema_file("contacts")), inspect = json_of(schema_file("inspect")),
                verify = json_of(schema_file("verify"));
     SchemaCheck of_contacts(contacts), of_inspect(inspect), of_verify(verify);
-    abut({"contacts", data + "scenes/pin_bracket.json"});
-    EXPECT_EQ(in_lines(of_contacts.faults(written("out/contacts.json"))), "");
+    for (const char* scene : {"scenes/pin_bracket.json", "scenes/clevis.json"}) {
+        abut({"contacts", data + scene});
+        EXPECT_EQ(in_lines(of_contacts.faults(written("out/contacts.json"))), "") << scene;
+    }
     EXPECT_EQ(in_lines(of_contacts.never_met()), "");
     write("open.dxf",
           "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nA\n10\n0\n20\n0\n11\n1\n21\n0\n0\nTEXT\n8\nA\n1\nhello\n0\nENDSEC\n0\nEOF\n");
-    for (const std::string& file : {data + "sketches/pin_bracket_r14.dxf", data + "scenes/vise.json", std::string("open.dxf")})
+    for (const std::string& file :
+         {data + "sketches/pin_bracket_r14.dxf", data + "scenes/clevis.json", std::string("open.dxf")})
         EXPECT_EQ(in_lines(of_inspect.faults(Json::parse(abut({"inspect", "--json", file}).output))), "") << file;
     EXPECT_EQ(in_lines(of_verify.faults(Json::parse(abut({"verify", "--json", "E2-quadratic"}).output))), "");
     EXPECT_EQ(in_lines(of_verify.never_met()), "");

@@ -44,6 +44,10 @@ WRONG = {
     "a format that is not supported yet": block(output={"formats": ["vtu"]}),
     "a schema that is no text": block(**{"$schema": 1}),
     "a known answer without a tolerance": block(expect=[{"quantity": "reactions[0].force[1]", "value": 1}]),
+    "a level that is no whole number": block(parts=[block()["parts"][0] | {"level": 1.5}]),
+    "a level below 1": block(parts=[block()["parts"][0] | {"level": [1, 0]}]),
+    "no level in a list": block(parts=[block()["parts"][0] | {"level": []}]),
+    "a level twice": block(parts=[block()["parts"][0] | {"level": [2, 2]}]),
     "a name with a slash": block(parts=[block()["parts"][0] | {"name": "a/b"}]),
 }
 

@@ -180,21 +180,24 @@ TEST(LoadCases, APartIsRigidInAllOrNone) {
 /// What one case cannot be solved for is not the others' failure, whichever comes first; idle parts are left out of a case.
 TEST(LoadCases, ShareNeitherFailuresNorIdleParts) {
     const auto scene = [](const std::string& cases) {
-        return scene_with(bar + R"(, {"name": "other", "material": "steel", "geometry": {"rectangle": {"min": [0, 100], "max": [40, 110]}}})",
-                          R"("supports": [{"on": "bar/left", "fix": ["x", "y"]}], "accuracy": {"dirichlet": "solution_structure"},
+        return scene_with(
+            bar + R"(, {"name": "other", "material": "steel", "geometry": {"rectangle": {"min": [0, 100], "max": [40, 110]}}})",
+            R"end("supports": [{"on": "bar/left", "fix": ["x", "y"]}], "accuracy": {"dirichlet": "solution_structure"},
                              "loads": [{"name": "push", "on": "bar/top", "pressure": 3}, {"name": "heat", "part": "bar", "temperature": 10},
-                                       {"name": "bad", "on": "bar/top", "pressure": "1/(x-x)"}, {"name": "spin", "part": "other", "spin": {"about": [20, 105], "omega": 9}}],
-                             "cases": [)" + cases + "]");
+                                       {"name": "bad", "on": "bar/top", "pressure": "1/(x-x)"},
+                                       {"name": "spin", "part": "other", "spin": {"about": [20, 105], "omega": 9}}], "cases": [)end" +
+                cases + "]");
     };
-const std::string push = R"({"name": "push", "loads": {"push": 1}})", heat = R"({"name": "heat", "loads": {"heat": 1}})",
-                  bad = R"({"name": "bad", "loads": {"bad": 1}})", spin = R"({"name": "spin", "loads": {"spin": 1}})";
-for (const std::string& order : {heat + "," + bad + "," + push + "," + spin, spin + "," + push + "," + bad + "," + heat}) {
-    for (const CaseResult& c : analyze_cases(scene(order), {})) {
-        EXPECT_EQ(c.result.status, c.name == "heat" || c.name == "bad" ? "failed" : "ok") << c.name << ": " << c.result.message;
-        if (c.name == "push") EXPECT_FALSE(c.result.parts[1].solved) << "nothing acts on it here";
-        if (c.name == "spin") EXPECT_FALSE(c.result.parts[0].solved);
+    const std::string push = R"({"name": "push", "loads": {"push": 1}})", heat = R"({"name": "heat", "loads": {"heat": 1}})",
+                      bad = R"({"name": "bad", "loads": {"bad": 1}})", spin = R"({"name": "spin", "loads": {"spin": 1}})";
+    for (const std::string& order : {heat + "," + bad + "," + push + "," + spin, spin + "," + push + "," + bad + "," + heat}) {
+        for (const CaseResult& c : analyze_cases(scene(order), {})) {
+            EXPECT_EQ(c.result.status, c.name == "heat" || c.name == "bad" ? "failed" : "ok")
+                << c.name << ": " << c.result.message;
+            if (c.name == "push") EXPECT_FALSE(c.result.parts[1].solved) << "nothing acts on it here";
+            if (c.name == "spin") EXPECT_FALSE(c.result.parts[0].solved);
+        }
     }
-}
 }
 
 TEST(LoadCases, AreNotAnsweredAsOneScene) {

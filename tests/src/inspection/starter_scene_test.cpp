@@ -8,6 +8,7 @@
 
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
+#include "src/contact/guessed_levels.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/read_sketch.hpp"
 #include "src/scene/unit.hpp"
@@ -89,6 +90,22 @@ void expect_runs(const std::string& path, double thickness_times_force) {
     EXPECT_TRUE(std::any_of(result.contacts.begin(), result.contacts.end(), [&](const ContactResult& c) {
         return std::abs(std::abs(c.force.y()) - thickness_times_force) < 1e-3 * thickness_times_force;
     }));
+}
+
+TEST(StarterScene, GuessedLevelsStandWithTheParts) {
+    const TemporaryFolder folder;
+    const std::string lap = dxf_rectangle("A", "LEFT", 0, 0, 60, 20) + geometry::dxf_circle("A4", "LEFT", 50, 10, 4) +
+                            dxf_rectangle("B", "RIGHT", 40, 0, 99, 20) + geometry::dxf_circle("B4", "RIGHT", 50, 10, 4) +
+                            geometry::dxf_circle("C", "PIN", 50, 10, 4);
+    SketchReading reading = read_sketch(folder.write("lap.dxf", dxf_file(lap)), {});
+    take_guessed_levels(reading.scene);
+    const std::string scene = starter_scene(reading, {}, detect_contacts(reading.scene, std::nullopt));
+    for (const char* words :
+         {R"("LEFT": {"material": "steel", "level": 1})", R"("RIGHT": {"material": "steel", "level": 2})",
+          R"("PIN": {"material": "steel", "level": [1, 2]})", "check \"level\"", "LEFT/hA4 and PIN/hC: pin-in-hole"})
+        EXPECT_NE(scene.find(words), std::string::npos) << words << " in\n" << scene;
+    EXPECT_EQ(scene.find("LEFT/hA4 and RIGHT"), std::string::npos);
+    EXPECT_EQ(starter(folder.write("stack.dxf", dxf_file(stack))).find("level"), std::string::npos);
 }
 
 TEST(StarterScene, RunsOnceASupportAndALoadAreFilledIn) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/brep/outline.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/brep/monotone.hpp"
+
+namespace abut::geometry {
+
+Part outer_outline(const Part& part) {
+    Part outline;
+    for (const int e : part.loops.front().edges) outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
+    return outline;
+}
+
+bool lies_in_outline(const Part& inner, const Part& outer) {
+    if (!bounding_box(inner).is_within(bounding_box(outer), 0)) return false;
+    const std::vector<MonotonePiece> pieces = monotone_pieces(outer_outline(outer));
+    constexpr std::array places{0.0, 0.5};
+    return std::all_of(inner.edges.begin(), inner.edges.end(), [&](const Edge& edge) {
+        return std::all_of(places.begin(), places.end(), [&](double t) { return contains(pieces, point(edge.curve, t)); });
+    });
+}
+
+}  // namespace abut::geometry

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts without their holes.
+#pragma once
+#include "geometry/brep/part.hpp"
+
+namespace abut::geometry {
+
+/// The first loop of a part, the outer one, as a part by itself.
+Part outer_outline(const Part& part);
+
+/// Lies the part inside the other's outer outline, in its material, in its holes, or partly in both? Corners and middles of its
+/// edges tell: of outlines that cross one of these is outside as a rule.
+bool lies_in_outline(const Part& inner, const Part& outer);
+
+}  // namespace abut::geometry
