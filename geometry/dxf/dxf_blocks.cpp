@@ -18,6 +18,7 @@
 #include "geometry/dxf/dxf_inserts.hpp"
 #include "geometry/dxf/dxf_lists.hpp"
 #include "geometry/dxf/dxf_numbers.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 
 namespace abut::geometry::dxf {
 
@@ -36,6 +37,7 @@ struct Instance {
     std::string path;        ///< names of the blocks around it and its own: "CLAMP/PIN"
     Look look;               ///< of the insert
     Placement placement;     ///< into the model space
+    int insertion = -1;      ///< among the drawing's
     double n_copies = 1;     ///< that the arrays around it make of it; whole, but larger than any int
 };
 
@@ -124,7 +126,7 @@ private:
             for (const std::vector<Curve>& loop : hatch.loops)
                 for (const Curve& curve : loop)
                     drawing_.entities.push_back(
-                        {curve, "HATCH", hatch.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
+                        {curve, "HATCH", hatch.look.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
         }
         if (!drawing_.entities.empty())
             drawing_.warnings.push_back({"the file holds hatches only: their boundaries are taken as outlines",
@@ -211,13 +213,12 @@ private:
     void add_hatch(const Record& record, const Look& look, const Instance& in) {
         Hatch hatch = read_hatch(record);
         if (hatch.loops.empty()) return;
-        hatch.layer = look.layer;
+        constexpr int of_true_colors = 1 << 24;  // beyond the indices
+        hatch.look.layer = look.layer;
+        hatch.look.color = record.find(420) ? of_true_colors + record.integer(420, 0) : look.color;
         hatch.name = "hatch" + std::to_string(record.line);
-        for (std::vector<Curve>& loop : hatch.loops)
-            for (Curve& curve : loop) {
-                if (record.number(230, 1) < 0) curve = placed(curve, seen_from_below());
-                if (in.block) curve = placed(curve, in.placement);
-            }
+        if (record.number(230, 1) < 0) place_hatch(hatch, seen_from_below());
+        if (in.block) place_hatch(hatch, in.placement);
         drawing_.hatches.push_back(std::move(hatch));
     }
 
@@ -264,7 +265,8 @@ private:
                                          record.line,
                                          in.path,
                                          {},
-                                         look.color});
+                                         look.color,
+                                         in.insertion});
             if (in.block) instance_of_.push_back({drawing_.entities.size() - 1, in.block, in.number});
         }
         return true;
@@ -330,7 +332,9 @@ private:
                           in.path.empty() ? block.name : in.path + "/" + block.name,
                           look,
                           composed(in.placement, placement),
+                          static_cast<int>(drawing_.insertions.size()),
                           n_copies};
+        drawing_.insertions.push_back({block.name, in.insertion});
         if (const std::string fault = placement_fault(instance.placement, largest_coordinate); !fault.empty())
             return refuse_insert(record, "INSERT cannot be read: " + fault, in);
         add_records(block.entities, instance);

@@ -6,7 +6,6 @@
 
 #include "geometry/curves/numbers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
-#include "geometry/dxf/dxf_placement.hpp"
 
 namespace abut::geometry::dxf {
 
@@ -134,9 +133,9 @@ Hatch read_hatch(const Record& record) {
     constexpr int polyline = 2, text_box = 8;
     Hatch hatch;
     hatch.line = record.line;
-    hatch.pattern = record.text(2);
-    if (const double angle = record.number(52, 0); angle != 0) hatch.pattern += ", " + record.text(52) + " degrees";
-    if (record.find(41)) hatch.pattern += ", scale " + record.text(41);
+    hatch.look.pattern = record.text(2);
+    hatch.look.angle = record.number(52, 0);
+    hatch.look.scale = record.number(41, 1);
     PathReader path(record);
     const int n_paths = path.integer(91);
     for (int k = 0; k < n_paths && path.is_good(); ++k) {
@@ -148,6 +147,15 @@ Hatch read_hatch(const Record& record) {
     }
     if (!path.is_good()) hatch.loops.clear();
     return hatch;
+}
+
+void place_hatch(Hatch& hatch, const Placement& placement) {
+    for (std::vector<Curve>& loop : hatch.loops)
+        for (Curve& curve : loop) curve = placed(curve, placement);
+    const double angle = hatch.look.angle * hatch_degree;
+    const Vec2 along = placement.turned(Vec2(std::cos(angle), std::sin(angle)));
+    hatch.look.angle = std::atan2(along.y(), along.x()) / hatch_degree;
+    hatch.look.scale *= along.norm();
 }
 
 }  // namespace abut::geometry::dxf
