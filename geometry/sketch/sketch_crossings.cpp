@@ -193,7 +193,8 @@ SketchProblem crossing(const SketchPiece& a, const SketchPiece& b, const Vec2& a
     const std::string what =
         is_same_chain ? "an outline" + where + " crosses or touches itself: " : "two outlines" + where + " cross: ";
     return {what + names, at, names, std::min(a.line, b.line),
-            (is_same_chain ? "mend it in CAD" : "put each part on a layer of its own, or mend it in CAD") + block_hint(a)};
+            (is_same_chain ? "mend it in CAD" : "put each part on a layer of its own, or mend it in CAD") +
+                block_hint(a.insertion >= 0 ? a : b)};
 }
 
 }  // namespace

@@ -149,7 +149,9 @@ std::string names_of(const std::vector<SketchRegion>& named, const std::vector<i
 void tell_joined(const Joining& joining, const JoinedPart& part, std::vector<SketchRegion>& named,
                  std::vector<SketchProblem>& warnings) {
     const Region& region = joining.regions[at(part.regions.front())];
-    if (part.regions.size() < 2 || region.is_chosen) return;
+    const bool is_said =
+        std::any_of(part.regions.begin(), part.regions.end(), [&](int i) { return joining.regions[at(i)].is_chosen; });
+    if (part.regions.size() < 2 || is_said) return;
     for (const int i : part.regions) named[at(i)].is_doubtful = true;
     const SketchRegion& last = named[at(part.regions.back())];
     const SketchPiece& first = joining.entities[at(joining.regions[at(part.regions.back())].first_entity)];

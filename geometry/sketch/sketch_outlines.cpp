@@ -203,8 +203,10 @@ void cut_everywhere(State& state, const Tolerances& tolerances, std::vector<Repa
 
 SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
     const SketchPiece& first = entities[at(block.front())];
+    const auto of_insertion = std::find_if(block.begin(), block.end(), [&](int e) { return entities[at(e)].insertion >= 0; });
+    const std::string hint = of_insertion == block.end() ? "" : block_hint(entities[at(*of_insertion)]);
     return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5),
-            first.name, first.line, "put each part on a layer of its own, or mend it in CAD" + block_hint(first)};
+            first.name, first.line, "put each part on a layer of its own, or mend it in CAD" + hint};
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct Region {
     bool is_filled = false;
     bool is_doubtful = false;
     bool is_chosen = false;                          ///< does the user say what it is?
-    std::string joins;                               ///< the region that it is one part with, where the user says so: "r3"
-    std::string name;                                ///< of the part, where the user gave one
+    std::string joins{};                             ///< the region that it is one part with, where the user says so: "r3"
+    std::string name{};                              ///< of the part, where the user gave one
     std::vector<int> hatches{};                      ///< that it lies in, by their place among the drawing's
     mutable std::unique_ptr<RegionFinder> finder{};  ///< made when first asked
 };

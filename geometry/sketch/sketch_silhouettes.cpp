@@ -97,12 +97,16 @@ struct SilhouetteSearch {
     }
 
     void count_outside(const std::vector<Region>& outer, const ClosedOutlines& closed, BlockCount& count) const {
+        std::set<int> outside;
         for (const LooseEntities& loose : closed.loose)
             for (const int e : loose.entities) {
-                const Vec2 middle = point(closed.outlines.entities[at(e)].curve, 0.5);
+                const SketchPiece& piece = closed.outlines.entities[at(e)];
+                const Vec2 middle = point(piece.curve, 0.5);
                 if (lies_in(outer, middle)) continue;
-                if (count.n_outside++ == 0) count.outside_at = middle;
+                if (count.n_outside == 0 && outside.empty()) count.outside_at = middle;
+                outside.insert(piece.of.begin(), piece.of.end());
             }
+        count.n_outside += outside.size();
     }
 
     void replace(int insertion, const std::vector<SketchEntity>& entities) {
@@ -137,21 +141,17 @@ struct SilhouetteSearch {
 
     void tell() {
         for (const auto& [block, count] : counts) {
-            const bool is_once = count.n_insertions == 1, is_one = count.n_outlines == count.n_insertions;
-            found.warnings.push_back({"the outline around block " + block + " is taken as " +
-                                          (is_one ? "one part" : std::to_string(count.n_outlines) + " parts that lie apart") +
-                                          (is_once  ? ""
-                                           : is_one ? " for each of "
-                                                    : " for ") +
-                                          (is_once ? "" : std::to_string(count.n_insertions) + " insertions") + "; " +
-                                          std::to_string(count.n_inside) + " lines and arcs of it are left out",
-                                      count.at, count.entity, count.line,
-                                      "without block_outline (--block-outline) they are lines like others"});
+            found.warnings.push_back(
+                {"of block " + block +
+                     " the outline around everything is taken for a part: " + std::to_string(count.n_outlines) + " in " +
+                     std::to_string(count.n_insertions) + (count.n_insertions == 1 ? " insertion" : " insertions") + "; " +
+                     std::to_string(count.n_inside) + " of its lines and arcs are left out",
+                 count.at, count.entity, count.line, "without block_outline (--block-outline) they are lines like others"});
             if (count.n_outside > 0)
-                found.warnings.push_back({std::to_string(count.n_outside) + " of the lines and arcs of block " + block +
-                                              " that are left out stand out of its outline",
-                                          count.outside_at, count.entity, count.line,
-                                          "complete the outline in CAD where they belong to it"});
+                found.warnings.push_back(
+                    {std::to_string(count.n_outside) + (count.n_outside == 1 ? " line or arc" : " lines and arcs") +
+                         " of block " + block + " stand out of its outline, and are cut off there",
+                     count.outside_at, count.entity, count.line, "complete the outline in CAD where they belong to it"});
         }
     }
 
