@@ -109,10 +109,10 @@ struct SketchOptions {
     bool keep_drafting = false;  ///< frames, tables and balloons are outlines like any other
     bool leave_open = false;     ///< outlines that nearly close are set aside, too
     /// Blocks, as patterns with * and ?, of which the outline around everything is taken (sketch_silhouettes.hpp).
-    std::vector<std::string> block_outline;
+    std::vector<std::string> block_outline{};
     /// What regions are, by their names (SketchRegion): "void", "part", the name of the part, or the region that it is one part
     /// with ("r3").
-    std::map<std::string, std::string> regions;
+    std::map<std::string, std::string> regions{};
 };
 /// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined, or of the total length of
 /// what is drawn where that is less (outlines far apart).
