@@ -211,13 +211,8 @@ private:
     }
 
     void add_hatch(const Record& record, const Look& look, const Instance& in) {
-        Hatch hatch = read_hatch(record);
+        Hatch hatch = read_hatch(record, look);
         if (hatch.loops.empty()) return;
-        constexpr int of_true_colors = 1 << 24;  // beyond the indices
-        hatch.look.layer = look.layer;
-        hatch.look.color = record.find(420) ? of_true_colors + record.integer(420, 0) : look.color;
-        hatch.name = "hatch" + std::to_string(record.line);
-        if (record.number(230, 1) < 0) place_hatch(hatch, seen_from_below());
         if (in.block) place_hatch(hatch, in.placement);
         drawing_.hatches.push_back(std::move(hatch));
     }
