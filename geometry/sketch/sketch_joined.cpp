@@ -98,8 +98,8 @@ struct Joining {
         return own == others && material[at(half.cycle)] != material[at(twin->second.cycle)] ? &twin->second : nullptr;
     }
 
-    BoundaryLoop loop_from(HalfEdge half, std::vector<std::vector<bool>>& is_done) const {
-        BoundaryLoop loop;
+    JoinedLoop loop_from(HalfEdge half, std::vector<std::vector<bool>>& is_done) const {
+        JoinedLoop loop;
         while (!is_done[at(half.cycle)][at(half.place)]) {
             is_done[at(half.cycle)][at(half.place)] = true;
             const Region& cycle = *cycles[at(half.cycle)];
@@ -125,7 +125,7 @@ struct Joining {
             if (regions[i].is_filled) found[first[i]].regions.push_back(static_cast<int>(i));
         std::vector<JoinedPart> parts;
         for (auto& [root, part] : found) {
-            const auto size = [](const BoundaryLoop& loop) {
+            const auto size = [](const JoinedLoop& loop) {
                 Part outline;
                 outline.edges = loop.edges;
                 return area(outline);

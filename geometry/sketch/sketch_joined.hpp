@@ -8,15 +8,15 @@
 namespace abut::geometry {
 
 /// A closed boundary, with the entity of each edge.
-struct BoundaryLoop {
+struct JoinedLoop {
     std::vector<Edge> edges;
     std::vector<int> entity;
 };
 
 /// A part as areas that are one.
 struct JoinedPart {
-    std::vector<int> regions;         ///< ascending
-    std::vector<BoundaryLoop> loops;  ///< the outer one first; the part is on their left
+    std::vector<int> regions;       ///< ascending
+    std::vector<JoinedLoop> loops;  ///< the outer one first; the part is on their left
 };
 
 /// Joins filled regions that share lines:

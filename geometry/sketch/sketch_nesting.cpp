@@ -74,7 +74,7 @@ void find_surroundings(std::vector<Region>& regions, const Margins& margins) {
     for (std::size_t i = 0; i < regions.size(); ++i) regions[i].around = directly_around(regions, i, tree, rank, margins);
 }
 
-void append_loop(Part& part, std::vector<int>& entities, const BoundaryLoop& boundary) {
+void append_loop(Part& part, std::vector<int>& entities, const JoinedLoop& boundary) {
     Loop loop;
     for (const Edge& edge : boundary.edges) {
         loop.edges.push_back(static_cast<int>(part.edges.size()));
@@ -93,7 +93,7 @@ void assemble(const std::vector<Region>& regions, const std::vector<JoinedPart>&
         nested.first_entity.push_back(first.first_entity);
         Part& part = nested.parts.emplace_back();
         std::vector<int>& entities = nested.entity.emplace_back();
-        for (const BoundaryLoop& loop : one.loops) append_loop(part, entities, loop);
+        for (const JoinedLoop& loop : one.loops) append_loop(part, entities, loop);
     }
 }
 
