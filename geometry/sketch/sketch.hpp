@@ -83,7 +83,7 @@ struct Drawing {
     std::vector<DrawnText> texts;
     std::vector<Vec2> arrows;  ///< corners of small filled areas: tips of arrows
     std::vector<Hatch> hatches;
-    std::vector<Insertion> insertions;         ///< of blocks, each after the one that it stands in
+    std::vector<Insertion> insertions;         ///< of blocks of which something is drawn, each after the one that it stands in
     std::vector<std::string> drafting_layers;  ///< those that were left out for their names
     std::vector<Repair> repairs;               ///< of meshes: what was mended, arcs recovered, the plane moved
     std::string replaced_unit;                 ///< what the file states, where an option says that `unit` is meant
