@@ -70,6 +70,8 @@ std::vector<OptionSpec> drawing_option_specs() {
             {"--ignore-layer", "NAMES", "leave these layers out: names with * and ?, commas between"},
             {"--leave-open", "", "outlines that nearly close are set aside like other open lines (default: they are errors)"},
             {"--keep-drafting", "", "frames, title blocks and balloons are parts like others (default: they are set aside)"},
+            {"--block-outline", "NAMES",
+             "of these blocks the outline around everything is one part: names with * and ?, commas between"},
             {"--keep-facets", "", "facets stay lines and splines splines (default: those that are arcs become arcs)"}};
 }
 
@@ -97,6 +99,7 @@ ImportOptions import_options(const Arguments& arguments) {
                       listed_names(value_or(arguments, "--ignore-layer", ""))};
     options.leave_open = has(arguments, "--leave-open");
     options.keep_drafting = has(arguments, "--keep-drafting");
+    options.block_outline = listed_names(value_or(arguments, "--block-outline", ""));
     if (has(arguments, "--section")) read_section(arguments.options.at("--section"), options);
     return options;
 }

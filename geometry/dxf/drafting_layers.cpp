@@ -88,30 +88,4 @@ std::optional<DraftingLayer> drafting_layer(std::string_view name) {
     return found == table.kinds.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool matches_glob(std::string_view name, std::string_view pattern) {
-    const auto fold = [](std::string_view text) {
-        std::string folded;
-        for (const char c : text) folded += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
-        return folded;
-    };
-    const std::string n = fold(name), p = fold(pattern);
-    std::size_t i = 0, k = 0, star = std::string::npos, mark = 0;
-    while (i < n.size()) {
-        if (k < p.size() && p[k] == '*') {
-            star = k++;
-            mark = i;
-        } else if (k < p.size() && (p[k] == '?' || p[k] == n[i])) {
-            ++i;
-            ++k;
-        } else if (star != std::string::npos) {
-            k = star + 1;
-            i = ++mark;
-        } else {
-            return false;
-        }
-    }
-    while (k < p.size() && p[k] == '*') ++k;
-    return k == p.size();
-}
-
 }  // namespace abut::geometry::dxf

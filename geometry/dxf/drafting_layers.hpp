@@ -19,9 +19,6 @@ struct DraftingLayer {
 /// and the prefixes and suffixes of programs and standards ("Hatch (ISO)", "01-Mittellinien", "SLD-Border").
 std::optional<DraftingLayer> drafting_layer(std::string_view name);
 
-/// Does the name match the pattern, in which * stands for any characters and ? for one? Case does not matter.
-bool matches_glob(std::string_view name, std::string_view pattern);
-
 /// The table, as the file holds it.
 const char* drafting_layers_text();
 

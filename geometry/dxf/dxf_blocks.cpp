@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cstdint>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -17,7 +15,9 @@
 #include "geometry/dxf/dxf_ignored.hpp"
 #include "geometry/dxf/dxf_inserts.hpp"
 #include "geometry/dxf/dxf_lists.hpp"
+#include "geometry/dxf/dxf_names.hpp"
 #include "geometry/dxf/dxf_numbers.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 
 namespace abut::geometry::dxf {
 
@@ -37,25 +37,8 @@ struct Instance {
     Look look;               ///< of the insert
     Placement placement;     ///< into the model space
     double n_copies = 1;     ///< that the arrays around it make of it; whole, but larger than any int
-};
-
-/// Gives each record a name that no other has: the handle, or the place where there is none or the file gives it twice.
-class Names {
-public:
-    explicit Names(bool is_binary) : place_letter_(is_binary ? "b" : "l") {}
-
-    std::string of(const Record& record) {
-        const std::string handle = upper_case(record.text(5));
-        std::uint64_t number = 0;
-        const char* end = handle.data() + handle.size();
-        const auto [ptr, error] = std::from_chars(handle.data(), end, number, 16);
-        const bool is_usable = !handle.empty() && error == std::errc() && ptr == end;
-        return is_usable && handles_.insert(number).second ? "h" + handle : place_letter_ + std::to_string(record.line);
-    }
-
-private:
-    std::string place_letter_;
-    std::unordered_set<std::uint64_t> handles_;
+    const Instance* around = nullptr;
+    mutable int insertion = -1;  ///< among the drawing's, once something of it is drawn
 };
 
 /// An outline of a block, read once for all instances.
@@ -124,7 +107,7 @@ private:
             for (const std::vector<Curve>& loop : hatch.loops)
                 for (const Curve& curve : loop)
                     drawing_.entities.push_back(
-                        {curve, "HATCH", hatch.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
+                        {curve, "HATCH", hatch.look.layer, hatch.name + "." + std::to_string(k++), hatch.line, {}, {}, 7});
         }
         if (!drawing_.entities.empty())
             drawing_.warnings.push_back({"the file holds hatches only: their boundaries are taken as outlines",
@@ -209,15 +192,9 @@ private:
     }
 
     void add_hatch(const Record& record, const Look& look, const Instance& in) {
-        Hatch hatch = read_hatch(record);
+        Hatch hatch = read_hatch(record, look);
         if (hatch.loops.empty()) return;
-        hatch.layer = look.layer;
-        hatch.name = "hatch" + std::to_string(record.line);
-        for (std::vector<Curve>& loop : hatch.loops)
-            for (Curve& curve : loop) {
-                if (record.number(230, 1) < 0) curve = placed(curve, seen_from_below());
-                if (in.block) curve = placed(curve, in.placement);
-            }
+        if (in.block) place_hatch(hatch, in.placement);
         drawing_.hatches.push_back(std::move(hatch));
     }
 
@@ -264,7 +241,8 @@ private:
                                          record.line,
                                          in.path,
                                          {},
-                                         look.color});
+                                         look.color,
+                                         insertion_of(in)});
             if (in.block) instance_of_.push_back({drawing_.entities.size() - 1, in.block, in.number});
         }
         return true;
@@ -330,7 +308,8 @@ private:
                           in.path.empty() ? block.name : in.path + "/" + block.name,
                           look,
                           composed(in.placement, placement),
-                          n_copies};
+                          n_copies,
+                          &in};
         if (const std::string fault = placement_fault(instance.placement, largest_coordinate); !fault.empty())
             return refuse_insert(record, "INSERT cannot be read: " + fault, in);
         add_records(block.entities, instance);
@@ -340,6 +319,14 @@ private:
     bool refuse_insert(const Record& record, const std::string& what, const Instance& in) {
         if (!reported_.contains(&record)) report(record, names_.of(record), what, in);
         return false;
+    }
+
+    int insertion_of(const Instance& in) {
+        if (!in.block || in.insertion >= 0) return in.insertion;
+        const int around = insertion_of(*in.around);
+        in.insertion = static_cast<int>(drawing_.insertions.size());
+        drawing_.insertions.push_back({in.block->name, around});
+        return in.insertion;
     }
 
     void name_instances() {

@@ -6,7 +6,6 @@
 
 #include "geometry/curves/numbers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
-#include "geometry/dxf/dxf_placement.hpp"
 
 namespace abut::geometry::dxf {
 
@@ -130,13 +129,17 @@ std::vector<Curve> read_edges(PathReader& path) {
 
 }  // namespace
 
-Hatch read_hatch(const Record& record) {
+Hatch read_hatch(const Record& record, const Look& look) {
     constexpr int polyline = 2, text_box = 8;
     Hatch hatch;
     hatch.line = record.line;
-    hatch.pattern = record.text(2);
-    if (const double angle = record.number(52, 0); angle != 0) hatch.pattern += ", " + record.text(52) + " degrees";
-    if (record.find(41)) hatch.pattern += ", scale " + record.text(41);
+    hatch.look.pattern = record.text(2);
+    hatch.look.angle = record.number(52, 0);
+    hatch.look.scale = record.number(41, 1);
+    constexpr int of_true_colors = 1 << 24;  // beyond the indices
+    hatch.look.layer = look.layer;
+    hatch.look.color = record.find(420) ? of_true_colors + record.integer(420, 0) % of_true_colors : look.color;
+    hatch.name = "hatch" + std::to_string(record.line);
     PathReader path(record);
     const int n_paths = path.integer(91);
     for (int k = 0; k < n_paths && path.is_good(); ++k) {
@@ -147,7 +150,17 @@ Hatch read_hatch(const Record& record) {
         if (path.is_good() && loop.size() > 0 && (flags & text_box) == 0) hatch.loops.push_back(std::move(loop));
     }
     if (!path.is_good()) hatch.loops.clear();
+    if (record.number(230, 1) < 0) place_hatch(hatch, seen_from_below());
     return hatch;
+}
+
+void place_hatch(Hatch& hatch, const Placement& placement) {
+    for (std::vector<Curve>& loop : hatch.loops)
+        for (Curve& curve : loop) curve = placed(curve, placement);
+    const double angle = hatch.look.angle * hatch_degree;
+    const Vec2 along = placement.turned(Vec2(std::cos(angle), std::sin(angle)));
+    hatch.look.angle = std::atan2(along.y(), along.x()) / hatch_degree;
+    hatch.look.scale *= along.norm();
 }
 
 }  // namespace abut::geometry::dxf

@@ -10,6 +10,7 @@
 
 #include "geometry/dxf/drafting_layers.hpp"
 #include "geometry/dxf/dxf_entities.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 
 namespace abut::geometry::dxf {
 

@@ -15,7 +15,53 @@ namespace {
 /// Sides of a sheet: ISO 216, and ANSI A to F with their halves.
 constexpr std::array paper_proportions{std::numbers::sqrt2, 11.0 / 8.5, 17.0 / 11, 36.0 / 24, 48.0 / 36, 40.0 / 28};
 constexpr double paper_accuracy = 0.005;  ///< sheets are trimmed to the millimetre
+
+Shape shape_of_divided(const Outlines& outlines, const DividedOutline& divided) {
+    Shape shape = shape_of(outlines, divided.contour);
+    shape.entities.clear();
+    for (const Face& face : divided.faces) {
+        const Shape one = shape_of(outlines, face.boundary);
+        shape.entities.insert(shape.entities.end(), one.entities.begin(), one.entities.end());
+        shape.faces.push_back(one.outline);
+    }
+    return shape;
+}
+
 }  // namespace
+
+void DraftingSearch::leave(const std::vector<int>& entities, const char* as) {
+    for (const int e : entities)
+        if (!kind[at(e)]) kind[at(e)] = as;
+}
+
+void DraftingSearch::leave(std::size_t shape, const char* as) {
+    leave(shapes[shape].entities, as);
+    is_out[shape] = true;
+}
+
+void DraftingSearch::leave_inside(const Box2& box, const char* as) {
+    for (std::size_t i = 0; i < kind.size(); ++i)
+        if (!kind[i] && bounding_box(drawing.entities[i].curve).is_within(box, tolerance)) kind[i] = as;
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+        if (shapes[s].box.is_within(box, tolerance)) is_out[s] = true;
+}
+
+DraftingSearch drafting_search(const Drawing& drawing, const SketchOptions& options) {
+    SketchOptions plain = options;
+    plain.recognise_arcs = false;
+    Box2 box;
+    for (const SketchEntity& entity : drawing.entities) box.extend(bounding_box(entity.curve));
+    const double size = std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff());
+    DraftingSearch search{drawing};
+    search.closed = close_outlines(drawing.entities, plain, rounding_fraction * size, CrossingLines::upright);
+    search.tolerance = search.closed.tolerance;
+    const Outlines& outlines = search.closed.outlines;
+    for (const EntityChain& chain : outlines.closed) search.shapes.push_back(shape_of(outlines, chain));
+    for (const DividedOutline& divided : outlines.divided) search.shapes.push_back(shape_of_divided(outlines, divided));
+    search.kind.assign(drawing.entities.size(), nullptr);
+    search.is_out.assign(search.shapes.size(), false);
+    return search;
+}
 
 Shape shape_of(const Outlines& outlines, const EntityChain& chain) {
     Shape shape;

@@ -17,6 +17,30 @@ struct Shape {
     std::vector<Part> faces;  ///< of divided ones
 };
 
+/// What is set aside is called, by kind.
+struct DraftingKinds {
+    const char *frame = "frame of a sheet", *table = "title block or table", *sheet = "content of the sheet",
+               *balloon = "balloon", *leader = "leader or arrow", *dot = "dot of a leader";
+};
+inline constexpr DraftingKinds drafting_kinds;
+
+/// All that is drawn as shapes, and what of it was set aside.
+struct DraftingSearch {
+    const Drawing& drawing;
+    ClosedOutlines closed{};
+    double tolerance = 0;  ///< ends within this were joined
+    std::vector<Shape> shapes{};
+    std::vector<const char*> kind{};  ///< by entity; null of what is kept
+    std::vector<bool> is_out{};       ///< by shape
+
+    void leave(const std::vector<int>& entities, const char* as);
+    void leave(std::size_t shape, const char* as);
+    /// Leaves all entities and shapes in the box.
+    void leave_inside(const Box2& box, const char* as);
+};
+/// Closes all lines of the drawing together; nothing is set aside yet.
+DraftingSearch drafting_search(const Drawing& drawing, const SketchOptions& options);
+
 /// The shape inside a chain; `faces` are left empty.
 Shape shape_of(const Outlines& outlines, const EntityChain& chain);
 /// Is it a rectangle with sides along the axes?

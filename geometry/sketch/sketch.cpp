@@ -23,6 +23,8 @@
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_outlines.hpp"
 #include "geometry/sketch/sketch_pins.hpp"
+#include "geometry/sketch/sketch_silhouettes.hpp"
+#include "geometry/sketch/sketch_winding.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -280,6 +282,22 @@ Drawing without_drafting(Drawing drawing, const SketchOptions& options, std::vec
     return drawing;
 }
 
+/// The drawing with outlines around blocks in place of these, where that is asked for.
+Drawing with_block_outlines(Drawing drawing, const SketchOptions& options, SketchParts& told) {
+    if (options.block_outline.empty()) return drawing;
+    const Vec2 origin = local_origin(box_of(drawing.entities));
+    Drawing local;
+    local.entities = moved(drawing.entities, -origin);
+    local.insertions = drawing.insertions;
+    Silhouettes found = block_silhouettes(local, options);
+    drawing.entities = moved(std::move(found.entities), origin);
+    told.repairs = std::move(found.repairs);
+    told.problems = std::move(found.problems);
+    told.warnings = std::move(found.warnings);
+    move(told, origin);
+    return drawing;
+}
+
 /// Without any part, what does not close is a fault.
 void refuse_without_parts(SketchParts& sketch) {
     if (!sketch.parts.empty() || !sketch.problems.empty()) return;
@@ -310,18 +328,22 @@ void tell_repairs(SketchParts& sketch) {
 }
 
 void check_exactly(SketchParts& sketch) {
-    for (const Part& part : sketch.parts)
+    for (const Part& part : sketch.parts) {
+        if (is_convex(part)) continue;  // exact arithmetic takes a millisecond for an ellipse
         if (const std::optional<OutlineFault> fault = exact_fault(part))
             sketch.problems.push_back(
                 {"part " + part.name + ": " + fault->what + " near " + place_text(fault->at), fault->at, "", 0, fault->hint});
+    }
 }
 
 SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {
-    std::vector<SketchProblem> warnings;
-    const Drawing outlines = without_drafting(drawing, options, warnings);
+    SketchParts before;
+    const Drawing outlines = without_drafting(with_block_outlines(drawing, options, before), options, before.warnings);
     SketchParts sketch = way == PartsBy::automatic ? automatic_parts(outlines, options)
                                                    : with_reason(sketch_by(outlines, options, way), "asked for");
-    sketch.warnings.insert(sketch.warnings.begin(), warnings.begin(), warnings.end());
+    sketch.repairs.insert(sketch.repairs.begin(), before.repairs.begin(), before.repairs.end());
+    sketch.problems.insert(sketch.problems.begin(), before.problems.begin(), before.problems.end());
+    sketch.warnings.insert(sketch.warnings.begin(), before.warnings.begin(), before.warnings.end());
     refuse_without_parts(sketch);
     tell_repairs(sketch);
     check_exactly(sketch);

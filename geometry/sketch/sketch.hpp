@@ -20,6 +20,13 @@ struct SketchEntity {
     std::string block;     ///< block (or mesh node) that it stands in, outermost first: "CLAMP/PIN"; empty outside of blocks
     std::string instance;  ///< "PIN#0", "PIN#1", ... where the block is inserted more than once, else empty
     int color = 7;         ///< AutoCAD colour index, by layer or block where the entity says so
+    int insertion = -1;    ///< the innermost insertion of a block that it stands in (Drawing::insertions); -1: none
+};
+
+/// An insertion of a block.
+struct Insertion {
+    std::string block;
+    int around = -1;  ///< the insertion that it stands in; -1: none
 };
 
 /// How many entities of a type were read, used and ignored.
@@ -46,11 +53,20 @@ struct DrawnText {
     double height = 0;
 };
 
+/// How a hatch looks. Areas of one part look alike, parts beside each other do not (ISO 128-3).
+struct HatchLook {
+    std::string pattern;  ///< "ANSI31", "SOLID"
+    double angle = 0;     ///< degrees, as it is seen
+    double scale = 1;     ///< as it is seen
+    std::string layer;
+    int color = 7;  ///< AutoCAD colour index, or RRGGBB + 2^24
+};
+
 /// A hatched or filled area: there is material.
 struct Hatch {
     std::vector<std::vector<Curve>> loops;  ///< closed each; what lies in an odd number of them is hatched
-    std::string pattern;                    ///< "ANSI31, 90 degrees, scale 1": areas of one part look alike
-    std::string layer, name;
+    HatchLook look;
+    std::string name;
     int line = 0;
 };
 
@@ -67,6 +83,7 @@ struct Drawing {
     std::vector<DrawnText> texts;
     std::vector<Vec2> arrows;  ///< corners of small filled areas: tips of arrows
     std::vector<Hatch> hatches;
+    std::vector<Insertion> insertions;         ///< of blocks of which something is drawn, each after the one that it stands in
     std::vector<std::string> drafting_layers;  ///< those that were left out for their names
     std::vector<Repair> repairs;               ///< of meshes: what was mended, arcs recovered, the plane moved
     std::string replaced_unit;                 ///< what the file states, where an option says that `unit` is meant
@@ -91,8 +108,11 @@ struct SketchOptions {
     bool recognise_arcs = true;  ///< facets and splines that are arcs within the tolerance become arcs
     bool keep_drafting = false;  ///< frames, tables and balloons are outlines like any other
     bool leave_open = false;     ///< outlines that nearly close are set aside, too
-    /// What regions are, by their names (SketchRegion): "void", "part", or the name of the part.
-    std::map<std::string, std::string> regions;
+    /// Blocks, as patterns with * and ?, of which the outline around everything is taken (sketch_silhouettes.hpp).
+    std::vector<std::string> block_outline{};
+    /// What regions are, by their names (SketchRegion): "void", "part", the name of the part, or the region that it is one part
+    /// with ("r3").
+    std::map<std::string, std::string> regions{};
 };
 /// Default joining distance of endpoints as a fraction of the diagonal of the entities being joined, or of the total length of
 /// what is drawn where that is less (outlines far apart).

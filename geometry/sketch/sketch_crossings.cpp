@@ -11,6 +11,7 @@
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/curve_meetings.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_winding.hpp"
 
 namespace abut::geometry {
@@ -192,9 +193,10 @@ SketchProblem crossing(const SketchPiece& a, const SketchPiece& b, const Vec2& a
     const std::string what =
         is_same_chain ? "an outline" + where + " crosses or touches itself: " : "two outlines" + where + " cross: ";
     return {what + names, at, names, std::min(a.line, b.line),
-            is_same_chain ? "mend it in CAD"
-                          : "put each part on a layer of its own (parts above each other get a \"level\" each in the scene), "
-                            "or mend it in CAD"};
+            (is_same_chain ? "mend it in CAD"
+                           : "put each part on a layer of its own (parts above each other get a \"level\" each in the scene), "
+                             "or mend it in CAD") +
+                block_hint(a.insertion >= 0 ? a : b)};
 }
 
 }  // namespace

@@ -8,63 +8,26 @@
 #include <set>
 
 #include "geometry/brep/closest_points.hpp"
-#include "geometry/brep/message_text.hpp"
+#include "geometry/sketch/sketch_hatches.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-/// A hatch as areas that can be asked, one for each loop.
-struct HatchedArea {
-    Box2 box;
-    std::vector<std::vector<MonotonePiece>> loops;
-};
-
-std::vector<MonotonePiece> inside_of(const std::vector<Curve>& loop) {
-    Part part;
-    for (const Curve& curve : loop) part.edges.push_back({curve, {}, {}, true, 0.0});
-    if (area(part) < 0) {
-        std::reverse(part.edges.begin(), part.edges.end());
-        for (Edge& edge : part.edges) edge.curve = reversed(edge.curve);
-    }
-    return monotone_pieces(part);
-}
-
-std::vector<HatchedArea> areas_of(const std::vector<Hatch>& hatches) {
-    std::vector<HatchedArea> areas;
-    for (const Hatch& hatch : hatches) {
-        areas.emplace_back();
-        for (const std::vector<Curve>& loop : hatch.loops) {
-            for (const Curve& curve : loop) areas.back().box.extend(bounding_box(curve));
-            areas.back().loops.push_back(inside_of(loop));
-        }
-    }
-    return areas;
-}
-
-/// The hatch that the point lies in; -1: none.
-int hatch_at(const std::vector<HatchedArea>& areas, const Vec2& p) {
-    Box2 here;
-    here.extend(p);
-    for (std::size_t h = 0; h < areas.size(); ++h) {
-        if (!here.is_within(areas[h].box, 0)) continue;
-        const auto n = std::count_if(areas[h].loops.begin(), areas[h].loops.end(),
-                                     [&](const std::vector<MonotonePiece>& loop) { return contains(loop, p); });
-        if (n % 2 != 0) return static_cast<int>(h);
-    }
-    return -1;
-}
-
 /// As near as this fraction of the smaller diagonal, parts are looked at as a pair.
 constexpr double near_fraction = 0.02;
+
+/// "r3"
+bool is_region_name(const std::string& text) {
+    return text.size() > 1 && text[0] == 'r' && text.find_first_not_of("0123456789", 1) == std::string::npos;
+}
 
 struct Decision {
     std::vector<Region>& regions;
     const Outlines& outlines;
     const MaterialHints& hints;
     std::vector<SketchProblem>& warnings;
-    std::vector<int> hatch{};                     ///< by region
     std::vector<bool> is_strip{}, holds_strip{};  ///< by region: a clearance; directly around one
     std::vector<int> n_faces_at{};                ///< by entity: faces of divided outlines
     bool is_all_twice = false;
@@ -124,44 +87,55 @@ struct Decision {
         return false;
     }
 
-    // ---- all ----
-
     // ---- clearances around pins ----
 
-    /// The strip between two outlines, one in the other, that come as near as parts of a pair: air, for what is in it would
-    /// hang in the air otherwise, and inside a hole nothing as thin is made.
-    void find_strips() {
+    /// By region: is there one outline in it that comes as near as parts of a pair?
+    std::vector<bool> are_thin() const {
         std::vector<int> n_inside(regions.size(), 0), inside(regions.size(), -1);
         for (std::size_t i = 0; i < regions.size(); ++i)
             if (regions[i].around >= 0) {
                 ++n_inside[at(regions[i].around)];
                 inside[at(regions[i].around)] = static_cast<int>(i);
             }
+        std::vector<bool> is_thin(regions.size(), false);
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0) continue;
+            const Region &outer = regions[i], &inner = regions[at(inside[i])];
+            const double width = 2 * (outer.area - inner.area) / (perimeter(outer.outline) + perimeter(inner.outline));
+            is_thin[i] = width < near_fraction * inner.box.diagonal();
+        }
+        return is_thin;
+    }
+
+    /// The thin strip between two outlines, one in the other: air, for what is in it would hang in the air otherwise, and
+    /// inside a hole nothing as thin is made; unless what the hole is in is as thin itself.
+    void find_strips() {
+        const std::vector<bool> is_thin = are_thin();
         is_strip.assign(regions.size(), false);
         holds_strip.assign(regions.size(), false);
         for (std::size_t i = 0; i < regions.size(); ++i) {
-            if (n_inside[i] != 1 || regions[i].divided >= 0 || regions[at(inside[i])].divided >= 0 || regions[i].around < 0)
-                continue;
-            const Region &outer = regions[i], &inner = regions[at(inside[i])];
-            const double width = 2 * (outer.area - inner.area) / (perimeter(outer.outline) + perimeter(inner.outline));
-            is_strip[i] = width < near_fraction * inner.box.diagonal();
-            if (is_strip[i]) holds_strip[at(outer.around)] = true;
+            const int hole = regions[i].around;
+            if (!is_thin[i] || hole < 0 || (regions[at(hole)].around >= 0 && is_thin[at(regions[at(hole)].around)])) continue;
+            is_strip[i] = holds_strip[at(hole)] = true;
         }
     }
+
+    // ---- all ----
 
     bool fill(int i) {
         Region& region = regions[at(i)];
         const auto choice = hints.choices.find(name(i));
-        if (choice != hints.choices.end()) {
-            if (choice->second != "void" && choice->second != "part") region.name = choice->second;
-            return choice->second != "void";
+        region.is_chosen = choice != hints.choices.end();
+        if (region.is_chosen) {
+            const std::string& what = choice->second;
+            if (is_region_name(what))
+                region.joins = what;
+            else if (what != "void" && what != "part")
+                region.name = what;
+            return what != "void";
         }
         const bool is_inside = is_inside_material(region);
-        if (hatch[at(i)] >= 0) {
-            region.is_edge = region.divided < 0 && is_inside && hatch[at(region.around)] == hatch[at(i)];
-            return !region.is_edge;
-        }
-        if (region.is_overlaid) return true;
+        if (!region.hatches.empty() || region.is_overlaid) return true;
         if (region.divided >= 0) return fill_face(region);
         if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
         if (is_strip[at(i)]) return false;
@@ -177,10 +151,9 @@ struct Decision {
     }
 
     void find_hatches(const std::vector<Vec2>& points) {
-        hatch.assign(regions.size(), -1);
         if (hints.hatches.empty()) return;
-        const std::vector<HatchedArea> areas = areas_of(hints.hatches);
-        for (std::size_t i = 0; i < regions.size(); ++i) hatch[i] = hatch_at(areas, points[i]);
+        const HatchedAreas areas(hints.hatches);
+        for (std::size_t i = 0; i < regions.size(); ++i) regions[i].hatches = areas.at_point(points[i]);
     }
 
     void decide(const std::vector<Vec2>& points) {
@@ -192,11 +165,7 @@ struct Decision {
         std::iota(outermost_first.begin(), outermost_first.end(), 0);
         std::stable_sort(outermost_first.begin(), outermost_first.end(),
                          [&](int a, int b) { return regions[at(a)].area > regions[at(b)].area; });
-        for (const int i : outermost_first) {
-            if (regions[at(i)].around >= 0 && regions[at(regions[at(i)].around)].is_edge)
-                regions[at(i)].around = regions[at(regions[at(i)].around)].around;
-            regions[at(i)].is_filled = fill(i);
-        }
+        for (const int i : outermost_first) regions[at(i)].is_filled = fill(i);
     }
 
     // ---- what was taken ----
@@ -213,14 +182,14 @@ struct Decision {
         return numbers.size() > most ? text + ", ..." : text;
     }
 
-    bool is_chosen(int i) const { return hatch[at(i)] >= 0 || hints.choices.contains(name(i)); }
+    bool is_said(int i) const { return !regions[at(i)].hatches.empty() || regions[at(i)].is_chosen; }
 
     /// One warning for each divided outline in which something was not certain.
     void tell_divided(const std::vector<Vec2>& points) {
         for (std::size_t d = 0; d < outlines.divided.size(); ++d) {
             std::vector<int> filled, open;
             for (std::size_t i = 0; i < regions.size(); ++i) {
-                if (regions[i].divided != static_cast<int>(d) || is_chosen(static_cast<int>(i))) continue;
+                if (regions[i].divided != static_cast<int>(d) || is_said(static_cast<int>(i))) continue;
                 if (!regions[i].is_filled)
                     open.push_back(static_cast<int>(i));
                 else if (has_shared_lines(regions[i]))
@@ -261,8 +230,7 @@ struct Decision {
         for (std::size_t i = 0; i < regions.size(); ++i) {
             const Region& own = regions[i];
             if (!own.is_filled || own.around < 0 || regions[at(own.around)].is_filled || own.divided >= 0) continue;
-            if (!is_chosen(static_cast<int>(i)) && !is_near_another(static_cast<int>(i)))
-                floating.push_back(static_cast<int>(i));
+            if (!is_said(static_cast<int>(i)) && !is_near_another(static_cast<int>(i))) floating.push_back(static_cast<int>(i));
         }
         if (floating.empty()) return;
         for (const int i : floating) regions[at(i)].is_doubtful = true;
@@ -284,14 +252,6 @@ struct Decision {
                          name(static_cast<int>(i)),
                      points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is air");
     }
-
-    void tell_edges(const std::vector<Vec2>& points) {
-        for (std::size_t i = 0; i < regions.size(); ++i)
-            if (regions[i].is_edge)
-                tell(static_cast<int>(i),
-                     "an outline within a hatched area is taken as an edge drawn on the part: " + name(static_cast<int>(i)),
-                     points[i], "say \"regions\": {\"" + name(static_cast<int>(i)) + "\": \"void\"} where it is a hole");
-    }
 };
 
 }  // namespace
@@ -304,7 +264,6 @@ std::vector<SketchRegion> decide_material(std::vector<Region>& regions, const Ou
     decision.tell_divided(points);
     decision.tell_floating(points);
     decision.tell_bushes(points);
-    decision.tell_edges(points);
     std::vector<SketchRegion> named;
     for (std::size_t i = 0; i < regions.size(); ++i)
         named.push_back({decision.name(static_cast<int>(i)), points[i], {}, regions[i].is_doubtful});

@@ -7,7 +7,38 @@
 
 namespace abut::geometry {
 
-namespace {
+bool matches_glob(std::string_view name, std::string_view pattern) {
+    const auto fold = [](std::string_view text) {
+        std::string folded;
+        for (const char c : text) folded += static_cast<char>(c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c);
+        return folded;
+    };
+    const std::string n = fold(name), p = fold(pattern);
+    std::size_t i = 0, k = 0, star = std::string::npos, mark = 0;
+    while (i < n.size()) {
+        if (k < p.size() && p[k] == '*') {
+            star = k++;
+            mark = i;
+        } else if (k < p.size() && (p[k] == '?' || p[k] == n[i])) {
+            ++i;
+            ++k;
+        } else if (star != std::string::npos) {
+            k = star + 1;
+            i = ++mark;
+        } else {
+            return false;
+        }
+    }
+    while (k < p.size() && p[k] == '*') ++k;
+    return k == p.size();
+}
+
+std::string block_hint(const SketchPiece& entity) {
+    if (entity.insertion < 0) return {};
+    const std::string block = entity.block.substr(entity.block.rfind('/') + 1);
+    return ", or take the outline around block " + block + " for one part: --block-outline " + block +
+           " (in a scene \"block_outline\": [\"" + block + "\"])";
+}
 
 std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline) {
     std::map<std::string, int> n_edges;
@@ -17,8 +48,6 @@ std::string most_frequent_layer(const std::vector<const SketchPiece*>& outline) 
         if (n_edges[piece->layer] > n_edges[best->layer]) best = piece;
     return best->layer;
 }
-
-}  // namespace
 
 std::string part_name(const std::vector<const SketchPiece*>& outline, const std::string& group) {
     const std::string name = group.empty() ? most_frequent_layer(outline) : group;

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "geometry/sketch/sketch_conflicts.hpp"
+#include "geometry/sketch/sketch_joined.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -73,30 +74,26 @@ void find_surroundings(std::vector<Region>& regions, const Margins& margins) {
     for (std::size_t i = 0; i < regions.size(); ++i) regions[i].around = directly_around(regions, i, tree, rank, margins);
 }
 
-void append_loop(Part& part, std::vector<int>& entities, const Region& region) {
+void append_loop(Part& part, std::vector<int>& entities, const JoinedLoop& boundary) {
     Loop loop;
-    for (const Edge& edge : region.outline.edges) {
+    for (const Edge& edge : boundary.edges) {
         loop.edges.push_back(static_cast<int>(part.edges.size()));
         part.edges.push_back(edge);
     }
     part.loops.push_back(std::move(loop));
-    entities.insert(entities.end(), region.entity.begin(), region.entity.end());
+    entities.insert(entities.end(), boundary.entity.begin(), boundary.entity.end());
 }
 
-void assemble(const std::vector<Region>& regions, std::vector<Region>& holes, NestedParts& nested) {
-    std::vector<int>& part_of = nested.part_of_region;
-    part_of.assign(regions.size(), -1);
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (!regions[i].is_filled) continue;
-        part_of[i] = static_cast<int>(nested.parts.size());
-        nested.name.push_back(regions[i].name);
-        nested.first_entity.push_back(regions[i].first_entity);
-        append_loop(nested.parts.emplace_back(), nested.entity.emplace_back(), regions[i]);
-    }
-    for (Region& hole : holes) {
-        const auto part = at(part_of[at(hole.around)]);
-        turn(hole);
-        append_loop(nested.parts[part], nested.entity[part], hole);
+void assemble(const std::vector<Region>& regions, const std::vector<JoinedPart>& joined, NestedParts& nested) {
+    nested.part_of_region.assign(regions.size(), -1);
+    for (const JoinedPart& one : joined) {
+        for (const int region : one.regions) nested.part_of_region[at(region)] = static_cast<int>(nested.parts.size());
+        const Region& first = regions[at(one.regions.front())];
+        nested.name.push_back(first.name);
+        nested.first_entity.push_back(first.first_entity);
+        Part& part = nested.parts.emplace_back();
+        std::vector<int>& entities = nested.entity.emplace_back();
+        for (const JoinedLoop& loop : one.loops) append_loop(part, entities, loop);
     }
 }
 
@@ -135,19 +132,21 @@ void remove_without_area(const std::vector<SketchPiece>& entities, std::vector<R
     });
 }
 
-/// Simple outlines inside parts, and contours of divided outlines inside parts.
+/// Simple outlines inside parts, and contours of divided outlines inside parts, all clockwise.
 std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>& regions) {
     std::vector<Region> holes;
     std::vector<bool> is_done(outlines.divided.size(), false);
     for (const Region& region : regions) {
-        if (!is_in_material(regions, region) || region.is_edge) continue;
+        if (!is_in_material(regions, region)) continue;
         if (region.divided < 0) {
             holes.push_back({region.outline, region.entity, region.box, region.area, region.first_entity});
             holes.back().around = region.around;
+            turn(holes.back());
         } else if (!is_done[at(region.divided)]) {
             is_done[at(region.divided)] = true;
             holes.push_back(region_of(outlines.entities, outlines.divided[at(region.divided)].contour));
             holes.back().around = region.around;
+            turn(holes.back());
         }
     }
     return holes;
@@ -164,8 +163,8 @@ NestedParts nest(const Outlines& outlines, double tolerance, double coincidence,
     remove_without_area(sound.entities, regions, coincidence, nested.problems);
     find_surroundings(regions, {tolerance, coincidence});
     nested.regions = decide_material(regions, sound, hints, nested.warnings);
-    std::vector<Region> holes = holes_of(sound, regions);
-    assemble(regions, holes, nested);
+    const std::vector<Region> holes = holes_of(sound, regions);
+    assemble(regions, join_regions(regions, holes, sound.entities, hints.hatches, nested.regions, nested.warnings), nested);
     return nested;
 }
 

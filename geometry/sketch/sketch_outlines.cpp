@@ -13,15 +13,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "geometry/sketch/sketch_arcs.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
+#include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_open.hpp"
 #include "geometry/sketch/sketch_overlaid.hpp"
 #include "geometry/sketch/sketch_overlaps.hpp"
 #include "geometry/sketch/sketch_shared.hpp"
-#include "geometry/sketch/sketch_splits.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -186,23 +187,32 @@ void cut_tables(State& state, const Tolerances& tolerances, std::vector<Repair>&
     for (std::size_t k = 0; k < state.chains.divided.size(); ++k) {
         const std::vector<int> block = state.chains.divided[k];
         if (is_plane(walk_faces(state.entities, state.joints, block), state.joints, block)) continue;
-        if (!split_at_crossings(state.entities, block, tolerances.coincidence, repairs)) continue;
+        if (!split_at_crossings(state.entities, block, CrossingLines::upright, tolerances.coincidence, repairs)) continue;
         state.trace(tolerances, repairs);
         mend(state, tolerances, repairs);
         k = static_cast<std::size_t>(-1);  // from the first again; a block that was cut is plane, or cannot be cut any more
     }
 }
 
+void cut_everywhere(State& state, const Tolerances& tolerances, std::vector<Repair>& repairs) {
+    std::vector<int> all(state.entities.size());
+    std::iota(all.begin(), all.end(), 0);
+    if (split_at_crossings(state.entities, all, CrossingLines::all, tolerances.coincidence, repairs))
+        state.trace(tolerances, repairs);
+}
+
 SketchProblem crossing_lines(const Pieces& entities, const std::vector<int>& block) {
     const SketchPiece& first = entities[at(block.front())];
+    const auto of_insertion = std::find_if(block.begin(), block.end(), [&](int e) { return entities[at(e)].insertion >= 0; });
+    const std::string hint = of_insertion == block.end() ? "" : block_hint(entities[at(*of_insertion)]);
     return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5),
-            first.name, first.line, "put each part on a layer of its own, or mend it in CAD"};
+            first.name, first.line, "put each part on a layer of its own, or mend it in CAD" + hint};
 }
 
 }  // namespace
 
 ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
-                              bool are_tables_cut) {
+                              CrossingLines cut_at_crossings) {
     ClosedOutlines found;
     State state{pieces_of(entities), {}, {}};
     remove_without_length(state.entities, rounding, found.repairs);
@@ -214,10 +224,14 @@ ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const S
 
     state.trace(tolerances, found.repairs);
     std::vector<EntityChain> overlaid;
-    Pieces over = take_overlaid(state, tolerances, overlaid);
+    Pieces over;
+    if (cut_at_crossings == CrossingLines::all)
+        cut_everywhere(state, tolerances, found.repairs);
+    else
+        over = take_overlaid(state, tolerances, overlaid);
     if (!over.empty()) state.trace(tolerances, found.repairs);
     mend(state, tolerances, found.repairs);
-    if (are_tables_cut) cut_tables(state, tolerances, found.repairs);
+    if (cut_at_crossings == CrossingLines::upright) cut_tables(state, tolerances, found.repairs);
     report_joints(state, rounding, found.repairs);
     if (options.recognise_arcs && recognise_facets(state.entities, state.joints, tolerances.facets, found.repairs))
         state.trace(tolerances, found.repairs);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/sketch/sketch_nesting.hpp"
+#include "geometry/sketch/sketch_splits.hpp"
 
 namespace abut::geometry {
 
@@ -22,8 +23,8 @@ struct ClosedOutlines {
 /// Closes the outlines of entities that may belong together; ends of others are none of their business. The tolerance asked for
 /// (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
 /// `rounding`: what the coordinates' own rounding amounts to in the file.
-/// `are_tables_cut`: upright lines that share areas are cut where they cross, as in tables.
+/// `cut_at_crossings`: upright lines that share areas are cut where they cross, as in tables; or all lines are.
 ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
-                              bool are_tables_cut = false);
+                              CrossingLines cut_at_crossings = CrossingLines::none);
 
 }  // namespace abut::geometry

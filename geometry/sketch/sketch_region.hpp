@@ -29,9 +29,11 @@ struct Region {
     bool is_overlaid = false;  ///< drawn over other outlines, whose hole it is not
     int around = -1;           ///< the region directly around it
     bool is_filled = false;
-    bool is_edge = false;  ///< a line drawn on the part around it, neither hole nor part
     bool is_doubtful = false;
-    std::string name;                                ///< of the part, where the user gave one
+    bool is_chosen = false;                          ///< does the user say what it is?
+    std::string joins{};                             ///< the region that it is one part with, where the user says so: "r3"
+    std::string name{};                              ///< of the part, where the user gave one
+    std::vector<int> hatches{};                      ///< that it lies in, by their place among the drawing's
     mutable std::unique_ptr<RegionFinder> finder{};  ///< made when first asked
 };
 

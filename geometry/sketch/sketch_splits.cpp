@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "geometry/brep/edge_tree.hpp"
+#include "geometry/curves/curve_meetings.hpp"
+#include "geometry/sketch/sketch_crossings.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -184,25 +187,24 @@ bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, con
     return true;
 }
 
-bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, double coincidence,
-                        std::vector<Repair>& repairs) {
+bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, CrossingLines which,
+                        double coincidence, std::vector<Repair>& repairs) {
+    std::vector<bool> is_asked(entities.size(), false);
+    for (const int e : among) is_asked[at(e)] = which == CrossingLines::all || axis_of(entities[at(e)].curve) >= 0;
+    const AskedEntities asked = asked_entities(entities, is_asked);
     Cuts cuts;
-    for (const int along : among)
-        for (const int across : among) {
-            const Curve &a = entities[static_cast<std::size_t>(along)].curve,
-                        &b = entities[static_cast<std::size_t>(across)].curve;
-            if (axis_of(a) != 0 || axis_of(b) != 1) continue;
-            const Vec2 p(point(b, 0).x(), point(a, 0).y());
-            for (const auto& [e, curve] : {std::pair(along, &a), std::pair(across, &b)}) {
-                const SketchPiece& other = entities[static_cast<std::size_t>(e == along ? across : along)];
-                const double t = closest_parameter(other.curve, p);
-                if ((point(other.curve, t) - p).norm() > coincidence) continue;
-                const std::optional<double> at =
-                    place_inside(entities[static_cast<std::size_t>(e)], p, coincidence, coincidence);
-                if (at && note(cuts, entities[static_cast<std::size_t>(e)], static_cast<std::size_t>(e), *at, coincidence))
-                    repairs.push_back(
-                        {entities[static_cast<std::size_t>(e)].name + " cut where " + other.name + " crosses it", p, 0});
-            }
+    for (const std::size_t i : asked.entity)
+        for (const int near : asked.tree.near(bounding_box(entities[i].curve), coincidence)) {
+            const std::size_t j = asked.entity[at(near)];
+            const Curve &a = entities[i].curve, &b = entities[j].curve;
+            if (j <= i || (which == CrossingLines::upright && axis_of(a) == axis_of(b)) || !may_meet(a, b, coincidence))
+                continue;
+            for (const Vec2& p : meeting_points(a, b, coincidence))
+                for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
+                    const std::optional<double> t = place_inside(entities[own], p, coincidence, coincidence);
+                    if (t && note(cuts, entities[own], own, *t, coincidence))
+                        repairs.push_back({entities[own].name + " cut where " + entities[other].name + " crosses it", p, 0});
+                }
         }
     if (cuts.empty()) return false;
     cut(entities, cuts);

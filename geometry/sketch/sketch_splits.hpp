@@ -15,8 +15,12 @@ namespace abut::geometry {
 bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
                    double tolerance, double coincidence, std::vector<Repair>& repairs);
 
-/// Cuts upright segments among the given ones where they cross each other, as the lines of a table do. Returns whether any did.
-bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, double coincidence,
-                        std::vector<Repair>& repairs);
+/// Which lines are cut where they cross.
+enum class CrossingLines { none, upright, all };
+
+/// Cuts entities among the given ones where they cross, touch or end on each other: upright segments only, as the lines of a
+/// table do, or all (`which`). Returns whether any did.
+bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, CrossingLines which,
+                        double coincidence, std::vector<Repair>& repairs);
 
 }  // namespace abut::geometry

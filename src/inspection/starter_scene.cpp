@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -145,13 +146,19 @@ void write_assumptions(std::ostream& out, const SketchReading& reading, const Im
             << (reading.drawing.drafting_layers.empty() ? ",\n" : ",  // for their names\n");
     if (options.leave_open) out << "    \"leave_open\": true,\n";
     if (options.keep_drafting) out << "    \"keep_drafting\": true,\n";
+    if (!options.block_outline.empty())
+        out << "    \"block_outline\": " << nlohmann::json(options.block_outline).dump() << ",\n";
     nlohmann::ordered_json regions = nlohmann::ordered_json::object();
     for (const auto& [name, what] : options.regions) regions[name] = what;
-    for (const geometry::SketchRegion& region : reading.sketch.regions)
-        if (region.is_doubtful && !regions.contains(region.name)) regions[region.name] = region.part.empty() ? "void" : "part";
+    std::map<std::string, std::string> first_of;  // region by part: others are one with it
+    for (const geometry::SketchRegion& region : reading.sketch.regions) {
+        const auto [first, is_new] = first_of.emplace(region.part, region.name);
+        if (region.is_doubtful && !regions.contains(region.name))
+            regions[region.name] = region.part.empty() ? "void" : is_new ? "part" : first->second;
+    }
     if (!regions.empty())
         out << "    \"regions\": " << regions.dump()
-            << ",  // check: void, part, or the part's name (abut inspect -o DIR draws them)\n";
+            << ",  // check: void, part, the part's name, or the region it is one with (abut inspect -o DIR draws them)\n";
 }
 
 /// What the file was read with, so that the scene reads it the same way.

@@ -223,6 +223,7 @@ ImportOptions read_import_options(SceneReading& reading, const JsonValue& object
     options.layers.ignore = read_texts(reading, object, "ignore_layers");
     options.leave_open = member_or(reading, object, "leave_open", false, read_flag);
     options.keep_drafting = member_or(reading, object, "keep_drafting", false, read_flag);
+    options.block_outline = read_texts(reading, object, "block_outline");
     if (const JsonValue* regions = find_member(object, "regions")) read_regions(reading, *regions, options);
     return options;
 }

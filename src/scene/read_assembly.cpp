@@ -120,10 +120,11 @@ void tell_views(const ImportedDrawing& import, const std::vector<geometry::Part>
 
 void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& assembly, double thickness, Scene& scene) {
     const std::size_t before = reading.problems.size();
-    const bool is_object = check_object(reading, assembly,
-                                        {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "only_layers",
-                                          "ignore_layers", "leave_open", "keep_drafting", "regions", "material", "parts"},
-                                         {}});
+    const bool is_object =
+        check_object(reading, assembly,
+                     {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "only_layers", "ignore_layers",
+                       "leave_open", "keep_drafting", "block_outline", "regions", "material", "parts"},
+                      {}});
     const JsonValue* file = is_object ? required(reading, assembly, "file") : nullptr;
     const ImportOptions options = is_object ? read_import_options(reading, assembly) : ImportOptions{};
     const int material = default_material(reading, assembly, scene);

@@ -82,6 +82,7 @@ geometry::SketchOptions sketch_options(const geometry::Drawing& drawing, const I
     sketch.recognise_arcs = options.recognise_arcs && !is_solid_file(drawing.file);  // the section has done that
     sketch.leave_open = options.leave_open;
     sketch.keep_drafting = options.keep_drafting;
+    sketch.block_outline = options.block_outline;
     sketch.regions = options.regions;
     return sketch;
 }

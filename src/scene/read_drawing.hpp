@@ -22,7 +22,8 @@ struct ImportOptions {
     bool recognise_arcs = true;       ///< facets and splines that are arcs, or stand for a curve, become arcs
     geometry::LayerFilter layers;     ///< of drawings
     bool leave_open = false, keep_drafting = false;
-    std::map<std::string, std::string> regions;  ///< what regions are: "void", "part", or the part's name
+    std::vector<std::string> block_outline;      ///< blocks of which the outline around everything is taken, as patterns
+    std::map<std::string, std::string> regions;  ///< what regions are (geometry::SketchOptions)
 };
 
 /// Are there bodies in space in the file, by its ending? Their section has its lines and arcs already.

@@ -143,6 +143,15 @@ def near_pairs(assembly, within):
                   for i in range(len(shapes)) for k in range(i) if shapes[i].distance(shapes[k]) <= within)
 
 
+def hatch_angles(assembly):
+    """Angles by part, so that parts that touch look different, as ISO 128-3 has it."""
+    shapes, angles = [shape(p) for p in assembly.parts], []
+    for i, own in enumerate(shapes):
+        taken = {angles[k] for k in range(i) if shapes[k].distance(own) <= NEAR}
+        angles.append(next(angle for angle in range(0, 180, 15) if angle not in taken))
+    return angles
+
+
 class Drawer:
     def __init__(self, way, rng):
         self.way, self.rng = way, rng
@@ -184,8 +193,10 @@ class Drawer:
             for hole in holes:
                 self.outline(hole, name)
         if self.way == "hatched":
-            for k, part in enumerate(assembly.parts):
-                self.hatch(part, 45 * (k % 4))
+            for part, angle in zip(assembly.parts, hatch_angles(assembly)):
+                self.hatch(part, angle)
+                if not part[2] and len(part[1][1]) == 4 and self.rng.random() < 0.3:
+                    self.cross(part[1][1])
         if self.way in ("annotated", "sheet", "iso"):
             self.annotate(assembly)
         if self.way in ("sheet", "iso"):
@@ -199,6 +210,12 @@ class Drawer:
                 hatch.paths.add_polyline_path(s[1], is_closed=True)
             else:
                 hatch.paths.add_edge_path().add_arc(s[1], s[2], 0, 360)
+
+    def cross(self, corners):
+        """An edge seen on a rectangle: a line across, under its hatch."""
+        (x0, y0), (x1, y1) = corners[0], corners[2]
+        x = x0 + self.rng.uniform(0.3, 0.7) * (x1 - x0)
+        self.line((x, y0), (x, y1))
 
     def annotate(self, assembly):
         boxes = [shape(p).bounds for p in assembly.parts]

@@ -23,6 +23,8 @@ inline std::string fault_of_dxf(const std::string& bytes) {
         if (!fault.empty() || !is_small(drawing)) return fault;
         geometry::SketchOptions options;
         options.parts_by = parts_by_of_size(bytes.size());
+        constexpr std::size_t one_in = 3;  // has its blocks outlined
+        if (bytes.size() % one_in == 0) options.block_outline = {"*"};
         return fault_of_parts(geometry::parts_of(drawing, options));
     } catch (const InputError& error) { return fault_of_refusal(error); }
 }

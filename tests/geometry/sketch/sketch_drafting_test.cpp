@@ -47,6 +47,14 @@ TEST(SketchDrafting, APlateWithWindowsStaysAPlate) {
     EXPECT_TRUE(tells(near, "it may be the frame of a sheet"));
 }
 
+TEST(SketchDrafting, AWallIsNoMargin) {
+    // 1 of 400 is less than any sheet has
+    const SketchParts box = parts_with(drawn_rectangle({0, 0}, {400, 300}, "f") + drawn_rectangle({1, 1}, {399, 299}, "g") +
+                                       drawn_rectangle({20, 20}, {60, 40}, "a") + drawn_rectangle({20, 100}, {60, 140}, "b"));
+    EXPECT_EQ(sorted_areas(box), (std::vector<double>{800, 120000 - 398 * 298.0, 1600}));
+    EXPECT_FALSE(tells(box, "frame of a sheet"));
+}
+
 TEST(SketchDrafting, TitleBlocksGoWithTheirContent) {
     Entities sheet = drawn_rectangle({-100, -100}, {197, 110}, "f") + drawn_rectangle({-80, -90}, {187, 100}, "g") + blocks;
     for (const double y : {-80.0, -70.0}) sheet.push_back(drawn_line({87, y}, {187, y}, "row"));

@@ -96,7 +96,18 @@ TEST(SketchMaterial, WithinOneHatchALineIsAnEdge) {
     const SketchParts sketch = parts_of(drawing, {});
     ASSERT_EQ(sketch.parts.size(), 1u);
     EXPECT_EQ(area(sketch.parts[0]), 4800);
-    EXPECT_TRUE(tells(sketch, "taken as an edge drawn on the part: r2"));
+    EXPECT_TRUE(tells(sketch, "are taken as drawn on one part, not as its outline: r1, r2"));
+}
+
+TEST(SketchMaterial, WhereThinThingsAreMadeAStripIsOne) {
+    const Entities walls = drawn_rectangle({-20, -20}, {20, 20}, "o") + drawn_rectangle({-19.95, -19.95}, {19.95, 19.95}, "i") +
+                           Entities{drawn_circle({-8, 0}, 3, "a"), drawn_circle({-8, 0}, 2.9, "b"),
+                                    drawn_circle({8, 0}, 3, "c"), drawn_circle({8, 0}, 2.9, "d")};
+    const SketchParts sketch = parts_by(walls, PartsBy::loop);
+    ASSERT_EQ(sketch.parts.size(), 3u);
+    EXPECT_NEAR(area(sketch.parts[0]), 1600 - 39.9 * 39.9, 1e-9);
+    EXPECT_NEAR(area(sketch.parts[1]), 0.59 * pi, 1e-9);
+    EXPECT_NEAR(area(sketch.parts[2]), 0.59 * pi, 1e-9);
 }
 
 TEST(SketchMaterial, AScrewIsDrawnOverItsPlates) {
