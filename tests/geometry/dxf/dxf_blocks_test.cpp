@@ -5,7 +5,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -243,13 +242,11 @@ std::string tower(int n, int width, const std::string& foundation) {
 }
 
 TEST(DxfBlocks, DoNotBlowUp) {
-    using Clock = std::chrono::steady_clock;
     EXPECT_EQ(read_drawing(tower(3, 10, dxf_line("", "0", 0, 0, 1, 0))).entities.size(), 1000u);
     EXPECT_TRUE(read_drawing(tower(dxf::deepest_nesting - 1, 1, dxf_line("", "0", 0, 0, 1, 0))).problems.empty());
     EXPECT_TRUE(has(problem_of(read_drawing(tower(dxf::deepest_nesting, 1, dxf_line("", "0", 0, 0, 1, 0)))), "nested deeper"));
-    const Clock::time_point begin = Clock::now();
-    EXPECT_TRUE(has(problem_of(read_drawing(tower(40, 10, ""))), "more than"));  // nothing is drawn, 1e40 times
-    EXPECT_LT(std::chrono::duration<double>(Clock::now() - begin).count(), 10);
+    // Nothing is drawn, 1e40 times: that this ends at all is the test.
+    EXPECT_TRUE(has(problem_of(read_drawing(tower(40, 10, ""))), "more than"));
 }
 
 TEST(LongDxfBlocks, DrawingsBeyondTheLimitAreRefused) {
