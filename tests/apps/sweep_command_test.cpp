@@ -108,7 +108,7 @@ TEST_F(CommandLine, AnalyzeSaysWhichCaseFailed) {
                   {"name": "high", "material": "m", "geometry": {"rectangle": {"min": [1, 2], "max": [3, 4]}}}],
         "loads": [{"name": "p", "on": "high/top", "pressure": 1}], "output": {"formats": ["json"]},
         "cases": [{"name": "down", "loads": {"p": 1}}, {"name": "up", "loads": {"p": -1}}],
-        "expect": [{"case": "down", "quantity": "contacts[0].force[1]", "value": 2, "tolerance": 1e-6},
+        "expect": [{"case": "down", "quantity": "contacts[0].force[1]", "value": -2, "tolerance": 1e-6},
                    {"case": "up", "quantity": "contacts[0].force[1]", "value": 0, "tolerance": 1e-6}]})");
     const Outcome run = abut({"analyze", "scene.json", "-o", "o"});
     EXPECT_EQ(run.status, 1);
