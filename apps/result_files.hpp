@@ -21,8 +21,8 @@ void complete_import_time(Result& result, double seconds);
 void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start);
 
-/// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder of
-/// its own; cases.json is written whatever the formats. Removes what an earlier run wrote there.
+/// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
+/// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there.
 void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
                         const Stopwatch& since_start);
 

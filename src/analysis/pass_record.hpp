@@ -31,11 +31,11 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
 /// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
 struct PressureChange {
-    double difference = 0;  ///< L2, like the norm without the neighbourhoods of corners
-    double inside = 0;      ///< L2, without the neighbourhoods of corners and of free ends
-    double refinement = 1;  ///< of the knots there: their spacing over that before, geometric mean
-    double norm = 0;        ///< L2 of the pressure
-    double peak = 0, peak_before = 0;  ///< largest magnitude: bonds pull, too
+    double difference = 0;               ///< L2, like the norm without the neighbourhoods of corners
+    double inside = 0;                   ///< L2, without the neighbourhoods of corners and of free ends
+    double refinement = 1;               ///< of the knots there: their spacing over that before, geometric mean
+    double norm = 0;                     ///< L2 of the pressure
+    double peak = 0, peak_before = 0;    ///< largest magnitude: bonds pull, too
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
     double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
 };

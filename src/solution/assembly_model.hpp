@@ -32,7 +32,8 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
 /// their loads alone. Parts that temperatures act on, and rigid ones, are made anew. Loads that cannot be computed are told in
 /// `failure`.
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, Stopwatches& seconds, int threads);
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, Stopwatches& seconds,
+                          int threads);
 
 /// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of
 /// contact. Costs the contact solution alone.
