@@ -44,6 +44,11 @@ inline std::string fault_of_parts(const geometry::SketchParts& sketch) {
     for (const geometry::Repair& repair : sketch.repairs)
         if (!repair.at.allFinite()) return "a repair without a place: " + repair.what;
     for (const geometry::Part& part : sketch.parts) {
+        // one whose outline crosses itself is told, and then refused by every command: it may have any area
+        const auto is_of_part = [&](const geometry::SketchProblem& p) {
+            return p.what.starts_with("part " + part.name + ": ");
+        };
+        if (std::any_of(sketch.problems.begin(), sketch.problems.end(), is_of_part)) continue;
         const std::string fault = fault_of_part(part);
         if (!fault.empty()) return fault;
     }
