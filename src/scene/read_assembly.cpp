@@ -141,7 +141,7 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
         return;
     }
     for (const auto& [name, what] : options.regions) {
-        const auto same = [&](const geometry::SketchRegion& region) { return region.name == name; };
+        const auto same = [&wanted = name](const geometry::SketchRegion& region) { return region.name == wanted; };
         if (std::none_of(sketch->regions.begin(), sketch->regions.end(), same))
             report_problem(reading, *find_member(*find_member(assembly, "regions"), name),
                            "the drawing has no region '" + shortened(name) + "'",

@@ -21,7 +21,7 @@ using report::line;
 using report::text;
 
 constexpr double panel_width = 400, panel_height = 250;  // with its axis labels
-constexpr double left = 58, right = 14, top = 26, bottom = 42, head = 56;
+constexpr double left = 58, right = 14, top = 26, bottom = 42, one_row_head = 56, legend_row = 18;
 
 /// One panel's axes in pixels.
 struct Axes {
@@ -100,18 +100,26 @@ std::string drawn(const Axes& a, const PlotSeries& s) {
     return svg;
 }
 
-std::string legend(const LogPlot& plot) {
+/// Entries in rows no wider than the picture; `rows` counts them.
+std::string legend(const LogPlot& plot, double width, int& rows) {
     std::string svg;
     std::vector<std::string> known;
-    double x = left;
+    double x = left, y = 40;
+    rows = 1;
     for (const PlotPanel& panel : plot.panels)
         for (const PlotSeries& s : panel.series) {
             if (s.name.empty() || std::find(known.begin(), known.end(), s.name) != known.end()) continue;
             known.push_back(s.name);
-            svg += line({x, 40}, {x + 22, 40},
+            const double own = 48 + report::text_pixels(s.name, 12);
+            if (x > left && x + own > width) {
+                x = left;
+                y += legend_row;
+                ++rows;
+            }
+            svg += line({x, y}, {x + 22, y},
                         "stroke=\"" + s.color + "\" stroke-width=\"2.2\"" + (s.dashed ? " stroke-dasharray=\"4 3\"" : ""));
-            svg += text({x + 28, 44}, "start", s.name);
-            x += 48 + report::text_pixels(s.name, 12);
+            svg += text({x + 28, y + 4}, "start", s.name);
+            x += own;
         }
     return svg;
 }
@@ -155,18 +163,23 @@ void write_csv(const std::string& name, const Table& table) {
 std::string log_plot_svg(const LogPlot& plot) {
     const auto n = static_cast<int>(plot.panels.size());
     const int columns = std::min(plot.columns, n), rows = (n + columns - 1) / columns;
-    const double width = columns * panel_width, height = head + rows * panel_height;
+    int legend_rows = 1;
+    const double width = columns * panel_width;
+    const std::string entries = legend(plot, width, legend_rows);
+    const double head = one_row_head + (legend_rows - 1) * legend_row, height = head + rows * panel_height;
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + coordinate_text(width) + "\" height=\"" +
                       coordinate_text(height) + "\" viewBox=\"0 0 " + coordinate_text(width) + " " + coordinate_text(height) +
                       "\" role=\"img\" aria-label=\"" + escape_xml(plot.title) + "\">\n";
     svg += style + report::rectangle({0, 0}, {width, height}, "fill=\"#fff\"");
-    svg += text({left, 22}, "start", plot.title, "class=\"title\"") + legend(plot);
+    svg += text({left, 22}, "start", plot.title, "class=\"title\"") + entries;
     for (int k = 0; k < n; ++k) {
         const PlotPanel& panel = plot.panels[static_cast<std::size_t>(k)];
         const Axes axes{{(k % columns) * panel_width, head + (k / columns) * panel_height}, plot.x_range, plot.y_range};
         svg += frame(axes, plot, panel.title);
         for (const PlotSeries& s : panel.series) svg += drawn(axes, s);
-        if (!panel.note.empty()) svg += text({axes.x0() + 8, axes.y1() - 8}, "start", panel.note, "class=\"note\"");
+        for (std::size_t k_line = 0; k_line < panel.notes.size(); ++k_line)
+            svg += text({axes.x0() + 8, axes.y1() - 5 - 12 * static_cast<double>(panel.notes.size() - 1 - k_line)}, "start",
+                        panel.notes[k_line], "class=\"note\"");
     }
     return svg + "</svg>\n";
 }

@@ -31,7 +31,7 @@ struct PlotSeries {
 struct PlotPanel {
     std::string title;
     std::vector<PlotSeries> series;
-    std::string note{};  ///< small print at the bottom, inside
+    std::vector<std::string> notes{};  ///< small print at the bottom, inside, by line
 };
 struct LogPlot {
     std::string title, x_label, y_label;

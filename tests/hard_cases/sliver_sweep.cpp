@@ -131,7 +131,7 @@ std::string basis_name(solver::Basis basis) {
 }
 
 PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
-    PlotPanel panel{"degree " + std::to_string(degree), {}, "not factorised:"};
+    PlotPanel panel{"degree " + std::to_string(degree), {}, {"not factorised:", "not factorised with weights:"}};
     for (const NamedCurve& c : curves) {
         if (c.degree != degree || (c.hold != Hold::nitsche && c.hold != Hold::dissertation)) continue;
         if (c.hold == Hold::dissertation)
@@ -146,9 +146,10 @@ PlotPanel panel_of(const std::vector<NamedCurve>& curves, int degree) {
             panel.series.push_back(binned(c.curve, &PartAnswer::condition, "plain or normalized, scaled", "#777777", false));
         }
         const double share = static_cast<double>(c.curve.failures()) / static_cast<double>(c.curve.answers.size());
-        panel.note += (panel.series.size() > 1 ? ", " : " ") + basis_name(c.basis) +
-                      (c.hold == Hold::dissertation ? " with weights " : " ") + number_text(100 * share, 2) + " %";
+        std::string& note = panel.notes[c.hold == Hold::dissertation ? 1 : 0];
+        note += (note.back() == ':' ? " " : ", ") + basis_name(c.basis) + " " + number_text(100 * share, 2) + " %";
     }
+    std::erase_if(panel.notes, [](const std::string& note) { return note.back() == ':'; });
     return panel;
 }
 
