@@ -169,7 +169,7 @@ TEST(Incompressible, RingConverges) {
 
 PlotPanel growth_panel(const std::string& title, const Table& table, std::size_t column) {
     constexpr std::array<const char*, 4> colors{"#777777", "#d98200", "#1348b0", "#2b8a3e"};
-    PlotPanel panel{title, {}, "dashed: not projected"};
+    PlotPanel panel{title, {}, {"dashed: not projected"}};
     for (int degree = 1; degree <= 4; ++degree)
         for (bool projected : {true, false}) {
             PlotSeries curve{projected ? "degree " + std::to_string(degree) : "",

@@ -121,7 +121,7 @@ PlotPanel rate_panel(const RateCurves& curves, const std::string& norm, double P
     constexpr std::array<const char*, 4> colors{"#777777", "#d98200", "#1348b0", "#2b8a3e"};
     PlotPanel panel{curves.name + ": " + norm,
                     {},
-                    "dashed: slopes " + std::to_string(first_slope) + " to " + std::to_string(first_slope + 3)};
+                    {"dashed: slopes " + std::to_string(first_slope) + " to " + std::to_string(first_slope + 3)}};
     for (std::size_t d = 0; d < curves.by_degree.size(); ++d) {
         const Study& s = curves.by_degree[d];
         PlotSeries curve{"degree " + std::to_string(d + 1), colors[d], {}, {}, true, false},
