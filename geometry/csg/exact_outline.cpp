@@ -1,63 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/csg/exact_outline.hpp"
 
-#include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arrangement_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
-#include <boost/iterator/function_output_iterator.hpp>
-#include <boost/variant.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
+#include "geometry/csg/exact_numbers.hpp"
 #include "geometry/curves/arc_spline.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Traits = CGAL::Arr_circle_segment_traits_2<Kernel>;
-using MonotoneCurve = Traits::X_monotone_curve_2;
 constexpr int unknown_winding = -1;
 /// Every face holds its winding number.
-using Arrangement = CGAL::Arrangement_2<Traits, CGAL::Arr_face_extended_dcel<Traits, int>>;
-
-Kernel::Point_2 exact_point(const Vec2& p) {
-    return {p.x(), p.y()};
-}
-
-Vec2 rounded(const Traits::Point_2& p) {
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-}
-
-/// The monotone piece in what CGAL hands over of an arc that is longer than a point: CGAL 5 wraps it in boost's variant, CGAL 6
-/// does not.
-template <class Made>
-const MonotoneCurve& curve_in(const Made& made) {
-    if constexpr (std::is_same_v<Made, MonotoneCurve>)
-        return made;
-    else
-        return boost::get<MonotoneCurve>(made);
-}
+using Arrangement = CGAL::Arrangement_2<PlaneTraits, CGAL::Arr_face_extended_dcel<PlaneTraits, int>>;
 
 /// Appends the line or arc from `from` over the middle of `curve` to `to`.
-void append(const Curve& curve, const Vec2& from, const Vec2& to, std::vector<MonotoneCurve>& outline) {
-    const Kernel::Point_2 begin = exact_point(from), end = exact_point(to), middle = exact_point(point(curve, 0.5));
+void append(const Curve& curve, const Vec2& from, const Vec2& to, std::vector<PlaneCurve>& outline) {
+    const Rational begin = exact_point(from), end = exact_point(to), middle = exact_point(point(curve, 0.5));
     if (std::holds_alternative<Segment>(curve) || CGAL::collinear(begin, middle, end)) {
         outline.emplace_back(begin, end);
         return;
     }
     const auto take = [&](const auto& made) {
-        if constexpr (!std::is_same_v<std::decay_t<decltype(made)>, Traits::Point_2>) outline.push_back(curve_in(made));
+        if (const PlaneCurve* piece = curve_in<PlaneCurve>(made)) outline.push_back(*piece);
     };
-    Traits().make_x_monotone_2_object()(Traits::Curve_2(begin, middle, end), boost::make_function_output_iterator(take));
+    PlaneTraits().make_x_monotone_2_object()(PlaneTraits::Curve_2(begin, middle, end),
+                                             boost::make_function_output_iterator(take));
 }
 
 /// Lines and arcs of at most half a turn that follow the curve.
@@ -69,9 +45,9 @@ std::vector<Curve> simple_pieces(const Curve& curve, double tolerance) {
     return pieces;
 }
 
-std::vector<MonotoneCurve> outline_of(const Part& part) {
+std::vector<PlaneCurve> outline_of(const Part& part) {
     const double tolerance = arc_spline_fraction * bounding_box(part).diagonal();
-    std::vector<MonotoneCurve> outline;
+    std::vector<PlaneCurve> outline;
     for (const Loop& loop : part.loops) {
         std::vector<Curve> pieces;
         for (const int e : loop.edges)
@@ -154,7 +130,7 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
 }  // namespace
 
 std::optional<OutlineFault> exact_fault(const Part& part) {
-    const std::vector<MonotoneCurve> outline = outline_of(part);
+    const std::vector<PlaneCurve> outline = outline_of(part);
     Arrangement arrangement;
     CGAL::insert(arrangement, outline.begin(), outline.end());
     const Cuts cuts = cuts_of(arrangement, part);

@@ -10,7 +10,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_axisymmetric {
 
 constexpr double E = 1e5, pi = std::numbers::pi;
 
@@ -163,9 +163,10 @@ VerifyProblem spheres(const std::string& name, const std::string& about, const s
              {"force", vertical_force, load, 1e-6}}};
 }
 
-}  // namespace
+}  // namespace verify_axisymmetric
 
 std::vector<VerifyProblem> axisymmetric_problems() {
+    using namespace verify_axisymmetric;
     std::vector<VerifyProblem> problems = patches();
     const std::vector<VerifyProblem> others{
         cylinder("R-cylinder", "Lame's cylinder, ends held", 0.3, 1e-3),

@@ -7,7 +7,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_beam {
 
 constexpr double P = 1000, L = 48, D = 12, E = 3e7, nu = 0.3, inertia = D * D * D / 12;
 
@@ -52,9 +52,10 @@ VerifyProblem beam(const std::string& name, const std::string& about, Analysis a
          {"stress, worst anywhere", [](const Answers& a) { return largest_stress_error(a[0], stress); }, 0, everywhere, 1}}};
 }
 
-}  // namespace
+}  // namespace verify_beam
 
 std::vector<VerifyProblem> beam_problems() {
+    using namespace verify_beam;
     constexpr double quadratic = 1e-3, cubic = 1e-8;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     return {beam("E2-quadratic", "cantilever, 4 cells of degree 2 over its height", ps, {}, quadratic),

@@ -8,7 +8,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_blocks {
 
 constexpr double exact = 1e-8, statics = 1e-6;
 
@@ -188,9 +188,10 @@ VerifyProblem vise_by_penalty() {
     return problem;
 }
 
-}  // namespace
+}  // namespace verify_blocks
 
 std::vector<VerifyProblem> block_problems() {
+    using namespace verify_blocks;
     constexpr double eps = 50 * 1000.0;  // of the stiffer bar, over a length of 1
     std::vector<VerifyProblem> problems = patches();
     problems.push_back(penalty_patch());

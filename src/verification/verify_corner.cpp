@@ -6,7 +6,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_corner {
 
 constexpr double energy_stress = 4.884754673, energy_strain = 4.154544227, singular_exponent = 0.544483736782464;
 
@@ -29,9 +29,10 @@ VerifyProblem corner(const std::string& name, const std::string& about, double n
               rate_tolerance, 1}}};
 }
 
-}  // namespace
+}  // namespace verify_corner
 
 std::vector<VerifyProblem> corner_problems() {
+    using namespace verify_corner;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     return {
         corner("E9-quadratic", "singular field of an L's corner, 32 and 64 cells of degree 2 a side", 32, 2, ps, energy_stress),

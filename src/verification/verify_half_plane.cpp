@@ -4,7 +4,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_half_plane {
 
 constexpr double tolerance = 0.005;
 
@@ -14,9 +14,10 @@ std::vector<Quantity> stresses(const Stress& s) {
             {"sxz(0.6, 0.5)", [](const Answers& a) { return a[0].probes.at(0).stress.xy; }, s.xy, tolerance}};
 }
 
-}  // namespace
+}  // namespace verify_half_plane
 
 std::vector<VerifyProblem> half_plane_problems() {
+    using namespace verify_half_plane;
     return {{"E13-strip",
              "half-plane under a strip load",
              {{"verification/strip_load.json"}},

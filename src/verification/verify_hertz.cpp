@@ -10,7 +10,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_hertz {
 
 constexpr double statics = 1e-6, one_cell = 1.0 / 12;  // of a contact's length: there are 12 in each
 constexpr double ten_cells = 0.01, fine = 0.015;       // of the largest pressure
@@ -136,9 +136,10 @@ VerifyProblem filleted_punch(const std::string& name, double radius, double beyo
          {"contact force along y", vertical_force, 0.5 * exact.load(), statics}}};
 }
 
-}  // namespace
+}  // namespace verify_hertz
 
 std::vector<VerifyProblem> hertz_problems() {
+    using namespace verify_hertz;
     constexpr double load_per_thickness = 200, force = 3.92699081698724;
     std::vector<VerifyProblem> problems{
         hertz_problem("C1-equal", "two equal cylinders, contact of a hundredth of the radius", {"verification/hertz_001.json"},

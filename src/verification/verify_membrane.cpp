@@ -4,7 +4,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_membrane {
 
 struct Reference {
     double middle;  ///< v(48, 52)
@@ -25,9 +25,10 @@ VerifyProblem membrane(const std::string& name, const std::string& about, double
             quantities(reference, tolerance)};
 }
 
-}  // namespace
+}  // namespace verify_membrane
 
 std::vector<VerifyProblem> membrane_problems() {
+    using namespace verify_membrane;
     // nearly incompressible the stress at the corner (0, 44) is more singular: errors fall like h^1.2, and with 16 cells the
     // work is 0.52 % off: recorded
     VerifyProblem coarse_4999 = membrane("E10-membrane", "Cook's membrane nearly incompressible, 16 cells of degree 3 across",

@@ -9,7 +9,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_patch {
 
 constexpr double exact = 1e-9, exact_with_curves = 1e-7, exact_with_nitsche = 1e-6;
 
@@ -120,9 +120,10 @@ void append_bars(std::vector<VerifyProblem>& problems) {
                         bar_errors(exact_with_nitsche)});
 }
 
-}  // namespace
+}  // namespace verify_patch
 
 std::vector<VerifyProblem> patch_problems() {
+    using namespace verify_patch;
     std::vector<VerifyProblem> problems;
     append_shape(problems, "square", 17, exact);
     append_shape(problems, "disc", 10, exact_with_curves);

@@ -7,7 +7,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_pins {
 
 /// Half angle of contact about the direction of the load, degrees.
 double half_angle(const Answers& answers) {
@@ -94,9 +94,10 @@ std::vector<VerifyProblem> beams() {
     return {std::move(elastic), std::move(rigid), std::move(bodies), std::move(linear)};
 }
 
-}  // namespace
+}  // namespace verify_pins
 
 std::vector<VerifyProblem> pin_problems() {
+    using namespace verify_pins;
     std::vector<VerifyProblem> problems;
     for (const auto& group : {pins(), shrink_fits(), beams()}) problems.insert(problems.end(), group.begin(), group.end());
     return problems;

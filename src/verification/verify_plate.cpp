@@ -8,7 +8,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_plate {
 
 constexpr double E = 1e5, nu = 0.3;
 
@@ -89,9 +89,10 @@ VerifyProblem rates(int degree, double coarse) {
             {{"rate of the energy norm", rate, static_cast<double>(degree), rate_tolerance, 1}}};
 }
 
-}  // namespace
+}  // namespace verify_plate
 
 std::vector<VerifyProblem> plate_problems() {
+    using namespace verify_plate;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     constexpr double coarse = 0.01, fine = 0.001;
     VerifyRun strain = even(0.125, 2);

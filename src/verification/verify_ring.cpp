@@ -9,7 +9,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_ring {
 
 constexpr double a = 1, b = 2, pressure = 100, E = 1e5;
 constexpr double k = pressure * a * a / (b * b - a * a);  // srr, stt = k (1 -+ b^2 / r^2)
@@ -108,9 +108,10 @@ VerifyProblem disc() {
              {"u(b)", [](const Answers& r) { return r[0].probes.at(1).displacement.x(); }, 0.0175, 1e-3}}};
 }
 
-}  // namespace
+}  // namespace verify_ring
 
 std::vector<VerifyProblem> ring_problems() {
+    using namespace verify_ring;
     std::vector<VerifyProblem> problems;
     append_rings(problems);
     problems.push_back(disc());

@@ -4,7 +4,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_spin {
 
 constexpr double a = 0.25, q = 1e4;  // radius of the hole, rho w^2 b^2
 
@@ -39,9 +39,10 @@ VerifyProblem with_hole(const std::string& name, const std::string& about, Analy
              {"u(a)", [](const Answers& r) { return r[0].probes.at(0).displacement.x(); }, a * d.at_hole() / d.E, 1e-3}}};
 }
 
-}  // namespace
+}  // namespace verify_spin
 
 std::vector<VerifyProblem> spin_problems() {
+    using namespace verify_spin;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     return {solid("E5-spin", "a disc that spins, away from the origin", ps),
             solid("E5-spin-strain", "the same in plane strain", pe), with_hole("E5-hole", "a disc with a hole that spins", ps),

@@ -10,7 +10,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_spline_beam {
 
 using namespace solver;
 
@@ -52,9 +52,10 @@ Quantity quantity(std::string what, double (*value)(), double reference, double 
     return {std::move(what), [value](const Answers&) { return value(); }, reference, tolerance, reference == 0 ? 1.0 : 0.0};
 }
 
-}  // namespace
+}  // namespace verify_spline_beam
 
 std::vector<VerifyProblem> spline_beam_problems() {
+    using namespace verify_spline_beam;
     constexpr double figures = 1e-4, exact = 1e-10;
     return {{"E14-fitting",
              "spline beam element, one cell that fits",

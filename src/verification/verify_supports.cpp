@@ -4,7 +4,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_supports {
 
 /// Of a converged solution on a fine grid, three digits. Held along the recess, too, the block would give an eleventh of it.
 VerifyProblem recess() {
@@ -26,9 +26,10 @@ VerifyProblem slope() {
     return problem;
 }
 
-}  // namespace
+}  // namespace verify_supports
 
 std::vector<VerifyProblem> support_problems() {
+    using namespace verify_supports;
     return {recess(), slope()};
 }
 

@@ -9,7 +9,7 @@
 
 namespace abut {
 
-namespace {
+namespace verify_thermal {
 
 constexpr double E = 2e5, strain = 1.2e-3, exact = 1e-9;
 
@@ -89,9 +89,10 @@ VerifyProblem heated_pin(const std::string& name, const std::string& about, Anal
              {"least pressure", [](const Answers& r) { return least_pressure(contact_of(r)); }, p, 0.01}}};
 }
 
-}  // namespace
+}  // namespace verify_thermal
 
 std::vector<VerifyProblem> thermal_problems() {
+    using namespace verify_thermal;
     const auto ps = Analysis::plane_stress, pe = Analysis::plane_strain;
     return {free_square("E7-free", "a square that is free to expand", ps, 0.3, {}),
             free_square("E7-free-strain", "the same in plane strain", pe, 0.3, {}),
