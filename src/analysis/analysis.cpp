@@ -113,6 +113,9 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
+    for (const PreloadState& cut : solved.preloads)
+        result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
+                                   cut.force_under_load});
     fill_errors(out, result);
     fill_missed(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();

@@ -90,6 +90,9 @@ std::vector<Effect> plan_effects(const Scene& scene) {
         effect("springs", has_support(scene, Support::Kind::spring), "edges rest on springs", "no spring support"),
         effect("temperature", has_load(scene, Load::Kind::temperature), "a part is warmer or colder than when it was drawn",
                "no temperature load"),
+        effect("preload", has_load(scene, Load::Kind::preload),
+               "a part is tightened before the other loads act: its shortening is found from the force across the cut",
+               "no preload"),
         effect("spin", has_load(scene, Load::Kind::spin), "a part turns: centrifugal force", "no spin load"),
         effect("incompressibility", incompressible,
                "a part that is not in plane stress has a Poisson's ratio of " + number_text(projection_from, 2) +

@@ -178,6 +178,15 @@ struct LoadMark {
     Vec2 direction;
 };  ///< for the picture: a point and the unit direction of the load there
 
+/// A part that was tightened across a cut before the other loads acted.
+struct PreloadResult {
+    std::string part;
+    std::array<Vec2, 2> across;   ///< the ends of the cut
+    double force = 0;             ///< that it was tightened to
+    double shortening = 0;        ///< how far the two sides of the cut were drawn together for that
+    double force_under_load = 0;  ///< across the cut under all loads, tension positive
+};
+
 /// One solution on the way to the last: grids follow the contacts.
 struct PassSummary {
     int unknowns = 0, multipliers = 0;
@@ -232,6 +241,7 @@ struct Result {
     MobilityResult as_drawn;                   ///< with every contact that could close
     std::optional<MobilityResult> under_load;  ///< with the contacts that carry force
     std::vector<Reaction> reactions;
+    std::vector<PreloadResult> preloads;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;
     std::vector<std::string> notes{};  ///< Scene::notes

@@ -100,6 +100,14 @@ Json part(const PartResult& p) {
     return j;
 }
 
+Json preload(const PreloadResult& p) {
+    return {{"part", p.part},
+            {"across", Json::array({vector(p.across[0]), vector(p.across[1])})},
+            {"force", number(p.force)},
+            {"shortening", number(p.shortening)},
+            {"force_under_load", number(p.force_under_load)}};
+}
+
 Json profile(const ContactProfile& p) {
     Json json = {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
                  {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
@@ -228,6 +236,7 @@ Json to_json(const Result& r) {
     j["mobility"] = {{"as_drawn", Json::parse(mobility_json(r.as_drawn))},
                      {"under_load", r.under_load ? Json::parse(mobility_json(*r.under_load)) : Json(nullptr)}};
     j["reactions"] = list_of(r.reactions, reaction);
+    if (!r.preloads.empty()) j["preloads"] = list_of(r.preloads, preload);
     j["probes"] = list_of(r.probes, probe);
     j["warnings"] = names(r.warnings);
     j["notes"] = names(r.notes);

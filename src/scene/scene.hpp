@@ -86,15 +86,17 @@ struct Load {
         body_force,
         gravity,
         spin,
-        temperature
+        temperature,
+        preload
     };
     Kind kind = Kind::pressure;
     Selection on;
-    std::string part;                 ///< part_force, part_moment, spin, temperature; body_force ("*": all)
-    std::array<Expression, 2> value;  ///< pressure, moments, temperature (rise): value[0]; the others x and y
+    std::string part;                 ///< part_force, part_moment, spin, temperature, preload; body_force ("*": all)
+    std::array<Expression, 2> value;  ///< pressure, moments, temperature (rise), preload (force): value[0]; the others x and y
     std::optional<Vec2> at;           ///< edge_force: a point of its line of action, if not through the middle of the edges
     Vec2 about{0, 0};                 ///< spin: the axis' place
     double omega = 0;                 ///< spin: angle per time
+    std::array<Vec2, 2> across{};     ///< preload: ends of the cut through the part
     std::string name{};               ///< load cases call it by that; may be empty, and the name of several
     std::string where;
 };

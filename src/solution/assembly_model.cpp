@@ -12,6 +12,7 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/solution/part_systems.hpp"
+#include "src/solution/preload.hpp"
 
 namespace abut {
 
@@ -197,15 +198,18 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
 }
 
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
-void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "solve");
+        tighten(scene, solved, threads);
+        if (!solved.failure.empty()) return;
         solved.solution = solve_groups(solved.problem, threads);
     }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
     if (!solved.solution.mechanism.empty()) return;
+    fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
 }
@@ -270,7 +274,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
         make_interfaces(scene, candidates, solved);
         load_systems(scene, conditions, prepared, threads, solved);
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
-    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
+    if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
     return solved;
 }
 
@@ -280,7 +284,7 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
     SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
-    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
+    if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
     return solved;
 }
 
@@ -296,7 +300,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.own_normals.clear();
         make_interfaces(scene, candidates, solved);
     }
-    solve_contacts(solved, seconds, threads);
+    solve_contacts(scene, solved, seconds, threads);
 }
 
 double largest_condition(const SolvedAssembly& solved, int threads) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,16 @@
 #include "src/solution/contact_runs.hpp"
 
 namespace abut {
+
+/// A cut across which a part is tightened.
+struct PreloadState {
+    int grid, pull;  ///< the part among the solved ones, and the cut among its own
+    std::array<Vec2, 2> across;
+    std::string where;            ///< the load's place in the scene
+    double force = 0;             ///< that it is tightened to
+    double shortening = 0;        ///< how far its sides were drawn together for that
+    double force_under_load = 0;  ///< across the cut, once all loads act
+};
 
 /// A solved pass.
 struct SolvedAssembly {
@@ -20,6 +31,7 @@ struct SolvedAssembly {
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     ContactRuns runs;
+    std::vector<PreloadState> preloads;
     std::string failure;        ///< not empty: not solvable, and why
     int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;            ///< of the effects' code in this pass

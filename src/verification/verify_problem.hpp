@@ -55,6 +55,7 @@ std::vector<VerifyProblem> hertz_problems();         ///< C1, C2, C4 with fillet
 std::vector<VerifyProblem> block_problems();         ///< C3, C4, C9, S-A, S-E
 std::vector<VerifyProblem> pin_problems();           ///< C6, C7, S-D
 std::vector<VerifyProblem> support_problems();       ///< what holds a part and what does not
+std::vector<VerifyProblem> preload_problems();       ///< H2: tightened bolts
 std::vector<VerifyProblem> spin_problems();          ///< E5
 std::vector<VerifyProblem> thermal_problems();       ///< E7, and interference by temperature
 std::vector<VerifyProblem> axisymmetric_problems();  ///< R: cylinders, spheres, discs, press fits and Hertz around an axis
