@@ -30,14 +30,14 @@ struct Pulled : testing::TestWithParam<int> {
     }
 };
 
-/// A free part follows: its far side comes nearer by the shortening, without any stress.
+/// A free part follows: its far side comes nearer by the shortening, without any stress. (At higher degrees the step from side
+/// to side is as wide as this part.)
 TEST_P(Pulled, FreePartIsShortenedWithoutStress) {
     const PartSystem s = shortened(delta);
     ASSERT_EQ(s.failure, "");
     const VectorXd u = solve(s, s.load);
     const StressOf stress(s.input, u);
-    for (const CellRule& rule : part.cut_rules)
-        EXPECT_LT(stress(rule.element, rule.points.front()).norm(), 1e-9 * E * delta);
+    for (const CellRule& rule : part.cut_rules) EXPECT_LT(stress(rule.element, rule.points.front()).norm(), 1e-9 * E * delta);
     EXPECT_NEAR(force_across(s.pulls[0], u), 0, 1e-10 * s.pulls[0].stiffness * delta);
     EXPECT_NEAR(strain_energy(s, u), 0, 1e-10 * s.pulls[0].stiffness * delta * delta);
     const auto moved = [&](double x, double y) {
@@ -60,7 +60,7 @@ TEST_P(Pulled, ShorteningReplacesTheOneBefore) {
     EXPECT_TRUE(s.input.stress_free.isZero(0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Degrees, Pulled, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Degrees, Pulled, testing::Values(1, 2));
 
 }  // namespace
 }  // namespace abut::solver::pull_test
