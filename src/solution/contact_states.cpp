@@ -12,6 +12,7 @@ namespace {
 
 constexpr double slip_fraction = 1e-6;  // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double pressed_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
+constexpr double end_slack = 0.01;         // of a run: borders nearer to its end are part of that
 constexpr int samples = 400;               // along a contact
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
@@ -68,6 +69,27 @@ FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double
     if (!(pressure > pressed_fraction * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
     if (std::abs(traction) < (1 - slip_fraction) * friction_of(solved, contact) * pressure) return FrictionState::stick;
     return traction < 0 ? FrictionState::slip_forward : FrictionState::slip_backward;
+}
+
+std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact) {
+    std::vector<StickBorder> borders;
+    const double coefficient = friction_of(solved, contact);
+    if (coefficient == 0 || std::isinf(coefficient) || solved.runs[contact].empty()) return borders;
+    const auto is_within = [&](double s) {
+        return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
+            const double slack = end_slack * (run.end - run.begin);
+            return s > run.begin + std::max(run.at_begin.reach, slack) && s < run.end - std::max(run.at_end.reach, slack);
+        });
+    };
+    const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
+    const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
+    for (const double way : {1.0, -1.0})
+        for (const ContactRun& run : contact_runs(solved.contacts[contact].face.pressure, bound + way * traction)) {
+            if (!run.from_start && is_within(run.begin)) borders.push_back({run.begin, -1, run.at_begin});
+            if (!run.to_end && is_within(run.end)) borders.push_back({run.end, 1, run.at_end});
+        }
+    std::sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
+    return borders;
 }
 
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
