@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
@@ -25,6 +26,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/contact/cell_search.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
@@ -43,7 +45,21 @@ namespace {
 /// pictures.
 constexpr double drawn_patch = 1.0 / 160;
 
-void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+/// What friction would hold a mechanism, where some would and some is there.
+std::string holding_friction(const Outcome& out) {
+    const double factor = out.solved.solution.holding_factor;
+    std::set<double> coefficients;
+    for (const Candidate& c : out.candidates)
+        if (c.friction > 0 && !c.bonded) coefficients.insert(c.friction);
+    if (factor == 0 || coefficients.empty()) return "";
+    if (coefficients.size() == 1)
+        return ". A coefficient of friction of " + number_text(*coefficients.begin() * factor, 4) + " would hold it, " +
+               number_text(*coefficients.begin(), 4) + " does not";
+    return ". Coefficients of friction " + number_text(factor, 4) + " times as large would hold it";
+}
+
+void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
+    const SolvedAssembly& solved = out.solved;
     result.status = "failed";
     result.solver.converged = false;
     if (!solved.failure.empty()) {
@@ -52,7 +68,7 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
     }
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
-        ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+        holding_friction(out) + ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
 void fill_largest(const LargestStress& largest, const Material& material, PartResult& part) {
@@ -215,9 +231,10 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
+    if (scene.in_steps) result.solver.increments = out.solved.increments;
     if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
-        fill_failure(scene, out.solved, result);
+        fill_failure(scene, out, result);
     } else {
         if (!out.solved.solution.converged) {
             result.status = "failed";
@@ -280,7 +297,7 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     }
     std::vector<CaseProblem> problems;
     for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
-    std::vector<Outcome> outcomes = solve_cases_adaptively(problems, options, seconds);
+    std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
     std::vector<CaseResult> results;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         results.push_back({scene.cases[k].name, scene.cases[k].factors,

@@ -112,6 +112,8 @@ Json profile(const ContactProfile& p) {
     Json json = {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
                  {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
     if (!p.shear.empty()) json["shear"] = numbers(p.shear);
+    if (!p.slip.empty()) json["slip"] = numbers(p.slip);
+    if (!p.state.empty()) json["state"] = names(p.state);
     return json;
 }
 
@@ -124,8 +126,18 @@ Json errors(const std::optional<ContactErrors>& e) {
             {"at_corner", e->at_corner}};
 }
 
+Json friction(const FrictionResult& f) {
+    return {{"coefficient", std::isinf(f.coefficient) ? Json("rough") : number(f.coefficient)},
+            {"shear_force", number(f.shear_force)},
+            {"normal_force", number(f.normal_force)},
+            {"utilisation", number(f.utilisation)},
+            {"stick_length", number(f.stick_length)},
+            {"slip_length", number(f.slip_length)},
+            {"dissipated", number(f.dissipated)}};
+}
+
 Json contact(const ContactResult& c) {
-    return {{"parts", Json::array({c.parts[0], c.parts[1]})},
+    Json j{{"parts", Json::array({c.parts[0], c.parts[1]})},
             {"between", Json::array({c.between[0], c.between[1]})},
             {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
             {"kind", c.kind},
@@ -142,6 +154,8 @@ Json contact(const ContactResult& c) {
             {"error_estimate", number(c.error_estimate)},
             {"errors", errors(c.errors)},
             {"profile", profile(c.profile)}};
+    if (c.friction) j["friction"] = friction(*c.friction);
+    return j;
 }
 
 Json accuracy(const Result& r) {
@@ -178,6 +192,7 @@ Json solver(const Result& r) {
            {"converged", r.solver.converged},
            {"groups", r.solver.groups},
            {"contact_problems", r.solver.contact_problems}};
+    if (r.solver.increments) j["increments"] = *r.solver.increments;
     if (r.solver.assembled_condition) j["assembled_condition"] = number(*r.solver.assembled_condition);
     return j;
 }

@@ -113,6 +113,7 @@ struct PairRule {
     std::array<Selector, 2> between;
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
     double interference = 0;
+    std::optional<double> friction{};  ///< coefficient, infinite: rough; unset: that of all contacts
     std::string where;
 };
 
@@ -139,6 +140,7 @@ struct ContactOptions {
     std::optional<double> search_distance;
     std::string overlap = "report";         ///< "report", "press_fit", "ignore"
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
+    double friction = 0;                    ///< coefficient, infinite: rough
     std::vector<PairRule> pairs;
 };
 
@@ -218,6 +220,7 @@ struct Scene {
     std::vector<Support> supports;
     std::vector<Load> loads;
     std::vector<LoadCase> cases;  ///< empty: all loads act
+    bool in_steps = false;        ///< the cases follow each other, and friction remembers
     /// Of one case among others: the loads of all, since what is made of a part has to do for every case.
     std::vector<Load> loads_of_all_cases{};
     ContactOptions contacts;

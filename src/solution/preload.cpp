@@ -38,7 +38,7 @@ std::vector<PreloadState> cuts_of(const Scene& scene, const SolvedAssembly& solv
     return cuts;
 }
 
-/// Takes away all loads but those of the pulls for as long as it lives.
+/// Takes away all loads but those of the pulls, and what was before, for as long as it lives.
 class Unloaded {
 public:
     explicit Unloaded(solver::AssemblyProblem& problem) : problem_(problem), constraints_(problem.constraints) {
@@ -51,6 +51,7 @@ public:
         }
         for (solver::MeanConstraint& c : problem.constraints) c.value = 0;
         std::swap(problem.part_load, part_load_);
+        std::swap(problem.before, before_);
     }
     Unloaded(const Unloaded&) = delete;
     Unloaded& operator=(const Unloaded&) = delete;
@@ -61,12 +62,13 @@ public:
         }
         problem_.constraints = std::move(constraints_);
         std::swap(problem_.part_load, part_load_);
+        std::swap(problem_.before, before_);
     }
 
 private:
     solver::AssemblyProblem& problem_;
     std::vector<solver::MeanConstraint> constraints_;
-    std::vector<VectorXd> loads_, prescribed_;
+    std::vector<VectorXd> loads_, prescribed_, before_;
     std::vector<double> part_load_;
 };
 
