@@ -11,6 +11,8 @@
 
 namespace abut::solver {
 
+class ClosedFactor;
+
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {
     Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
@@ -53,6 +55,9 @@ struct ContactQpResult {
 /// 4. Where it repeats a set, or a pass does: the interior point method, and the active set again from the rows that it closes.
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
+/// Step 0 alone, on a factor of the compliance that is kept from one problem to the next; the problems differ by their loads.
+/// False: there is no answer from there, and `result` has none.
+bool solve_from_expected(const ContactQp& qp, ClosedFactor& factor, ContactQpResult& result);
 
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {

@@ -138,11 +138,9 @@ void note_contact_elements(SolvedAssembly& solved) {
 /// Of the loads: contact forces below are their rounding.
 constexpr double open_force_fraction = 1e-10;
 
-bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
+bool is_rounding(const solver::Interface& face, const Eigen::VectorXd& pressure, double load_scale) {
     const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
-    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
+    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * load_scale;
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
@@ -162,19 +160,6 @@ std::vector<ContactRun> without_flicker(const std::vector<ContactRun>& runs, con
         }
     }
     return joined;
-}
-
-/// Bonded edges hold wherever they face each other.
-std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    if (!face.bilateral && is_rounding(solved, contact)) return {};
-    if (!face.bilateral) {
-        const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
-        if (face.penalty.empty()) return runs;
-        const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
-        return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
-    }
-    return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 
 /// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
@@ -207,7 +192,7 @@ void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     solved.runs.assign(solved.contacts.size(), {});
     if (!solved.solution.mechanism.empty()) return;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
+        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
 }
 
 /// What cannot be put on a grid is told in `failure`.
@@ -307,6 +292,17 @@ double largest_condition(const SolvedAssembly& solved, int threads) {
         if (!system.body && system.failure.empty()) condition[at(i)] = condition_estimate(system);
     });
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
+}
+
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                double load_scale) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
+    if (is_rounding(face, pressure, load_scale)) return {};
+    const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure);
+    if (face.penalty.empty()) return runs;
+    const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
+    return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {
