@@ -160,9 +160,8 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
     recover();
 }
 
-/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
-/// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
-/// pressures would change by more than a trifle.
+}  // namespace
+
 std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, const VectorXd& forces) {
     constexpr double rounding = 1e-13, most_change = 0.02;
     MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
@@ -179,22 +178,12 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     return forces + size.cwiseProduct(change);
 }
 
-/// The contact problem under the motions `held`, and its answer.
-struct HeldAnswer {
-    ContactQp qp;
-    MatrixXd held;
-    ContactQpResult result;
+HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
+    qp.modes = qp.modes * held;
+    qp.mode_load = held.transpose() * qp.mode_load;
+    result = solve_contact_qp(qp);
+}
 
-    HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
-        qp.modes = qp.modes * held;
-        qp.mode_load = held.transpose() * qp.mode_load;
-        result = solve_contact_qp(qp);
-    }
-    bool has_answer() const { return result.feasible && result.converged; }
-};
-
-/// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
-/// these, too: their amplitudes mean nothing.
 HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers) {
     HeldAnswer answer(qp, split.resisted);
     if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
@@ -206,8 +195,6 @@ HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Matri
     all.result.iterations += answer.result.iterations;
     return all.has_answer() ? all : answer;
 }
-
-}  // namespace
 
 AssemblyRows assembly_rows(const AssemblyProblem& problem) {
     AssemblyRows all;

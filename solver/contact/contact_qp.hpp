@@ -12,6 +12,8 @@
 
 namespace abut::solver {
 
+class ClosedFactor;
+
 /// A row of tangential traction, whose gap is the slip, and the row of the pressure that bounds it: |l_t| <= coefficient l_n,
 /// l_t = -coefficient l_n sign(slip) where it slips. An infinite coefficient: no slip where there is pressure.
 struct FrictionRow {
@@ -64,6 +66,9 @@ struct ContactQpResult {
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
 /// With friction: solve_with_friction (friction.hpp) instead.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
+/// Step 0 alone, on a factor of the compliance that is kept from one problem to the next; the problems differ by their loads.
+/// False: there is no answer from there, and `result` has none.
+bool solve_from_expected(const ContactQp& qp, ClosedFactor& factor, ContactQpResult& result);
 
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {

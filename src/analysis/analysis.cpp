@@ -10,6 +10,7 @@
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/analysis/adaptive.hpp"
+#include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/held_contacts.hpp"
@@ -41,10 +42,6 @@ namespace abut {
 
 namespace {
 
-/// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
-/// pictures.
-constexpr double drawn_patch = 1.0 / 160;
-
 /// What friction would hold a mechanism, where some would and some is there.
 std::string holding_friction(const Outcome& out) {
     const double factor = out.solved.solution.holding_factor;
@@ -68,7 +65,8 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
     }
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
-        holding_friction(out) + ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+        holding_friction(out) +
+        ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
 void fill_largest(const LargestStress& largest, const Material& material, PartResult& part) {
@@ -210,13 +208,13 @@ Begun begin_analysis(const Scene& drawn) {
 }
 
 /// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run.
-Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
-                       std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
+Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
+                         std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
     const ResolvedConditions& conditions = begun.conditions;
     Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
     // the dissertation's method is one solution, from where parts are drawn
-    const std::optional<Scene> rest =
+    std::optional<Scene> rest =
         is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
     const Scene& scene = rest ? *rest : drawn;
     result.support_marks = support_marks(scene, conditions);
@@ -258,14 +256,14 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     predict_next_level(result);
-    return std::move(result);
+    return {std::move(result), std::move(out), std::move(rest)};
 }
 
 Stopwatches fresh_stopwatches() {
     return {{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
 }
 
-Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
+Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds = fresh_stopwatches();
     Begun begun = begin_analysis(scene);
@@ -300,8 +298,9 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
     std::vector<CaseResult> results;
     for (std::size_t k = 0; k < scenes.size(); ++k)
-        results.push_back({scene.cases[k].name, scene.cases[k].factors,
-                           finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds)});
+        results.push_back(
+            {scene.cases[k].name, scene.cases[k].factors,
+             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds).result});
     return results;
 }
 
@@ -320,9 +319,13 @@ auto with_file_named(const Scene& scene, F analysis) {
 
 }  // namespace
 
-Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+Analyzed analyze_and_keep(const Scene& scene, const AnalyzeOptions& options) {
     refuse_cases(scene);
     return with_file_named(scene, [&] { return analyze_checked(scene, options); });
+}
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    return analyze_and_keep(scene, options).result;
 }
 
 std::vector<CaseResult> analyze_cases(const Scene& scene, const AnalyzeOptions& options) {

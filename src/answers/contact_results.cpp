@@ -162,14 +162,14 @@ std::string interface_of(const Scene& scene, const Candidate& candidate, const s
     return geometry::interface_kind(a.part, edge_named(a, between[0]), b.part, edge_named(b, between[1]));
 }
 
-std::string status_of(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+}  // namespace
+
+std::string contact_status(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
     if (contact.face.bilateral) return "closed";
     if (runs.empty()) return "open";
     const bool whole = runs.size() == 1 && runs[0].from_start && runs[0].to_end;
     return whole && !contact.zone.begin_is_limit && !contact.zone.end_is_limit ? "closed" : "partial";
 }
-
-}  // namespace
 
 ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate,
                              std::size_t contact) {
@@ -184,7 +184,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         result.status = "open";
         return result;
     }
-    result.status = status_of(c, solved.runs[contact]);
+    result.status = contact_status(c, solved.runs[contact]);
     for (const ContactRun& run : solved.runs[contact]) {
         result.contact_length += run.end - run.begin;
         for (double s : {run.begin, run.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);

@@ -159,11 +159,9 @@ void note_contact_elements(SolvedAssembly& solved) {
 /// Of the loads: contact forces below are their rounding.
 constexpr double open_force_fraction = 1e-10;
 
-bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
+bool is_rounding(const solver::Interface& face, const Eigen::VectorXd& pressure, double load_scale) {
     const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
-    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
+    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * load_scale;
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
@@ -183,19 +181,6 @@ std::vector<ContactRun> without_flicker(const std::vector<ContactRun>& runs, con
         }
     }
     return joined;
-}
-
-/// Bonded edges hold wherever they face each other.
-std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    if (!face.bilateral && is_rounding(solved, contact)) return {};
-    if (!face.bilateral) {
-        const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
-        if (face.penalty.empty()) return runs;
-        const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
-        return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
-    }
-    return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
 }
 
 /// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
@@ -232,7 +217,7 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
     if (!solved.solution.mechanism.empty()) return;
     fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
+        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
 }
 
 /// Slips count from there.
@@ -352,6 +337,17 @@ PartDisplacements displacements_of(const SolvedAssembly& solved) {
         if (const int k = solved.solver_part[i]; k >= 0 && at(k) < solved.solution.displacement.size())
             displacements[i] = solved.solution.displacement[at(k)];
     return displacements;
+}
+
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                double load_scale) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
+    if (is_rounding(face, pressure, load_scale)) return {};
+    const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure);
+    if (face.penalty.empty()) return runs;
+    const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
+    return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

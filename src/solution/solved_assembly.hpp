@@ -40,6 +40,11 @@ struct SolvedAssembly {
     int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
+/// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever
+/// they face each other. load_scale: the largest single load; contact forces that are its rounding press nothing.
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                double load_scale);
+
 /// The coefficients of a contact's pressure spline.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);
 
