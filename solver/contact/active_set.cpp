@@ -215,18 +215,41 @@ ActiveSet next_set(const ShiftedQp& shifted, const ActiveSet& active, const Cont
     return next;
 }
 
-SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
-                      ContactState& state, int& iterations) {
+namespace {
+
+/// solve: of a set, into the state; false where the set has no solution.
+template <class Solve>
+SetSearch search_sets(const ShiftedQp& shifted, const Solve& solve, ActiveSet& active, const ContactState& state,
+                      int& iterations) {
     std::set<ActiveSet> seen;
     for (int step = 0; step < max_primal_dual_steps; ++step) {
         if (!seen.insert(active).second) return SetSearch::repeated;
         ++iterations;
-        if (!solve_on(shifted, proximal, active, factor, state)) return SetSearch::singular;
+        if (!solve()) return SetSearch::singular;
         ActiveSet next = next_set(shifted, active, state);
         if (next == active) return SetSearch::found;
         active = std::move(next);
     }
     return SetSearch::repeated;
+}
+
+}  // namespace
+
+SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
+                      ContactState& state, int& iterations) {
+    return search_sets(
+        shifted, [&] { return solve_on(shifted, proximal, active, factor, state); }, active, state, iterations);
+}
+
+SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+                                      int& iterations) {
+    const Index n = shifted.qp.modes.cols();
+    const Proximal none{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+    const auto solve = [&] {
+        return solve_on(shifted, none, active, factor, state) ||
+               solve_least_motion(shifted, none.anchor, active, factor, state);
+    };
+    return search_sets(shifted, solve, active, state, iterations);
 }
 
 bool descend(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor, ContactState& state,

@@ -119,7 +119,7 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
 }
 
 LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
-    if (ContactQpResult result; factor_ && solve_from_expected(qp_, *factor_, result)) {
+    if (ContactQpResult result; factor_ && solve_from_neighbour(qp_, resisted_amplitudes_, *factor_, result)) {
         const std::optional<VectorXd> forces =
             levers_.cols() > 0 ? balanced(qp_, levers_, result.multipliers) : std::optional(result.multipliers);
         if (forces) {
@@ -149,6 +149,7 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     if (!found.result.feasible) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
+    resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
     if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);
     answer.multipliers = found.result.multipliers.cwiseQuotient(rows_.rows.weight);
     answer.amplitudes = found.amplitudes;

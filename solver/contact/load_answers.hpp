@@ -53,7 +53,7 @@ public:
 private:
     struct Found {
         ContactQpResult result;
-        Eigen::VectorXd amplitudes;
+        Eigen::VectorXd amplitudes;  ///< of all free motions
     };
     Found search(const Eigen::VectorXd& mode_load);
     Found search_anew(const Eigen::VectorXd& mode_load) const;
@@ -72,6 +72,7 @@ private:
     Eigen::VectorXd gap_, mode_load_;       ///< under what always acts
     Eigen::MatrixXd gaps_, mode_loads_;     ///< by load
     std::unique_ptr<ClosedFactor> factor_;  ///< of the rows that were closed last
+    Eigen::VectorXd resisted_amplitudes_;   ///< of the last answer
     // The measures, and after them those of the neutral motions: of what always acts, by load, by multiplier, by amplitude.
     Eigen::VectorXd measure_;
     Eigen::MatrixXd measures_of_loads_, measures_of_rows_, measures_of_modes_, neutral_gram_;
