@@ -55,10 +55,11 @@ struct ContactQpResult {
 /// 4. Where it repeats a set, or a pass does: the interior point method, and the active set again from the rows that it closes.
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
-/// The answer from that of a problem that differs by its loads: from its set (`expected`), the amplitudes measured from its own.
-/// Motions that a set leaves free stay there, as long as the loads do no work in them. factor: of the compliance, kept from one
-/// problem to the next. False: it is not found from there, and `result` has nothing.
-bool solve_from_neighbour(const ContactQp& qp, const Eigen::VectorXd& amplitudes, ClosedFactor& factor, ContactQpResult& result);
+/// The answer from that of a problem that differs by its loads: from its set (`expected`), the amplitudes measured from its
+/// own. Motions that a set leaves free stay there, as long as the loads do no work in them. factor: of the compliance, kept
+/// from one problem to the next. False: it is not found from there, and `result` has nothing.
+bool solve_from_neighbour(const ContactQp& qp, const Eigen::VectorXd& amplitudes, ClosedFactor& factor,
+                          ContactQpResult& result);
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {
     Eigen::VectorXd multipliers, gap, imbalance;

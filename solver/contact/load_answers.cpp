@@ -17,6 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double carried_fraction = 1e-10;  // of the largest force: below, a row's is rounding
+
 /// The displacement (2n) that a load adds to any other: without what is prescribed.
 VectorXd response(const PartSystem& part, const VectorXd& load) {
     VectorXd u = VectorXd::Zero(load.size());
@@ -149,6 +151,8 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     if (!found.result.feasible) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
+    // rows that carry nothing but rounding would come and go
+    qp_.expected = (qp_.expected.array() > carried_fraction * qp_.expected.maxCoeff()).select(qp_.expected, 0.0);
     resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
     if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);
     answer.multipliers = found.result.multipliers.cwiseQuotient(rows_.rows.weight);
