@@ -14,6 +14,7 @@ struct AssemblyRows {
     std::vector<int> first_row;  ///< by interface
     Eigen::VectorXd foundation;  ///< by row, of the start
     Eigen::VectorXd expected;    ///< multipliers; empty: nothing is known of them
+    std::vector<FrictionRow> friction;
 };
 AssemblyRows assembly_rows(const AssemblyProblem& problem);
 

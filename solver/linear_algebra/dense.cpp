@@ -2,6 +2,7 @@
 #include "solver/linear_algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -14,6 +15,7 @@ using Eigen::VectorXd;
 
 namespace {
 constexpr const char* rows_differ = "a right-hand side has the rows of its matrix";
+constexpr double singular = 1e-15;  // reciprocal condition number
 }
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
@@ -38,6 +40,16 @@ SingularVectors right_singular_vectors(const MatrixXd& a) {
 VectorXd least_squares(const MatrixXd& a, const VectorXd& b) {
     ENSURE(a.rows() == b.size(), rows_differ);
     return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(a).solve(b);
+}
+
+std::optional<VectorXd> solve_square(const MatrixXd& a, const VectorXd& b) {
+    ENSURE(a.rows() == a.cols() && a.rows() == b.size(), rows_differ);
+    if (b.size() == 0) return b;
+    const Eigen::PartialPivLU<MatrixXd> factor(a);
+    if (!(factor.rcond() > singular)) return std::nullopt;
+    VectorXd x = factor.solve(b);
+    x += factor.solve(b - a * x);
+    return x;
 }
 
 bool Cholesky::compute(const MatrixXd& a) {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
@@ -26,6 +27,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/contact/cell_search.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
@@ -40,7 +42,21 @@ namespace abut {
 
 namespace {
 
-void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+/// What friction would hold a mechanism, where some would and some is there.
+std::string holding_friction(const Outcome& out) {
+    const double factor = out.solved.solution.holding_factor;
+    std::set<double> coefficients;
+    for (const Candidate& c : out.candidates)
+        if (c.friction > 0 && !c.bonded) coefficients.insert(c.friction);
+    if (factor == 0 || coefficients.empty()) return "";
+    if (coefficients.size() == 1)
+        return ". A coefficient of friction of " + number_text(*coefficients.begin() * factor, 4) + " would hold it, " +
+               number_text(*coefficients.begin(), 4) + " does not";
+    return ". Coefficients of friction " + number_text(factor, 4) + " times as large would hold it";
+}
+
+void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
+    const SolvedAssembly& solved = out.solved;
     result.status = "failed";
     result.solver.converged = false;
     if (!solved.failure.empty()) {
@@ -49,6 +65,7 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
     }
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
+        holding_friction(out) +
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
@@ -110,6 +127,9 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
+    for (const PreloadState& cut : solved.preloads)
+        result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
+                                   cut.force_under_load});
     fill_errors(out, result);
     fill_missed(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();
@@ -209,9 +229,10 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
+    if (scene.in_steps) result.solver.increments = out.solved.increments;
     if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
-        fill_failure(scene, out.solved, result);
+        fill_failure(scene, out, result);
     } else {
         if (!out.solved.solution.converged) {
             result.status = "failed";
@@ -274,7 +295,7 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     }
     std::vector<CaseProblem> problems;
     for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
-    std::vector<Outcome> outcomes = solve_cases_adaptively(problems, options, seconds);
+    std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
     std::vector<CaseResult> results;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         results.push_back(

@@ -92,6 +92,7 @@ public:
     const std::vector<Candidate>& candidates() const { return out_.candidates; }
     bool meets_others() const { return meets_others_; }
     std::size_t n_passes() const { return out_.passes.size(); }
+    const SolvedAssembly& last() const { return last_; }
     Outcome take_outcome() { return std::move(out_); }
 
     bool take(SolvedAssembly now) {
@@ -245,6 +246,7 @@ private:
         const bool stuck = !is_solved(now);
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
+        if (scene_.in_steps) last_ = now;
     }
 
     /// Also where the grids were too coarse to see it.
@@ -353,6 +355,7 @@ private:
     Stopwatches& seconds_;
     int threads_;
     Outcome out_;
+    SolvedAssembly last_;  // of steps
     NextGrids next_;
     WantedSizes wanted_;
     WantedSizes raisers_;      // where stresses turned out to be worst
@@ -382,6 +385,9 @@ bool GridWalk::take(SolvedAssembly solved) {
 }
 bool GridWalk::meets_others() const {
     return path_->meets_others();
+}
+const SolvedAssembly& GridWalk::last() const {
+    return path_->last();
 }
 std::size_t GridWalk::n_passes() const {
     return path_->n_passes();

@@ -95,6 +95,18 @@ std::string reaction_table(const Result& result, const ResultUnits& u) {
                                               rows));
 }
 
+std::string preload_table(const Result& result, const ResultUnits& u) {
+    if (result.preloads.empty()) return "";
+    Rows rows;
+    for (const PreloadResult& p : result.preloads)
+        rows.push_back({p.part, number_text(p.force, 5), number_text(p.shortening, 5), number_text(p.force_under_load, 5)});
+    return subsection("Tightened parts", html_table({{"part"},
+                                                     {heading("tightened to", u.force), true},
+                                                     {heading("shortened by", u.length), true},
+                                                     {heading("force across the cut under load", u.force), true}},
+                                                    rows));
+}
+
 std::string equilibrium_table(const Result& result, const ResultUnits& u) {
     const auto& e = result.equilibrium;
     const Rows rows{{pair_text(e.applied, 5), pair_text(e.reaction, 5), number_text(e.relative_residual, 2),
@@ -267,6 +279,7 @@ std::string tables_section(const Result& result) {
     std::string html = "<section class=\"tables\"><h2>Figures</h2>\n";
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
     html += reaction_table(result, units);
+    html += preload_table(result, units);
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);
     html += part_table(result, units) + probe_table(result, units);
