@@ -50,6 +50,7 @@ LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> l
     scale_rows(qp_, rows_.rows.weight);
     qp_.foundation = rows_.foundation;
     qp_.expected = rows_.expected;
+    qp_.friction = rows_.friction;
     load_scale_ = qp_.load_scale;
     gap_ = qp_.gap;
     mode_load_ = qp_.mode_load;
@@ -121,6 +122,7 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
 }
 
 LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
+    if (!rows_.friction.empty()) return search_anew(mode_load);
     if (ContactQpResult result; factor_ && solve_from_neighbour(qp_, resisted_amplitudes_, *factor_, result)) {
         const std::optional<VectorXd> forces =
             levers_.cols() > 0 ? balanced(qp_, levers_, result.multipliers) : std::optional(result.multipliers);
@@ -152,7 +154,8 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
     // rows that carry nothing but rounding would come and go
-    qp_.expected = (qp_.expected.array() > carried_fraction * qp_.expected.maxCoeff()).select(qp_.expected, 0.0);
+    const double carried = carried_fraction * qp_.expected.cwiseAbs().maxCoeff();
+    qp_.expected = (qp_.expected.array().abs() > carried).select(qp_.expected, 0.0);
     resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
     if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);
     answer.multipliers = found.result.multipliers.cwiseQuotient(rows_.rows.weight);

@@ -33,7 +33,8 @@ struct LoadAnswer {
     bool converged = false;
 };
 
-/// Answers an assembly, each time from the contact that it found last: that is speed, the answer is the same.
+/// Answers an assembly, each time from the contact that it found last: that is speed, the answer is the same. With friction
+/// every answer is one step from the state before that the problem has, and is searched anew.
 class LoadAnswers {
 public:
     /// Cost: rows and compliance as of solve_assembly, and a solution of the parts for each load and measure. The problem is

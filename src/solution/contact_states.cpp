@@ -12,7 +12,7 @@ namespace {
 
 constexpr double slip_fraction = 1e-6;  // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double pressed_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr double end_slack = 0.01;         // of a run: borders nearer to its end are part of that
+constexpr double border_slack = 0.01;         // of a run: borders nearer to its end are part of that
 constexpr int samples = 400;               // along a contact
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
@@ -77,7 +77,7 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     if (coefficient == 0 || std::isinf(coefficient) || solved.runs[contact].empty()) return borders;
     const auto is_within = [&](double s) {
         return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
-            const double slack = end_slack * (run.end - run.begin);
+            const double slack = border_slack * (run.end - run.begin);
             return s > run.begin + std::max(run.at_begin.reach, slack) && s < run.end - std::max(run.at_end.reach, slack);
         });
     };
