@@ -140,6 +140,21 @@ void conclude(const ShiftedQp& shifted, const VectorXd& settled, ContactState& s
     result.motion = std::move(state.amplitudes);
 }
 
+/// The search from the expected set, and from there by passes where a motion is left free; the amplitudes from where the bodies
+/// would settle on it. False: nothing is known from it.
+bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
+    result.active = closed_by(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    if (!settled) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, qp.expected);
+    result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
+    if (!result.converged) return false;
+    conclude(near, *settled, state, result);
+    return true;
+}
+
 /// Where sets repeat or leave a motion free: the interior point method, and from the rows that it finds closed the exact
 /// answer, or else its own. False: nothing is changed.
 bool solve_from_inside(const ShiftedQp& shifted, const VectorXd& start, ClosedFactor& factor, ContactState& state,
@@ -190,16 +205,18 @@ void ensure_shapes(const ContactQp& qp) {
 
 }  // namespace
 
-bool solve_from_expected(const ContactQp& qp, ClosedFactor& factor, ContactQpResult& result) {
+bool solve_from_neighbour(const ContactQp& qp, const VectorXd& amplitudes, ClosedFactor& factor, ContactQpResult& result) {
     ensure_shapes(qp);
-    result.active = closed_by(qp, qp.expected);
-    const std::optional<VectorXd> settled = settle_on(qp, result.active);
-    if (!settled) return false;
-    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};  // the amplitudes are measured from where the bodies would settle
-    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
-    result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
+    ENSURE(amplitudes.size() == qp.modes.cols() && qp.expected.size() == qp.gap.size(), "a neighbour has as many unknowns");
+    const ShiftedQp near{qp, qp.gap + qp.modes * amplitudes};
+    ContactState state;
+    ActiveSet active = closed_by(qp, qp.expected);
+    result.iterations = 0;
+    result.converged = primal_dual_or_least_motion(near, active, factor, state, result.iterations) == SetSearch::found &&
+                       is_balanced(qp, state.multipliers);
     if (!result.converged) return false;
-    conclude(near, *settled, state, result);
+    result.active = std::move(active);
+    conclude(near, amplitudes, state, result);
     return true;
 }
 
@@ -214,10 +231,7 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         return result;
     }
     if (solve_linear(qp, result)) return result;
-    if (qp.expected.size() > 0) {
-        ClosedFactor factor(qp.compliance, qp.expected);
-        if (solve_from_expected(qp, factor, result)) return result;
-    }
+    if (qp.expected.size() > 0 && solve_from_expected(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     if (!start.balanced && find_mechanism(qp, result)) return result;
 

@@ -66,10 +66,11 @@ struct ContactQpResult {
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
 /// With friction: solve_with_friction (friction.hpp) instead.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
-/// Step 0 alone, on a factor of the compliance that is kept from one problem to the next; the problems differ by their loads.
-/// False: there is no answer from there, and `result` has none.
-bool solve_from_expected(const ContactQp& qp, ClosedFactor& factor, ContactQpResult& result);
-
+/// The answer from that of a problem that differs by its loads: from its set (`expected`), the amplitudes measured from its
+/// own. Motions that a set leaves free stay there, as long as the loads do no work in them. factor: of the compliance, kept
+/// from one problem to the next. False: it is not found from there, and `result` has nothing.
+bool solve_from_neighbour(const ContactQp& qp, const Eigen::VectorXd& amplitudes, ClosedFactor& factor,
+                          ContactQpResult& result);
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {
     Eigen::VectorXd multipliers, gap, imbalance;

@@ -17,6 +17,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+constexpr double carried_fraction = 1e-10;  // of the largest force: below, a row's is rounding
+
 /// The displacement (2n) that a load adds to any other: without what is prescribed.
 VectorXd response(const PartSystem& part, const VectorXd& load) {
     VectorXd u = VectorXd::Zero(load.size());
@@ -48,6 +50,7 @@ LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> l
     scale_rows(qp_, rows_.rows.weight);
     qp_.foundation = rows_.foundation;
     qp_.expected = rows_.expected;
+    qp_.friction = rows_.friction;
     load_scale_ = qp_.load_scale;
     gap_ = qp_.gap;
     mode_load_ = qp_.mode_load;
@@ -119,7 +122,8 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
 }
 
 LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
-    if (ContactQpResult result; factor_ && solve_from_expected(qp_, *factor_, result)) {
+    if (!rows_.friction.empty()) return search_anew(mode_load);
+    if (ContactQpResult result; factor_ && solve_from_neighbour(qp_, resisted_amplitudes_, *factor_, result)) {
         const std::optional<VectorXd> forces =
             levers_.cols() > 0 ? balanced(qp_, levers_, result.multipliers) : std::optional(result.multipliers);
         if (forces) {
@@ -149,6 +153,10 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     if (!found.result.feasible) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
+    // rows that carry nothing but rounding would come and go
+    const double carried = carried_fraction * qp_.expected.cwiseAbs().maxCoeff();
+    qp_.expected = (qp_.expected.array().abs() > carried).select(qp_.expected, 0.0);
+    resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
     if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);
     answer.multipliers = found.result.multipliers.cwiseQuotient(rows_.rows.weight);
     answer.amplitudes = found.amplitudes;

@@ -33,7 +33,8 @@ struct LoadAnswer {
     bool converged = false;
 };
 
-/// Answers an assembly, each time from the contact that it found last: that is speed, the answer is the same.
+/// Answers an assembly, each time from the contact that it found last: that is speed, the answer is the same. With friction
+/// every answer is one step from the state before that the problem has, and is searched anew.
 class LoadAnswers {
 public:
     /// Cost: rows and compliance as of solve_assembly, and a solution of the parts for each load and measure. The problem is
@@ -53,7 +54,7 @@ public:
 private:
     struct Found {
         ContactQpResult result;
-        Eigen::VectorXd amplitudes;
+        Eigen::VectorXd amplitudes;  ///< of all free motions
     };
     Found search(const Eigen::VectorXd& mode_load);
     Found search_anew(const Eigen::VectorXd& mode_load) const;
@@ -72,6 +73,7 @@ private:
     Eigen::VectorXd gap_, mode_load_;       ///< under what always acts
     Eigen::MatrixXd gaps_, mode_loads_;     ///< by load
     std::unique_ptr<ClosedFactor> factor_;  ///< of the rows that were closed last
+    Eigen::VectorXd resisted_amplitudes_;   ///< of the last answer
     // The measures, and after them those of the neutral motions: of what always acts, by load, by multiplier, by amplitude.
     Eigen::VectorXd measure_;
     Eigen::MatrixXd measures_of_loads_, measures_of_rows_, measures_of_modes_, neutral_gram_;

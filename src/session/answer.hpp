@@ -25,6 +25,8 @@ struct ContactAnswer {
     double contact_length = 0;
     ValueAt max_pressure;
     std::vector<double> pressure;  ///< at `places`; positive in compression
+    std::vector<double>
+        shear;  ///< there, of bonds and friction where pressed: on the second part, along its normal turned left
     std::shared_ptr<const ContactPlaces> places;
     /// The estimated error of the pressure beside its free ends (L2), relative to the strongest contact's pressure.
     double error_at_ends = 0;

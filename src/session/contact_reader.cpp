@@ -61,6 +61,13 @@ void ContactReader::add_sample(const Scene& scene, double s, double weight, Cont
     samples_.push_back(sample);
 }
 
+double ContactReader::value_of(const Sample& sample, const Eigen::VectorXd& coefficients) const {
+    double sum = 0;
+    for (int i = 0; i <= solved_.contacts[contact_].face.pressure.degree; ++i)
+        sum += sample.value[at(i)] * coefficients[sample.first + i];
+    return sum;
+}
+
 ReadContact ContactReader::read(const solver::LoadAnswer& answer, double load_scale) const {
     ReadContact read{told_};
     ContactAnswer& told = read.answer;
@@ -76,13 +83,14 @@ ReadContact ContactReader::read(const solver::LoadAnswer& answer, double load_sc
     std::size_t largest = 0;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
         const Sample& sample = samples_[k];
-        double p = 0;
-        for (int i = 0; i <= c.face.pressure.degree; ++i) p += sample.value[at(i)] * pressure[sample.first + i];
+        const double p = value_of(sample, pressure);
         told.pressure[k] = may_pull ? p : std::max(0.0, p);
         read.norm += sample.weight * p * p;
         if (told.pressure[k] > told.pressure[largest]) largest = k;
     }
     read.norm = std::sqrt(read.norm);
+    if (const int shear = solved_.shear_of[contact_]; shear >= 0)
+        for (const Sample& sample : samples_) told.shear.push_back(value_of(sample, answer.pressure[at(shear)]));
     told.max_pressure = {told.pressure[largest], {told.places->x[largest], told.places->y[largest]}};
     Eigen::Vector3d force = forces_ * pressure;
     if (const int shear = solved_.shear_of[contact_]; shear >= 0) force += shear_forces_ * answer.pressure[at(shear)];

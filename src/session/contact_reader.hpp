@@ -28,6 +28,7 @@ private:
         solver::LocalValues value;
         double weight;  // of its neighbourhood along the middle curve
     };
+    double value_of(const Sample& sample, const Eigen::VectorXd& coefficients) const;
     void add_sample(const Scene& scene, double s, double weight, ContactPlaces& places);
 
     const SolvedAssembly& solved_;

@@ -43,10 +43,11 @@ SomeLoads with_loads(const Scene& all, const ResolvedConditions& conditions, con
     return some;
 }
 
-/// Of the same name as a temperature: it is prepared, not varied.
+/// Is it prepared, not varied: without a name, or of the same name as a temperature or a preload, which are in a part's own
+/// equations?
 bool is_fixed(const Scene& scene, const std::string& name) {
     return name.empty() || std::any_of(scene.loads.begin(), scene.loads.end(), [&](const Load& load) {
-               return load.name == name && load.kind == Load::Kind::temperature;
+               return load.name == name && (load.kind == Load::Kind::temperature || load.kind == Load::Kind::preload);
            });
 }
 
@@ -95,7 +96,8 @@ struct PreparedScene::State {
     std::vector<double> probe_constants{};
     std::unique_ptr<solver::LoadAnswers> answers{};
     std::vector<bool> was_open{};
-    double allowed_error = 0;  // at free ends of contact
+    std::vector<std::string> rigid_pairs{};  // doubts of them
+    double allowed_error = 0;                // at free ends of contact
     Eigen::VectorXd last_factors{};
     solver::LoadAnswer last{};
 
@@ -110,6 +112,10 @@ struct PreparedScene::State {
     void refer_to_prepared(const Answer& answer);
     void tell_doubts(const std::vector<ReadContact>& contacts, double strongest, Answer& answer) const;
     void tell_motions(Answer& answer) const;
+    bool is_rigid(int part) const {
+        const int grid = solved().solver_part[at(part)];
+        return grid >= 0 && solved().grids[at(grid)].is_rigid;
+    }
     std::string name_of(const ContactAnswer& contact) const { return contact.between[0] + " - " + contact.between[1]; }
 };
 
@@ -151,7 +157,9 @@ void PreparedScene::State::prepare(const Scene& drawn) {
     const SomeLoads own =
         with_loads(under_factors, under, at_rest(), [&](const Load& load) { return is_fixed(drawn, load.name); });
     solver::UnitLoad always = unit_load(own);
-    own_scale = solved().problem.load_scale = always.scale;
+    own_scale = always.scale;
+    for (const PreloadState& cut : solved().preloads) own_scale = std::max(own_scale, cut.force);
+    solved().problem.load_scale = own_scale;
     for (std::size_t i = 0; i < always.on_part.size(); ++i) {
         solver::PartSystem& part = solved().problem.parts[i];
         part.load = part.held_load;
@@ -171,6 +179,11 @@ void PreparedScene::State::prepare(const Scene& drawn) {
             if (solved().solver_part[i] < 0 && is_driven(nothing_else.scene, nothing_else.conditions, static_cast<int>(i)))
                 idle_parts[name].push_back(scene.parts[i].name);
     }
+    for (const Candidate& c : analyzed.outcome.candidates)
+        if (is_rigid(c.first) && is_rigid(c.second))
+            rigid_pairs.push_back("whether parts " + scene_part(scene, c.first).name + " and " +
+                                  scene_part(scene, c.second).name +
+                                  ", which are both rigid, press on each other is not looked at");
     for (std::size_t k = 0; k < solved().contacts.size(); ++k)
         readers.emplace_back(at_rest(), solved(), k, analyzed.result.contacts[k]);
     answers = std::make_unique<solver::LoadAnswers>(solved().problem, std::move(units), measures(), threads);
@@ -242,7 +255,7 @@ std::string PreparedScene::needs_preparing(const LoadFactors& factors) const {
         const bool varies = std::find(s.names.begin(), s.names.end(), name) != s.names.end();
         if (factor == s.factors.at(name)) continue;
         if (!s.is_answered()) return "the loads that it was prepared under have no answer";
-        if (!varies) return "the temperature '" + name + "' has another factor";
+        if (!varies) return "the temperature or preload '" + name + "' has another factor";
         if (const auto idle = s.idle_parts.find(name); idle != s.idle_parts.end())
             return "the load '" + name + "' acts on part " + idle->second.front() + ", which nothing acted on before";
     }
@@ -290,6 +303,7 @@ Answer PreparedScene::answer(const LoadFactors& factors) {
                 s.last.measured[static_cast<Eigen::Index>(i)] + s.probe_constants[i];
         }
     s.tell_doubts(contacts, strongest, answer);
+    answer.doubts.insert(answer.doubts.end(), s.rigid_pairs.begin(), s.rigid_pairs.end());
     s.tell_motions(answer);
     return answer;
 }

@@ -33,7 +33,8 @@ public:
     /// Analyses the scene under the present factors, with grids and interfaces of their own. Seconds.
     const Result& prepare();
     /// Answers the present factors. Milliseconds; where nothing is prepared that could answer them, prepares first (a
-    /// temperature has another factor, a load acts on a part that nothing acted on).
+    /// temperature or preload has another factor, a load acts on a part that nothing acted on). With friction every answer is
+    /// one step from where parts are drawn, as `analyze` has it: no answer remembers another.
     Answer answer();
     /// The whole result under the present factors; prepares them if others are prepared.
     const Result& result();

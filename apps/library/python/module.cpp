@@ -123,6 +123,7 @@ py::dict answer_dict(const Answer& answer) {
         contact["x"] = array_of(c.places->x);
         contact["y"] = array_of(c.places->y);
         contact["pressure"] = array_of(c.pressure);
+        contact["shear"] = array_of(c.shear);
         contacts.append(contact);
     }
     for (const ProbeAnswer& p : answer.probes) {
