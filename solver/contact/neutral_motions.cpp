@@ -239,9 +239,10 @@ MatrixXd integrals_of_modes(const PartSystem& part) {
     const Vec2 center = part.free_motions.front().center;
     const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
     const MatrixXd coefficients = coefficients_of(part.input.space, rigid);
-    MatrixXd integrals(coefficients.rows(), 3);
-    for (Index k = 0; k < 3; ++k)
-        integrals.col(k) = body_load(part.input, [&](const Vec2& x) { return rigid[static_cast<std::size_t>(k)].at(x); });
+    MatrixXd integrals = MatrixXd::Zero(coefficients.rows(), 3);
+    const VectorXd of_one = body_load(part.input, [](const Vec2&) { return Vec2(1, 0); });
+    for (Index i = 0; i < of_one.size(); i += 2) integrals(i, 0) = integrals(i + 1, 1) = of_one[i];
+    integrals.col(2) = body_load(part.input, [&](const Vec2& x) { return rigid[2].at(x); });
     return integrals *
            PivotedCholesky(coefficients.transpose() * coefficients).solve_columns(coefficients.transpose() * part.modes);
 }
