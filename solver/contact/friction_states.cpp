@@ -123,10 +123,10 @@ public:
         for (Index k = 0; k < u; ++k) states[of(pressed_[of(k)])] = (*z)[k] > 0;
         for (Index k = 0; k < f; ++k) {
             char& state = states[of(qp_.friction[of(k)].tangential)];
-            state = !((*z)[k] > 0)            ? row_state::open
-                    : (*z)[u + f + k] > 0     ? row_state::slips_backward
-                    : (*z)[u + k] > 0         ? row_state::closed
-                                              : row_state::slips_forward;
+            state = !((*z)[k] > 0)        ? row_state::open
+                    : (*z)[u + f + k] > 0 ? row_state::slips_backward
+                    : (*z)[u + k] > 0     ? row_state::closed
+                                          : row_state::slips_forward;
             if (state != row_state::open && std::isinf(qp_.friction[of(k)].coefficient)) state = row_state::closed;
         }
         return states;

@@ -154,7 +154,7 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
     // rows that carry nothing but rounding would come and go
-    const double carried = carried_fraction * qp_.expected.cwiseAbs().maxCoeff();
+    const double carried = carried_fraction * qp_.expected.lpNorm<Eigen::Infinity>();
     qp_.expected = (qp_.expected.array().abs() > carried).select(qp_.expected, 0.0);
     resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
     if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);

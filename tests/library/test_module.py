@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Python module: a scene as a dictionary, results with arrays, and a session."""
 import copy
+import json
 
 import numpy as np
 import pytest
@@ -29,6 +30,7 @@ SHORTENING = 50 * 18 / 210000  # pressure times height over E
 def test_analyze_answers_as_the_file_would():
     result = abut.analyze(SCENE)
     assert result["status"] == "ok"
+    assert result["units"] == {"length": "mm", "force": "N"}
     (contact,) = result["contacts"]
     assert contact["status"] == "closed"
     assert contact["force"] == pytest.approx([0, -1000])
@@ -103,12 +105,6 @@ def test_a_load_that_lifts_fails_with_the_motion():
 
 def test_a_path_is_read_as_a_file(tmp_path):
     file = tmp_path / "scene.json"
-    file.write_text(abut_json())
+    file.write_text(json.dumps(SCENE))
     assert abut.analyze(str(file))["contacts"][0]["force"] == pytest.approx([0, -1000])
     assert abut.analyze(file)["contacts"][0]["force"] == pytest.approx([0, -1000])
-
-
-def abut_json():
-    import json
-
-    return json.dumps(SCENE)

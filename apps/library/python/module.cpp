@@ -74,7 +74,7 @@ py::list fields_list(const std::vector<PartField>& fields, const std::vector<Par
     return list;
 }
 
-/// As result.json; contacts have their "profile", and "fields" are those of the parts.
+/// As result.json; contacts have their "profile", "fields" are those of the parts, "units" the scene's.
 py::dict result_dict(const Result& result) {
     py::dict dict = py::module_::import("json").attr("loads")(result_json(result));
     py::list contacts = dict["contacts"];
@@ -96,6 +96,10 @@ py::dict result_dict(const Result& result) {
         contacts[k]["profile"] = profile;
     }
     dict["fields"] = fields_list(result.fields, result.parts);
+    py::dict units;  // labels, may be empty
+    units["length"] = result.length_unit;
+    units["force"] = result.force_unit;
+    dict["units"] = units;
     return dict;
 }
 

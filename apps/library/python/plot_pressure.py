@@ -18,17 +18,19 @@ session = abut.Session(scene)
 result = session.prepare()
 strongest = max(range(len(result["contacts"])), key=lambda k: result["contacts"][k]["max_pressure"]["value"])
 
-# %% Ask again under other loads: milliseconds each.
+# %% Ask again under other loads: milliseconds each; new grids where the contact has gone beyond these.
 figure, axes = plt.subplots(figsize=(8, 4.5))
 for factor in np.linspace(0.5, 1.5, 5):
     session.set_load(load, factor)
     answer = session.answer()
+    if answer["doubts"]:
+        print("\n".join(f"{load} × {factor:g}: {doubt}" for doubt in answer["doubts"]))
+        session.prepare()
+        answer = session.answer()
     contact = answer["contacts"][strongest]
     pressed = np.flatnonzero(contact["pressure"] > 0)
     shown = slice(max(pressed[0] - 1, 0), pressed[-1] + 2)
     axes.plot(contact["x"][shown], contact["pressure"][shown], label=f"{load} × {factor:g}")
-    for doubt in answer["doubts"]:
-        print(f"{load} x {factor:g}: {doubt}")
 
 axes.set_xlabel("x [{}]".format(result["units"]["length"]))
 axes.set_ylabel("pressure [{}/{}²]".format(result["units"]["force"], result["units"]["length"]))
