@@ -2,6 +2,7 @@
 // The walk: conditions -> candidates -> passes (grids, solution, new grids from the contacts found) -> results.
 #include "src/analysis/analysis.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
@@ -44,6 +45,10 @@ namespace {
 /// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
 /// pictures.
 constexpr double drawn_patch = 1.0 / 160;
+
+bool has_friction(const Outcome& out) {
+    return std::any_of(out.candidates.begin(), out.candidates.end(), [](const Candidate& c) { return c.friction > 0; });
+}
 
 /// What friction would hold a mechanism, where some would and some is there.
 std::string holding_friction(const Outcome& out) {
@@ -236,6 +241,8 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
         if (!out.solved.solution.converged) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
+            if (has_friction(out))
+                result.message += ": no state of sticking and slipping was found; the loads are near what friction holds, or beyond";
         }
         if (const std::string pressed = rigid_pair_failure(scene, out.candidates, out.solved); !pressed.empty()) {
             result.status = "failed";

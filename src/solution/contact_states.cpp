@@ -11,8 +11,8 @@ namespace abut {
 namespace {
 
 constexpr double slip_fraction = 1e-6;  // a traction so near to its bound is there: the coefficients are to rounding
-constexpr double pressed_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr double end_slack = 0.01;         // of a run: borders nearer to its end are part of that
+constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
+constexpr double border_slack = 0.01;         // of a run: borders nearer to its end are part of that
 constexpr int samples = 400;               // along a contact
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
@@ -66,7 +66,7 @@ double friction_of(const SolvedAssembly& solved, std::size_t contact) {
 
 FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double s) {
     const double pressure = pressure_in(solved, contact, s), traction = traction_in(solved, contact, s);
-    if (!(pressure > pressed_fraction * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
+    if (!(pressure > under_pressure * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
     if (std::abs(traction) < (1 - slip_fraction) * friction_of(solved, contact) * pressure) return FrictionState::stick;
     return traction < 0 ? FrictionState::slip_forward : FrictionState::slip_backward;
 }
@@ -77,8 +77,9 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     if (coefficient == 0 || std::isinf(coefficient) || solved.runs[contact].empty()) return borders;
     const auto is_within = [&](double s) {
         return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
-            const double slack = end_slack * (run.end - run.begin);
-            return s > run.begin + std::max(run.at_begin.reach, slack) && s < run.end - std::max(run.at_end.reach, slack);
+            const double slack = border_slack * (run.end - run.begin);
+            return s > run.begin + std::max(run.at_begin.reach / error_reach, slack) &&
+                   s < run.end - std::max(run.at_end.reach / error_reach, slack);
         });
     };
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
