@@ -195,11 +195,10 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     result.converged = search_exactly(near, state, result);
     if (!result.converged) {
         if (finds_motion(qp, result)) return result;
-        state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), closing_of(qp, start.multipliers)};
         stick_where_pressed();
         result.converged = pass_by_pass(near, start.stiffness, state, result);
     }
-    if (!result.converged) state.closing = closing_of(qp, state.multipliers);
+    if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), closing_of(qp, start.multipliers)};
     write_answer(near, start.amplitudes, state, result);
     return result;
 }

@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int max_newton_steps = 40;
+constexpr int most_newton_steps = 40;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
@@ -82,8 +82,8 @@ std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
     if (std::optional<VectorXd> x = solve_square(a, b)) return x;
     VectorXd x = least_squares(a, b);
     const double terms = (a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()).maxCoeff();
-    if ((a * x - b).cwiseAbs().maxCoeff() > consistent * terms) return std::nullopt;
-    return x;
+    const bool is_consistent = (a * x - b).cwiseAbs().maxCoeff() <= consistent * terms;  // false of what is no number, too
+    return is_consistent ? std::optional(x) : std::nullopt;
 }
 
 /// The complementarity problem in z = (pressures, l_t + mu l_n, slip backward), bilateral rows and amplitudes eliminated.
@@ -221,7 +221,7 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations) {
     std::set<ActiveSet> seen;
-    for (int step = 0; step < max_newton_steps; ++step) {
+    for (int step = 0; step < most_newton_steps; ++step) {
         if (!seen.insert(states).second) return SetSearch::repeated;
         ++iterations;
         if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;

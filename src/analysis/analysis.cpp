@@ -2,6 +2,7 @@
 // The walk: conditions -> candidates -> passes (grids, solution, new grids from the contacts found) -> results.
 #include "src/analysis/analysis.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <set>
@@ -41,6 +42,10 @@
 namespace abut {
 
 namespace {
+
+bool has_friction(const Outcome& out) {
+    return std::any_of(out.candidates.begin(), out.candidates.end(), [](const Candidate& c) { return c.friction > 0; });
+}
 
 /// What friction would hold a mechanism, where some would and some is there.
 std::string holding_friction(const Outcome& out) {
@@ -237,6 +242,9 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
         if (!out.solved.solution.converged) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
+            if (has_friction(out))
+                result.message +=
+                    ": no state of sticking and slipping was found; the loads are near what friction holds, or beyond";
         }
         if (const std::string pressed = rigid_pair_failure(scene, out.candidates, out.solved); !pressed.empty()) {
             result.status = "failed";

@@ -10,10 +10,10 @@ namespace abut {
 
 namespace {
 
-constexpr double slip_fraction = 1e-6;  // a traction so near to its bound is there: the coefficients are to rounding
-constexpr double pressed_fraction = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr double border_slack = 0.01;         // of a run: borders nearer to its end are part of that
-constexpr int samples = 400;               // along a contact
+constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
+constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
+constexpr double border_slack = 0.01;    // of a run: borders nearer to its end are part of that
+constexpr int samples = 400;             // along a contact
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
     return solved.problem.interfaces[at(solved.shear_of[contact])];
@@ -48,7 +48,8 @@ double slip_at(const SolvedAssembly& solved, const solver::Interface& face, cons
                const solver::InterfacePoint& p) {
     double slip = 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        const auto u = solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
+        const auto u =
+            solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
         slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value);
     }
     return slip;
@@ -66,7 +67,7 @@ double friction_of(const SolvedAssembly& solved, std::size_t contact) {
 
 FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double s) {
     const double pressure = pressure_in(solved, contact, s), traction = traction_in(solved, contact, s);
-    if (!(pressure > pressed_fraction * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
+    if (!(pressure > under_pressure * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
     if (std::abs(traction) < (1 - slip_fraction) * friction_of(solved, contact) * pressure) return FrictionState::stick;
     return traction < 0 ? FrictionState::slip_forward : FrictionState::slip_backward;
 }
@@ -78,7 +79,8 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     const auto is_within = [&](double s) {
         return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
             const double slack = border_slack * (run.end - run.begin);
-            return s > run.begin + std::max(run.at_begin.reach, slack) && s < run.end - std::max(run.at_end.reach, slack);
+            return s > run.begin + std::max(run.at_begin.reach / error_reach, slack) &&
+                   s < run.end - std::max(run.at_end.reach / error_reach, slack);
         });
     };
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);

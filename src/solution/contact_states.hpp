@@ -20,7 +20,7 @@ struct StickBorder {
     int outward;  ///< +1: it slips at larger s; -1: the other way
     RunEnd end;   ///< how far into the sticking stretch the border's own error counts apart from the rest, and that error
 };
-/// The borders of a contact, ascending; none nearer to an end of contact than that end's own reach.
+/// The borders of a contact, ascending; none nearer to an end of contact than the knots there stand apart.
 std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact);
 
 /// What friction does in a contact.
