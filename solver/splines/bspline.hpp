@@ -33,9 +33,7 @@ struct KnotVector {
 
     int n_intervals() const { return static_cast<int>(breakpoints.size()) - 1; }
     int n_functions() const { return static_cast<int>(knots.size()) - degree - 1; }
-    IntervalKnots interval(int i) const {
-        return {degree, knots.data() + first[static_cast<std::size_t>(i)] + degree};
-    }
+    IntervalKnots interval(int i) const { return {degree, knots.data() + first[static_cast<std::size_t>(i)] + degree}; }
 };
 
 /// Clamped knots, the inner ones simple.

@@ -6,8 +6,8 @@
 // connected pieces, the arms beside a slot, is as many functions, its branches: each lives on one of
 // them, and nothing ties the arms together.
 //
-// With a quadtree of cells the space is a hierarchical one (tree_space.hpp): the cells are its leaves, each has the B-splines of
-// its own level, and what these are of the space's functions is a matter of the element.
+// With a quadtree of cells the space is a hierarchical one (tree_space.hpp): the cells are its leaves, each has the B-splines
+// of its own level, and what these are of the space's functions is a matter of the element.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -67,7 +67,8 @@ struct SplineSpace {
     std::vector<Vec2> place;                 ///< greville_point() of each function; with a tree
     std::vector<std::uint8_t> on_sides;      ///< sides of the grid, by bit, on which each is not zero; with a tree
     std::vector<double> coefficient_of_one;  ///< of each function in the function 1; empty: all 1
-    int n_extended = 0;                      ///< branches that are extended
+    int n_extended = 0;                      ///< branches that are extended; with a tree functions
+    int n_apart = 0;                         ///< functions more than B-splines of a tree, since arms are not tied together
     std::string failure;                     ///< not empty: no such space (no inner cell to extend from), and why
 
     int columns() const { return x.n_intervals(); }  ///< of the base
@@ -93,12 +94,11 @@ struct SplineSpace {
     IntervalKnots along_x(int element) const { return interval(0, column_of(element)); }
     IntervalKnots along_y(int element) const { return interval(1, row_of(element)); }
     Vec2 low_corner(int element) const { return {along_x(element).low(), along_y(element).low()}; }
-    Vec2 cell_size(int element) const {
-        return Vec2(along_x(element).high(), along_y(element).high()) - low_corner(element);
-    }
+    Vec2 cell_size(int element) const { return Vec2(along_x(element).high(), along_y(element).high()) - low_corner(element); }
     /// The cell that holds a point: in parts without slots its element, too; elsewhere whoever knows the part's shape has to
     /// tell the element.
     int cell_at(const Vec2& p) const;
+    int taken_apart() const { return tree ? n_apart : static_cast<int>(tensor_of_extra.size()); }
     bool has_row(int branch) const {
         return first[static_cast<std::size_t>(branch)] < first[static_cast<std::size_t>(branch) + 1];
     }

@@ -18,10 +18,10 @@ struct TreePiece {
 /// All pieces of a tree, those of one level after those of the next finer one, and which hang together.
 struct TreePieces {
     std::vector<TreePiece> pieces;
-    std::vector<std::vector<int>> of_level;   ///< ascending by node
-    std::vector<std::vector<int>> beside;     ///< by piece: those of its own level that it shares a side with
-    std::vector<std::vector<int>> coarser;    ///< by piece: leaves of coarser levels that it shares a side with
-    std::vector<int> of_element;              ///< -1: no material
+    std::vector<std::vector<int>> of_level;  ///< ascending by node
+    std::vector<std::vector<int>> beside;    ///< by piece: those of its own level that it shares a side with
+    std::vector<std::vector<int>> coarser;   ///< by piece: leaves of coarser levels that it shares a side with
+    std::vector<int> of_element;             ///< -1: no material
 };
 
 /// Finds the pieces of all nodes. Cost O(nodes log(nodes)).

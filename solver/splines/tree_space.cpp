@@ -74,9 +74,7 @@ public:
 private:
     // ---- which B-splines are functions ----
 
-    int first_along(int axis, int level, int interval) const {
-        return level_first(axis == 0 ? s_.x : s_.y, level, interval);
-    }
+    int first_along(int axis, int level, int interval) const { return level_first(axis == 0 ? s_.x : s_.y, level, interval); }
     /// Local number of a B-spline on a node of its level; -1: it does not live there.
     int local_number(int node, const LevelFunction& f) const {
         const TreeCell& c = tree_.cell(node);
@@ -126,6 +124,18 @@ private:
             for (const int piece : level)
                 for (int k = 0; k < n_local_; ++k)
                     if (state(piece, k) == not_yet) decide(piece, k);
+        count_apart();
+    }
+
+    /// How many functions share their B-spline with another.
+    void count_apart() {
+        std::vector<std::array<int, 3>> splines;
+        for (const auto& [piece, local] : home_) {
+            const LevelFunction f = function_of(piece, local);
+            splines.push_back({f.level, f.x, f.y});
+        }
+        std::sort(splines.begin(), splines.end());
+        s_.n_apart = static_cast<int>(splines.end() - std::unique(splines.begin(), splines.end()));
     }
 
     void decide(int piece, int local) {
@@ -143,9 +153,7 @@ private:
 
     // ---- rows ----
 
-    IntervalKnots along(int axis, int node) const {
-        return s_.interval(axis, s_.level_intervals[at(axis)].of_node[at(node)]);
-    }
+    IntervalKnots along(int axis, int node) const { return s_.interval(axis, s_.level_intervals[at(axis)].of_node[at(node)]); }
 
     /// Knot insertion along an axis: coefficient of the parent's function j in the child's function i at i * (p + 1) + j.
     std::vector<double> insertion(int axis, int parent, int child) const {
@@ -178,7 +186,8 @@ private:
                 ey = insertion(1, all_.pieces[at(parent)].node, all_.pieces[at(piece)].node);
             }
             const int p = s_.x.degree + 1;
-            combine(row(piece, k), parent, [&](int j) { return ex[at(k % p * p + j % p)] * ey[at(k / p * (s_.y.degree + 1) + j / p)]; });
+            combine(row(piece, k), parent,
+                    [&](int j) { return ex[at(k % p * p + j % p)] * ey[at(k / p * (s_.y.degree + 1) + j / p)]; });
         }
     }
 
@@ -205,9 +214,7 @@ private:
 
     // ---- inner and outer functions ----
 
-    bool is_inner(int element) const {
-        return s_.basis != Basis::web || s_.fraction[at(element)] >= inner_cell_fraction;
-    }
+    bool is_inner(int element) const { return s_.basis != Basis::web || s_.fraction[at(element)] >= inner_cell_fraction; }
 
     void find_inner() {
         inner_.assign(home_.size(), 0);

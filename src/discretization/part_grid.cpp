@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/cells/tree_grid.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
@@ -45,6 +46,20 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
         if (begin == 0) lines.back() = box.max[axis];
     }
     return grid;
+}
+
+/// Halves the cells of the scene's boxes.
+geometry::Grid with_boxes(const GridOptions& options, const geometry::Part& local, const Frame& frame, geometry::Grid base) {
+    if (options.refine.empty()) return base;
+    double cells = static_cast<double>(base.columns()) * base.rows();
+    return tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        const bool wanted = std::any_of(options.refine.begin(), options.refine.end(), [&](const GridOptions::Halved& h) {
+            return level < h.levels && (cell.min.array() < (h.high - frame.shift).array()).all() &&
+                   ((h.low - frame.shift).array() < cell.max.array()).all();
+        });
+        if (wanted) refuse_too_many(cells += 3, 1, options.where);
+        return wanted;
+    });
 }
 
 /// One of the grids that the dissertation's search splits its one grid into, in the part's local frame.
@@ -114,7 +129,8 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
     result.local = transformed(source.part, result.frame.c, -result.frame.s, -result.frame.shift);
     result.degree = {scene.accuracy.degree, scene.accuracy.degree};
     if (result.given) {
-        result.grid = explicit_grid(given->second, result.local, result.frame);
+        result.grid =
+            with_boxes(given->second, result.local, result.frame, explicit_grid(given->second, result.local, result.frame));
         result.degree = given->second.degree.value_or(result.degree);
         return result;
     }
