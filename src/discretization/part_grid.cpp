@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/cells/tree_grid.hpp"
 #include "src/base/index.hpp"
@@ -16,6 +17,11 @@ namespace {
 
 /// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
+
+/// A leaf of a tree costs about this times what a cell of a tensor grid does, from the tree to the factor (measured).
+constexpr double price_of_leaf = 2;
+/// Cells are halved no deeper: their size keeps half the digits.
+constexpr int deepest_level = 24;
 
 /// More cells than this in one part are a slip of the pen, not a wish.
 constexpr double most_cells = 4e6;
@@ -77,10 +83,70 @@ std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, c
     std::vector<SizeFeature> features;
     for (const WantedSize& w : wanted) {
         SizeFeature f{{}, w.size, w.growth};
-        for (const Vec2& p : w.points) f.box.extend(frame.to_local(p));
-        features.push_back(f);
+        for (const Vec2& p : w.points) f.line.push_back(frame.to_local(p));
+        for (const Vec2& p : f.line) f.box.extend(p);
+        features.push_back(std::move(f));
     }
     return features;
+}
+
+geometry::Grid tensor_grid(const geometry::Box2& box, const std::array<double, 2>& largest,
+                           const std::vector<SizeFeature>& features) {
+    return {graded_lines(box.min.x(), box.max.x(), 0, largest[0], features),
+            graded_lines(box.min.y(), box.max.y(), 1, largest[1], features)};
+}
+
+/// Cells that hold material.
+double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
+    const std::vector<geometry::CellClass> classes = cut_cells(local, grid).cell_class;
+    const auto empty = std::count(classes.begin(), classes.end(), geometry::CellClass::outer);
+    return static_cast<double>(static_cast<std::ptrdiff_t>(classes.size()) - empty);
+}
+
+/// The base halved where places want smaller cells, and its price; none where that is no less than a price given. filled: the
+/// share of a tensor grid's cells that is taken to hold material.
+std::optional<geometry::Grid> cheaper_tree(const geometry::Part& local, const geometry::Grid& base,
+                                           const std::vector<SizeFeature>& places, double filled, double& price,
+                                           bool& too_deep) {
+    if (price_of_leaf * filled * base.n_cells() >= price) return std::nullopt;
+    double halved = 0;
+    const geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        if (price_of_leaf * halved >= price || !is_too_large(cell, places)) return false;
+        too_deep = too_deep || level == deepest_level;
+        halved += level < deepest_level;
+        return level < deepest_level;
+    });
+    if (halved == 0 || price_of_leaf * halved >= price) return std::nullopt;
+    const double its = price_of_leaf * n_filled(local, tree);
+    if (its >= price) return std::nullopt;
+    price = its;
+    return tree;
+}
+
+/// The cheapest of three: a tensor grid of all wishes; one of the shape's own, or of its extent and walls only, with cells
+/// halved where smaller ones are wanted.
+struct GridChoice {
+    geometry::Grid grid;
+    bool too_deep = false;
+};
+GridChoice cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
+                         const std::vector<SizeFeature>& wanted) {
+    const geometry::Box2 box = bounding_box(local);
+    std::vector<SizeFeature> places = shape.places, own = shape.walls, all;
+    places.insert(places.end(), wanted.begin(), wanted.end());
+    own.insert(own.end(), shape.places.begin(), shape.places.end());
+    all = own;
+    all.insert(all.end(), wanted.begin(), wanted.end());
+    GridChoice choice{tensor_grid(box, largest, all)};
+    const double filled = area(local) / box.size().prod();
+    double price = choice.grid.n_cells() * filled;
+    for (const bool is_of_shape : {true, false}) {
+        const geometry::Grid base = tensor_grid(box, largest, is_of_shape ? own : shape.walls);
+        bool too_deep = false;
+        std::optional<geometry::Grid> tree = cheaper_tree(local, base, is_of_shape ? wanted : places, filled, price, too_deep);
+        if (tree) choice = {std::move(*tree), too_deep};
+    }
+    return choice;
 }
 
 geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
@@ -91,28 +157,32 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
         refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size,
                         "/accuracy/cell_size");
     std::array<double, 2> largest = largest_cells(local, coarseness);
-    std::vector<SizeFeature> features;
+    ShapeFeatures shape;
+    std::vector<SizeFeature> more;
     if (scene.accuracy.cell_size)
         largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
     else
-        features = shape_features(local, coarseness);
-    if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) {
-        const auto more = local_features(wanted, frame);
-        features.insert(features.end(), more.begin(), more.end());
-    }
+        shape = shape_features(local, coarseness);
+    if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) more = local_features(wanted, frame);
     for (const Refinement& r : scene.accuracy.refine) {
         geometry::Box2 around;
         around.extend(Vec2(frame.to_local(r.near) - Vec2::Constant(r.radius)));
         around.extend(Vec2(frame.to_local(r.near) + Vec2::Constant(r.radius)));
-        features.push_back({around, r.cell_size});
+        more.push_back({around, r.cell_size});
     }
-    for (SizeFeature& f : features) f.size *= refinement;
+    for (double& h : largest) h *= refinement;
+    for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+        for (SizeFeature& f : *features) f.size *= refinement;
+    if (scene.accuracy.cell_size) return tensor_grid(box, largest, more);
     for (;;) {
-        geometry::Grid grid{graded_lines(box.min.x(), box.max.x(), 0, refinement * largest[0], features),
-                            graded_lines(box.min.y(), box.max.y(), 1, refinement * largest[1], features)};
-        if (static_cast<double>(grid.columns()) * grid.rows() <= budget || scene.accuracy.cell_size) return grid;
+        GridChoice choice = cheapest_grid(local, largest, shape, more);
+        limited = limited || choice.too_deep;
+        // a tree's cells are where they were asked for: it may have all that there are
+        const double most = choice.grid.tree ? budget * static_cast<double>(scene.parts.size()) : budget;
+        if (choice.grid.n_cells() <= most) return choice.grid;
         limited = true;
-        for (SizeFeature& f : features) f.size *= budget_coarsening;
+        for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+            for (SizeFeature& f : *features) f.size *= budget_coarsening;
         for (double& h : largest) h *= std::sqrt(budget_coarsening);
     }
 }
