@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/cells/tree_grid.hpp"
@@ -103,50 +104,70 @@ double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
     return static_cast<double>(static_cast<std::ptrdiff_t>(classes.size()) - empty);
 }
 
-/// The base halved where places want smaller cells, and its price; none where that is no less than a price given. filled: the
-/// share of a tensor grid's cells that is taken to hold material.
-std::optional<geometry::Grid> cheaper_tree(const geometry::Part& local, const geometry::Grid& base,
-                                           const std::vector<SizeFeature>& places, double filled, double& price,
-                                           bool& too_deep) {
-    if (price_of_leaf * filled * base.n_cells() >= price) return std::nullopt;
+/// The largest cells of a base whose walls want small ones along one axis: no more than so many times as long along the other,
+/// since what is halved stays as long as it is.
+constexpr double longest_of_base = 2;
+
+std::array<double, 2> largest_of_base(std::array<double, 2> largest, const std::vector<SizeFeature>& walls) {
+    std::array<double, 2> least = largest;
+    for (const SizeFeature& f : walls)
+        for (int axis : {0, 1})
+            if (std::isfinite(f.box.min[axis])) least[at(axis)] = std::min(least[at(axis)], f.size);
+    for (int axis : {0, 1}) largest[at(axis)] = std::min(largest[at(axis)], longest_of_base * least[at(1 - axis)]);
+    return largest;
+}
+
+/// What a grid costs, in cells of a tensor grid that hold material; too many cells cost too much.
+struct PricedGrid {
+    geometry::Grid grid;
+    double price;
+    bool too_deep = false;
+};
+
+PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most) {
+    const double each = grid.tree ? price_of_leaf : 1;
+    const double price = grid.n_cells() > most ? std::numeric_limits<double>::infinity() : each * n_filled(local, grid);
+    return {std::move(grid), price};
+}
+
+/// The base halved where places want smaller cells. A tree that grows to cost as much as it may is left unfinished.
+PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, const std::vector<SizeFeature>& places,
+                       double price, double most) {
     double halved = 0;
-    const geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
-        if (price_of_leaf * halved >= price || !is_too_large(cell, places)) return false;
+    bool too_deep = false;
+    geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        if (price_of_leaf * halved >= price || 3 * halved >= most || !is_too_large(cell, places)) return false;
         too_deep = too_deep || level == deepest_level;
         halved += level < deepest_level;
         return level < deepest_level;
     });
-    if (halved == 0 || price_of_leaf * halved >= price) return std::nullopt;
-    const double its = price_of_leaf * n_filled(local, tree);
-    if (its >= price) return std::nullopt;
-    price = its;
-    return tree;
+    PricedGrid result = priced(local, std::move(tree), most);
+    if (price_of_leaf * halved >= price || 3 * halved >= most) result.price = std::numeric_limits<double>::infinity();
+    result.too_deep = too_deep;
+    return result;
 }
 
 /// The cheapest of three: a tensor grid of all wishes; one of the shape's own, or of its extent and walls only, with cells
-/// halved where smaller ones are wanted.
-struct GridChoice {
-    geometry::Grid grid;
-    bool too_deep = false;
-};
-GridChoice cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
-                         const std::vector<SizeFeature>& wanted) {
+/// halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where they were asked for, and it may have
+/// as many as all parts.
+PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
+                         const std::vector<SizeFeature>& wanted, double budget, double budget_of_all) {
     const geometry::Box2 box = bounding_box(local);
     std::vector<SizeFeature> places = shape.places, own = shape.walls, all;
     places.insert(places.end(), wanted.begin(), wanted.end());
     own.insert(own.end(), shape.places.begin(), shape.places.end());
     all = own;
     all.insert(all.end(), wanted.begin(), wanted.end());
-    GridChoice choice{tensor_grid(box, largest, all)};
-    const double filled = area(local) / box.size().prod();
-    double price = choice.grid.n_cells() * filled;
+    PricedGrid best = priced(local, tensor_grid(box, largest, all), budget);
+    const int n_tensor = best.grid.n_cells();
     for (const bool is_of_shape : {true, false}) {
-        const geometry::Grid base = tensor_grid(box, largest, is_of_shape ? own : shape.walls);
-        bool too_deep = false;
-        std::optional<geometry::Grid> tree = cheaper_tree(local, base, is_of_shape ? wanted : places, filled, price, too_deep);
-        if (tree) choice = {std::move(*tree), too_deep};
+        const geometry::Grid base =
+            is_of_shape ? tensor_grid(box, largest, own) : tensor_grid(box, largest_of_base(largest, shape.walls), shape.walls);
+        if (price_of_leaf * base.n_cells() >= n_tensor) continue;  // as it is it already costs as much
+        PricedGrid tree = halved_grid(local, base, is_of_shape ? wanted : places, best.price, budget_of_all);
+        if (tree.price < best.price) best = std::move(tree);
     }
-    return choice;
+    return best;
 }
 
 geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
@@ -175,11 +196,10 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
         for (SizeFeature& f : *features) f.size *= refinement;
     if (scene.accuracy.cell_size) return tensor_grid(box, largest, more);
     for (;;) {
-        GridChoice choice = cheapest_grid(local, largest, shape, more);
-        limited = limited || choice.too_deep;
-        // a tree's cells are where they were asked for: it may have all that there are
-        const double most = choice.grid.tree ? budget * static_cast<double>(scene.parts.size()) : budget;
-        if (choice.grid.n_cells() <= most) return choice.grid;
+        PricedGrid cheapest =
+            cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()));
+        limited = limited || cheapest.too_deep;
+        if (std::isfinite(cheapest.price)) return cheapest.grid;
         limited = true;
         for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
             for (SizeFeature& f : *features) f.size *= budget_coarsening;
