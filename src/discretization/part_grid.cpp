@@ -58,15 +58,26 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
 /// Halves the cells of the scene's boxes.
 geometry::Grid with_boxes(const GridOptions& options, const geometry::Part& local, const Frame& frame, geometry::Grid base) {
     if (options.refine.empty()) return base;
-    double cells = static_cast<double>(base.columns()) * base.rows();
-    return tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
-        const bool wanted = std::any_of(options.refine.begin(), options.refine.end(), [&](const GridOptions::Halved& h) {
-            return level < h.levels && (cell.min.array() < (h.high - frame.shift).array()).all() &&
-                   ((h.low - frame.shift).array() < cell.max.array()).all();
-        });
+    double cells = base.n_cells();
+    std::vector<char> halves(options.refine.size(), 0);
+    geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        bool wanted = false;
+        for (std::size_t k = 0; k < halves.size(); ++k) {
+            const GridOptions::Halved& h = options.refine[k];
+            if (level >= h.levels || !((cell.min.array() < (h.high - frame.shift).array()).all() &&
+                                       ((h.low - frame.shift).array() < cell.max.array()).all()))
+                continue;
+            wanted = true;
+            halves[k] = 1;
+        }
         if (wanted) refuse_too_many(cells += 3, 1, options.where);
         return wanted;
     });
+    for (std::size_t k = 0; k < halves.size(); ++k)
+        if (!halves[k])
+            throw InputError(options.where + "/refine/" + std::to_string(k), "the box overlaps no cell of the part",
+                             "its corners are in assembly coordinates turned by -angle");
+    return tree;
 }
 
 /// One of the grids that the dissertation's search splits its one grid into, in the part's local frame.
