@@ -36,8 +36,9 @@ constexpr int max_passes = 7;  // on the same candidates
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
-/// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
-constexpr double affordable_unknowns = 40000, affordable_growth = 12;
+/// Unknowns that end the path at the standard target, in all and for each contact (on cells that are small at contacts and
+/// nowhere else one takes about a third on both sides), and as a multiple of the first grids'.
+constexpr double affordable_unknowns = 40000, affordable_by_contact = 4000, affordable_growth = 12;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
 
@@ -235,7 +236,8 @@ private:
 
     /// Finer grids would cost more than a user of this level would expect.
     bool too_dear() const {
-        const double affordable = std::max(affordable_unknowns * std::sqrt(standard_target / out_.target),
+        const double contacts = affordable_by_contact * static_cast<double>(out_.candidates.size());
+        const double affordable = std::max(std::max(affordable_unknowns, contacts) * std::sqrt(standard_target / out_.target),
                                            affordable_growth * out_.passes[comparable_from_].unknowns);
         return out_.passes.back().unknowns > affordable;
     }

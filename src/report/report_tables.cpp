@@ -175,12 +175,19 @@ std::string smallest_step(const std::vector<double>& knots) {
     return step > 0 ? number_text(step, 3) : "–";
 }
 
+/// Columns and rows, and how often cells are halved.
+std::string grid_text(const PartResult& p) {
+    std::string text = std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1);
+    int levels = 0;
+    for (const PartResult::Halved& h : p.halved) levels = std::max(levels, h.levels);
+    return levels > 0 ? text + ", halved up to " + counted(static_cast<std::size_t>(levels), "time") : text;
+}
+
 std::string grid_table(const Result& result, const ResultUnits& u) {
     Rows rows;
     for (const PartResult& p : result.parts) {
         if (!p.solved || p.grid_x.size() < 2 || p.grid_y.size() < 2) continue;
-        rows.push_back({p.name, std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1),
-                        smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y),
+        rows.push_back({p.name, grid_text(p), smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y),
                         number_text(p.grid_angle * 180 / std::numbers::pi, 4), count_text(p.cells_inner),
                         count_text(p.cells_boundary), count_text(p.cells_outer), count_text(p.unknowns)});
     }

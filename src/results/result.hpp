@@ -71,6 +71,12 @@ struct PartResult {
     std::optional<double> utilisation{};  ///< largest von Mises stress over the material's yield; unset: the yield is not known
     double grid_angle = 0;                ///< radians
     std::vector<double> grid_x, grid_y;   ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    /// A box whose cells are halved so many times, in the grid's frame as the lines are.
+    struct Halved {
+        Vec2 low, high;
+        int levels;
+    };
+    std::vector<Halved> halved{};  ///< the smallest boxes that tell all halved cells; empty: a tensor grid
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
     CutQuality quality;
 };

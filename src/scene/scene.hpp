@@ -146,11 +146,17 @@ struct ContactOptions {
 
 /// The grid of one part as the scene gives it.
 struct GridOptions {
+    /// Cells that overlap a box, in the grid's own frame, are halved so many times, and those around it as neighbours need.
+    struct Halved {
+        Vec2 low, high;
+        int levels;
+    };
     std::vector<double> x, y;        ///< knots (grid lines), assembly coordinates turned by -angle; empty: cells
     std::array<int, 2> cells{0, 0};  ///< over the part's bounding box (in the grid's own frame)
     Vec2 offset{0, 0};               ///< moves the grid of `cells`, in the grid's own frame
     double angle = 0;                ///< radians
     std::optional<std::array<int, 2>> degree;
+    std::vector<Halved> refine;
     std::string where;
 };
 
