@@ -56,9 +56,10 @@ auto with_progress(Analysis analysis, const Scene& scene, bool quiet, int thread
     return analysis(scene, options);
 }
 
-void print_result(const Result& result, const std::string& folder, const Arguments& arguments, const Output& output) {
+void print_result(const Result& result, const ModelFacts& model, const std::string& folder, const Arguments& arguments,
+                  const Output& output) {
     if (has(arguments, "--json")) {
-        print_text(result_json(result));
+        print_text(result_json(result, model));
     } else if (!has(arguments, "--quiet")) {
         print_text(result_table(result));
         std::cout << main_file_line(folder, output);
@@ -110,10 +111,13 @@ std::string why_not(const std::vector<CaseResult>& cases) {
     return why;
 }
 
-int analyze_all_cases(const Scene& scene, const std::string& folder, const Arguments& arguments, const Stopwatch& watch) {
+int analyze_all_cases(const Scene& scene, const ModelSources& sources, const std::string& folder, const Arguments& arguments,
+                      const Stopwatch& watch) {
     const bool quiet = has(arguments, "--quiet");
     std::vector<CaseResult> cases = with_progress(analyze_cases, scene, quiet, threads_of(arguments));
-    write_case_results(cases, folder, scene.output.formats, watch);
+    std::vector<ModelFacts> models;
+    for (const LoadCase& c : scene.cases) models.push_back(facts_of_run(scene_of_case(scene, c), sources, watch));
+    write_case_results(cases, models, folder, scene.output.formats, watch);
     if (has(arguments, "--json"))
         print_text(cases_json(cases));
     else if (!quiet)
@@ -153,6 +157,7 @@ CommandSpec analyze_spec() {
 int analyze_command(const Arguments& arguments) {
     const Stopwatch watch;
     Scene scene = read_scene(arguments.operand);
+    const ModelSources sources = model_sources(scene);
     if (has(arguments, "--case")) scene = scene_of_case(scene, case_named(scene, arguments.options.at("--case")));
     const double reading_seconds = watch.seconds();
     refuse_guesses(scene, arguments);
@@ -166,11 +171,12 @@ int analyze_command(const Arguments& arguments) {
     check_formats(scene);
     const std::string folder = value_or(arguments, "-o", "out");
     prepare_output_folder(folder);
-    if (!scene.cases.empty()) return analyze_all_cases(scene, folder, arguments, watch);
+    if (!scene.cases.empty()) return analyze_all_cases(scene, sources, folder, arguments, watch);
     Result result = with_progress(analyze, scene, has(arguments, "--quiet"), threads);
     complete_import_time(result, reading_seconds);
-    write_results(result, folder, scene.output.formats, watch);
-    print_result(result, folder, arguments, scene.output);
+    const ModelFacts model = facts_of_run(scene, sources, watch);
+    write_results(result, model, folder, scene.output.formats, watch);
+    print_result(result, model, folder, arguments, scene.output);
     const bool as_expected = tell_expectations(scene, result, arguments);
     return exit_status(arguments, verdict_of(result), as_expected,
                        result.status == "ok" ? reasons_text(result) : result.message);

@@ -96,6 +96,7 @@ void note_answer(const Result& result, JobRecord& record) {
 void analyze_job(const JobSettings& settings, Scene& scene, const std::string& folder, const Stopwatch& watch,
                  JobRecord& record) {
     const double reading_seconds = watch.seconds();
+    const ModelSources sources = model_sources(scene);
     override_accuracy(scene.accuracy, settings.arguments);
     check_formats(scene);
     AnalyzeOptions options;
@@ -104,7 +105,7 @@ void analyze_job(const JobSettings& settings, Scene& scene, const std::string& f
     complete_import_time(result, reading_seconds);
     note_answer(result, record);
     writing([&] {
-        write_results(result, folder, scene.output.formats, watch);
+        write_results(result, facts_of_run(scene, sources, watch), folder, scene.output.formats, watch);
         write_file(folder, "thumbnail.svg", thumbnail(scene, result));
     });
 }

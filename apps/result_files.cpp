@@ -2,7 +2,10 @@
 #include "apps/result_files.hpp"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cstddef>
+#include <ctime>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -30,6 +33,17 @@ void set_time(Result& result, const std::string& name, double seconds) {
     auto entry = std::find_if(result.timing.begin(), result.timing.end(), [&](const auto& e) { return e.first == name; });
     if (entry == result.timing.end()) entry = result.timing.insert(entry, {name, 0.0});
     entry->second = seconds;
+}
+
+/// "2026-01-31T12:00:00Z", so many seconds ago.
+std::string utc_time(double seconds_ago) {
+    const std::chrono::duration<double> ago(seconds_ago);
+    const auto then = std::chrono::system_clock::now() - std::chrono::duration_cast<std::chrono::system_clock::duration>(ago);
+    const std::time_t time = std::chrono::system_clock::to_time_t(then);
+    std::tm parts{};
+    gmtime_r(&time, &parts);
+    std::array<char, 32> text{};
+    return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
 std::string contact_file(std::size_t k) {
@@ -88,29 +102,35 @@ void complete_import_time(Result& result, double seconds) {
     }
 }
 
-void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
+ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const Stopwatch& since_start) {
+    ModelFacts facts = model_facts(scene, sources);
+    facts.begun = utc_time(since_start.seconds());
+    return facts;
+}
+
+void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start) {
     const Stopwatch output;
     set_time(result, "output", 0);
     remove_cases(folder);
     if (holds(formats, "csv")) write_contacts(result, folder);
     set_time(result, "total", since_start.seconds());
-    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result));
+    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model));
     set_time(result, "output", output.seconds());
     set_time(result, "total", since_start.seconds());
     predict_next_level(result);  // with the time of writing
-    if (holds(formats, "json")) write_file(folder, "result.json", result_json(result));
+    if (holds(formats, "json")) write_file(folder, "result.json", result_json(result, model));
 }
 
-void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
-                        const Stopwatch& since_start) {
+void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
+                        const std::vector<std::string>& formats, const Stopwatch& since_start) {
     remove_cases(folder);
     remove_file(folder, "result.json");
     remove_contacts_from(0, folder);
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
-        write_results(cases[k].result, own, formats, since_start);
+        write_results(cases[k].result, models[k], own, formats, since_start);
     }
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
     if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases));

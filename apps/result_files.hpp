@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/stopwatch.hpp"
+#include "src/plan/model_facts_of.hpp"
 #include "src/results/case_result.hpp"
 #include "src/scene/scene.hpp"
 
@@ -16,15 +17,18 @@ void check_formats(const Scene& scene);
 /// Adds the time of reading the scene to the timing, where the analysis has not stated it.
 void complete_import_time(Result& result, double seconds);
 
+/// What is known of the model; the run began when `since_start` did.
+ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const Stopwatch& since_start);
+
 /// Writes the formats asked for; removes the contact_<k>.csv of an earlier run with more contacts. `since_start` runs since the
 /// program's start: the timing "total" and "output" are completed with it, up to the writing of result.json, which comes last.
-void write_results(Result& result, const std::string& folder, const std::vector<std::string>& formats,
+void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start);
 
 /// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
 /// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there.
-void write_case_results(std::vector<CaseResult>& cases, const std::string& folder, const std::vector<std::string>& formats,
-                        const Stopwatch& since_start);
+void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
+                        const std::vector<std::string>& formats, const Stopwatch& since_start);
 
 /// The line that names the report, "report: DIR/report.html", or the first file there is where no report is asked for; empty
 /// where none is.

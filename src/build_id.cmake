@@ -5,7 +5,8 @@ foreach(floor geometry solver src apps)
   file(GLOB_RECURSE of_floor ${SOURCE_DIR}/${floor}/*.cpp ${SOURCE_DIR}/${floor}/*.hpp ${SOURCE_DIR}/${floor}/CMakeLists.txt)
   list(APPEND sources ${of_floor})
 endforeach()
-file(GLOB tables ${SOURCE_DIR}/data/materials/*.json ${SOURCE_DIR}/data/drafting_layers.csv)  # compiled in
+file(GLOB tables ${SOURCE_DIR}/data/materials/*.json ${SOURCE_DIR}/data/drafting_layers.csv
+     ${SOURCE_DIR}/src/report/web/page.css ${SOURCE_DIR}/src/report/web/bundle/report.css ${SOURCE_DIR}/src/report/web/bundle/report.js)  # compiled in
 list(APPEND sources ${tables})
 set(all)
 foreach(source IN LISTS sources)

@@ -6,7 +6,7 @@
 #include "src/batch/batch_summary.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
-#include "src/report/report_sections.hpp"
+#include "src/report/page_texts.hpp"
 
 namespace abut {
 
@@ -217,9 +217,9 @@ std::string index_html(const BatchSummary& summary, const std::string& title) {
         std::any_of(summary.jobs.begin(), summary.jobs.end(), [](const JobRecord& job) { return !job.parameters.empty(); });
     const std::vector<const Column*> numbers = known_columns(summary);
     std::string html =
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+        "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"light\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-        name + "</title>\n<style>" + report::style_sheet() + style + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
+        name + "</title>\n<style>" + report::page_style_text() + style + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
         "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) +
         "<tbody>\n";
     for (const JobRecord* job : failures_first(summary)) html += row(*job, parameters, numbers);

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/batch/job_key.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
-#include <array>
-#include <cinttypes>
-#include <cstdio>
 #include <filesystem>
 
 #include "src/io/json_document.hpp"
@@ -50,12 +45,6 @@ std::vector<std::string> names_in(const std::string& text) {
 }
 
 }  // namespace
-
-std::string content_hash(std::string_view bytes) {
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016" PRIx64, XXH3_64bits(bytes.data(), bytes.size()));
-    return text.data();
-}
 
 std::vector<InputFile> input_files(const std::string& file) {
     const FileStamp stamp = file_stamp(file);

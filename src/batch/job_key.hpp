@@ -3,15 +3,12 @@
 #pragma once
 #include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "src/io/content_hash.hpp"
 #include "src/io/file_stamp.hpp"
 
 namespace abut {
-
-/// 16 hexadecimal digits (XXH3, 64 bits). Tells changes of files apart, not forgeries.
-std::string content_hash(std::string_view bytes);
 
 /// A file that is read, and the hash of its contents; "missing" where it is not there.
 struct InputFile {

@@ -27,13 +27,7 @@ Cut cut_of(const Load& load, const Frame& frame) {
 
 /// The box of an element's cell.
 geometry::Box2 box_of(const PartOnGrid& g, int element) {
-    const geometry::Grid& grid = g.cells.grid;
-    const int cell = g.elements.cell_of(element);
-    const auto c = at(grid.column_of(cell)), r = at(grid.row_of(cell));
-    geometry::Box2 box;
-    box.extend(Vec2(grid.x[c], grid.y[r]));
-    box.extend(Vec2(grid.x[c + 1], grid.y[r + 1]));
-    return box;
+    return g.cells.grid.box(g.elements.cell_of(element));
 }
 
 Vec2 middle_of(const PartOnGrid& g, int element) {
@@ -60,7 +54,7 @@ bool meets(const Cut& cut, const geometry::Box2& box) {
 /// The side of every element; empty where some hang together past the cut, or nothing is on one of its sides.
 std::vector<Side> sides_of(const PartOnGrid& g, const Cut& cut) {
     const solver::SplineSpace& space = g.input.space;
-    const solver::ElementGraph graph(space.columns(), space.rows(), space.fraction, space.splits);
+    const solver::ElementGraph graph(space.columns(), space.rows(), space.fraction, space.splits, space.tree.get());
     std::vector<Side> side(at(graph.n_elements()), Side::none);
     for (int e = 0; e < graph.n_elements(); ++e)
         if (graph.has_material(e) && meets(cut, box_of(g, e))) side[at(e)] = Side::cut;
@@ -112,7 +106,8 @@ Eigen::VectorXd pull_displacement(const Load& load, const PartOnGrid& g) {
     const std::vector<Side> side = sides_of(g, cut);
     if (side.empty())
         refuse(load, "it does not part it in two",
-               "let both its ends lie on the outline or outside, right across the shank, so that nothing else joins the two sides");
+               "let both its ends lie on the outline or outside, right across the shank, so that nothing else joins the two "
+               "sides");
     const std::vector<char> beyond = functions_beyond(g, cut, side);
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * g.input.space.n_functions);
     for (int f = 0; f < g.input.space.n_functions; ++f)

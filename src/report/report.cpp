@@ -4,6 +4,8 @@
 #include "src/io/build_id.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
+#include "src/report/page_data.hpp"
+#include "src/report/page_texts.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/results/result_units.hpp"
@@ -12,15 +14,23 @@ namespace abut {
 
 namespace {
 
-std::string page(const Result& result, const std::string& body) {
+/// What the script needs; in a form that is XML as well as HTML.
+std::string script(const Result& result, const ModelFacts& model) {
+    return "<style>" + std::string(report::instrument_style_text()) +
+           "</style>\n<script type=\"application/json\" id=\"abut-data\">" + report::page_data(result, model) +
+           "</script>\n<script>//<![CDATA[\n" + report::instrument_script_text() + "//]]></script>\n";
+}
+
+std::string page(const Result& result, const std::string& body, const std::string& end = "") {
     const std::string title = escape_xml(result.title.empty() ? "Contact analysis" : result.title);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-           title + "</title>\n<style>" + report::style_sheet() + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           body + "<footer>Made by abut " + program_build() +
+           title + "</title>\n<style>" + report::page_style_text() + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
+           "</h1>\n" + body + "<footer>Made by abut " + program_build() +
            ". Forces and moments are totals over the thickness; counter-clockwise moments about the origin "
            "are positive; "
-           "pressures push.</footer>\n</main>\n</body>\n</html>\n";
+           "pressures push.</footer>\n</main>\n" +
+           end + "</body>\n</html>\n";
 }
 
 std::string loads_text(const CaseResult& c) {
@@ -49,9 +59,14 @@ std::string envelope_table(const std::vector<CaseResult>& cases) {
 
 }  // namespace
 
-std::string report_html(const Result& result) {
-    return page(result, report::verdict_box(result) + report::warnings_box(result) + report::assembly_section(result) +
-                            report::fields_section(result) + report::contacts_section(result) + report::tables_section(result));
+std::string report_html(const Result& result, const ModelFacts& model) {
+    // The script shows its instrument instead of the pictures, which remain for paper and for browsers without scripts.
+    const std::string pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) +
+                                 report::fields_section(result) + report::contacts_section(result) + "</div>\n";
+    return page(result,
+                report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" + pictures +
+                    report::model_section(result, model) + report::tables_section(result),
+                result.geometry.empty() ? "" : script(result, model));
 }
 
 std::string cases_html(const std::vector<CaseResult>& cases) {

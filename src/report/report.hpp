@@ -3,11 +3,12 @@
 #include <string>
 
 #include "src/results/case_result.hpp"
+#include "src/results/model_facts.hpp"
 
 namespace abut {
 
-/// The text of report.html: one file, no network.
-std::string report_html(const Result& result);
+/// The text of report.html: one file, no network. model: what was analysed; the report does without where it is not known.
+std::string report_html(const Result& result, const ModelFacts& model = {});
 
 /// The text of the page over the load cases of a scene: what each came to, with a link to its own page
 /// (CASE_FOLDER/report.html), and what is largest in any.

@@ -135,7 +135,8 @@ std::string assembly_section(const Result& result) {
     svg += support_signs(result.support_marks, view, places) + load_arrows(result, view, places);
     svg += contact_marks(result, view, places);
     svg += part_names(result, view, places) + "</svg>\n";
-    return "<section><h2>Assembly</h2>\n<div class=\"row\">" + figure(svg, "", size.width) + "<div class=\"legends\">\n" +
+    return "<section><h2>Assembly</h2>\n<div class=\"row\">" +
+           figure(svg, "Parts, contacts, supports and loads, as drawn", size.width) + "<div class=\"legends\">\n" +
            part_legend(result) + sign_legend(result) + contact_list(result) + "</div></div></section>\n";
 }
 

@@ -19,7 +19,7 @@ struct Patch {
 };
 
 /// Number of colour bands: enough to look smooth, few enough to keep the picture small.
-inline constexpr int n_bands = 40;
+inline constexpr int n_bands = 24;
 
 /// The fill colour of a band ("#rrggbb").
 std::string band_color(int band);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/report/svg.hpp"
+#include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
 
 namespace abut::report {
@@ -40,7 +41,7 @@ std::string contact_curves(const Result& result, std::size_t contact);
 /// The stress around the contact with the pressure drawn on its edge (report_closeup.cpp); empty without a profile.
 std::string contact_closeup(const Result& result, std::size_t contact);
 
-/// The page's style sheet.
-std::string style_sheet();
+/// What was analysed (report_model.cpp); empty for a result that was not made from a scene.
+std::string model_section(const Result& result, const ModelFacts& model);
 
 }  // namespace abut::report

@@ -133,7 +133,8 @@ std::string part_table(const Result& result, const ResultUnits& u) {
                         : p.solved ? count_text(p.unknowns)
                                    : "not analysed: no load reaches it",
                         value(p.max_displacement), at(p.max_displacement),
-                        known(p.max_von_mises) ? largest_stress_text(p, 5, "") : "–", at(p.max_von_mises)});
+                        known(p.max_von_mises) ? largest_stress_text(p, 5, "") : "–", at(p.max_von_mises),
+                        p.utilisation ? percent_text(*p.utilisation) : "–"});
     }
     return subsection("Parts", html_table({{"part"},
                                            {"material"},
@@ -142,7 +143,8 @@ std::string part_table(const Result& result, const ResultUnits& u) {
                                            {heading("max displacement", u.length), true},
                                            {heading("at", u.length), true},
                                            {heading("max von Mises", u.stress), true},
-                                           {heading("at", u.length), true}},
+                                           {heading("at", u.length), true},
+                                           {"of the yield", true}},
                                           rows));
 }
 
@@ -290,8 +292,17 @@ std::string tables_section(const Result& result) {
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);
     html += part_table(result, units) + probe_table(result, units);
-    if (result.unknowns > 0) html += accuracy_table(result) + grid_table(result, units) + quality_table(result);
-    return html + effect_table(result) + timing_bars(result) + "</section>\n";
+    std::string developers;
+    if (result.unknowns > 0) {
+        html += accuracy_table(result);
+        developers = grid_table(result, units) + quality_table(result);
+    }
+    developers += effect_table(result) + timing_bars(result);
+    return html +
+           (developers.empty() ? ""
+                               : "<details><summary>For developers: grids, self checks, effects, time</summary>\n" +
+                                     developers + "</details>\n") +
+           "</section>\n";
 }
 
 }  // namespace abut::report

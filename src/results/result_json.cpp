@@ -6,6 +6,7 @@
 
 #include "src/io/build_id.hpp"
 #include "src/results/functional_json.hpp"
+#include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
 #include "src/results/verdict.hpp"
 
@@ -197,8 +198,9 @@ Json solver(const Result& r) {
     return j;
 }
 
-Json timing(const Result& r) {
+Json timing(const Result& r, const ModelFacts& model) {
     Json times = Json::object();
+    if (!model.begun.empty()) times["begun"] = model.begun;
     for (const auto& [stage, seconds] : r.timing) times[stage] = number(seconds);
     if (!r.passes.empty()) times["passes"] = list_of(r.passes, [](const PassSummary& p) { return number(p.seconds); });
     if (r.next_level) times["next_level"] = {{"accuracy", r.next_level->accuracy}, {"seconds", number(r.next_level->seconds)}};
@@ -225,19 +227,20 @@ void hide_what_was_not_reached(Json& j, const Result& r) {
     if (r.solver.condition_estimate == 0) j["solver"]["condition_estimate"] = nullptr;
 }
 
-Json to_json(const Result& r) {
+Json to_json(const Result& r, const ModelFacts& model) {
     const bool failed = r.status != "ok";
     Json j = {{"abut", 1}, {"title", r.title}, {"status", r.status}};
     if (failed) j["message"] = r.message;
     j["build"] = program_build();
     j["verdict"] = verdict_word(verdict_of(r));
     j["reasons"] = list_of(r.reasons, [](const Reason& reason) { return Json{{"kind", reason.kind}, {"text", reason.text}}; });
+    if (!model.analysis.empty()) j["model"] = Json::parse(model_json(model));
     j["unknowns"] = r.unknowns;
     j["degree"] = r.degree;
     j["multipliers"] = r.multipliers;
     j["cells"] = {{"inner", r.cells[0]}, {"boundary", r.cells[1]}, {"outer", r.cells[2]}};
     j["solver"] = solver(r);
-    j["timing"] = timing(r);
+    j["timing"] = timing(r, model);
     j["effects"] = list_of(r.effects, effect);
     j["strain_energy"] = number(r.strain_energy);
     j["equilibrium"] = equilibrium(r);
@@ -313,8 +316,12 @@ void print(const Json& j, const std::string& indent, std::string& text) {
 }  // namespace
 
 std::string result_json(const Result& result) {
+    return result_json(result, ModelFacts{});
+}
+
+std::string result_json(const Result& result, const ModelFacts& model) {
     std::string text;
-    print(to_json(result), "", text);
+    print(to_json(result, model), "", text);
     return text + "\n";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a study.
 #include "src/io/escape_xml.hpp"
-#include "src/report/report_sections.hpp"
+#include "src/report/page_texts.hpp"
 #include "src/results/result_units.hpp"
 #include "src/study/study_page.hpp"
 
@@ -59,9 +59,9 @@ constexpr const char* method =
 
 std::string study_html(const Study& study) {
     const std::string title = escape_xml("What accuracy costs: " + (study.title.empty() ? study.file : study.title));
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+    return "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"light\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-           title + "</title>\n<style>" + report::style_sheet() + study_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+           title + "</title>\n<style>" + report::page_style_text() + study_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
            title + "</h1>\n" + verdict(study) + notes_box(study) + report::errors_section(study) +
            report::stages_section(study) + report::growth_section(study) + report::runs_section(study) + "<footer>" + method +
            "</footer>\n</main>\n</body>\n</html>\n";

@@ -9,9 +9,19 @@
 
 namespace abut {
 
+/// The page without what stands in its scripts.
+inline std::string without_scripts(std::string page) {
+    for (std::size_t at = page.find("<script"); at != std::string::npos; at = page.find("<script", at + 1)) {
+        const std::size_t begin = page.find('>', at) + 1;
+        page.erase(begin, page.find("</script>", begin) - begin);
+    }
+    return page;
+}
+
 /// What is wrong with the markup, "" if nothing: every element is closed in its turn (the report is written so that it is
 /// well-formed XML as well as HTML), ids are unique, and references point at them.
-inline std::string fault(const std::string& page) {
+inline std::string fault(const std::string& whole_page) {
+    const std::string page = without_scripts(whole_page);
     std::vector<std::string> open;
     for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at + 1)) {
         if (page.compare(at, 2, "<!") == 0) continue;

@@ -41,9 +41,11 @@ TEST(ReportFault, FindsWhatIsWrong) {
 }
 
 TEST(Report, IsOneWellFormedFileWithoutTheNetwork) {
-    const std::string page = report_html(bracket());
-    EXPECT_EQ(fault(page), "");
-    EXPECT_LT(page.size(), 500'000u);
+    const std::string whole = report_html(bracket()), page = without_scripts(whole);
+    EXPECT_EQ(fault(whole), "");
+    EXPECT_LT(whole.size(), 1'000'000u);
+    EXPECT_EQ(count(whole, "]]>"), 1) << "the end of the script that XML sees";
+    EXPECT_EQ(count(whole, "</script>"), 2);
     for (const char* outside : {"src=", "href=", "@import", "@font-face", "url(http"})
         EXPECT_FALSE(has(page, outside)) << outside;
     EXPECT_EQ(count(page, "http"), count(page, "http://www.w3.org/2000/svg"));
@@ -55,6 +57,23 @@ TEST(Report, SaysTheVerdictInWords) {
     EXPECT_TRUE(
         has(report_html(bracket()),
             "<p class=\"facts\">1 contact, largest pressure 132.4 MPa on bracket/hole at (0, 40); residual 3e-13; 0.082 s"));
+}
+
+TEST(Report, SaysWhatWasAnalysed) {
+    EXPECT_FALSE(has(report_html(bracket()), "<h2>Model</h2>"));
+    ModelFacts model;
+    model.begun = "2026-01-31T12:00:00Z";
+    model.files = {{"bracket.json", "2d06800538d394c2"}};
+    model.analysis = "plane_stress";
+    model.materials = {{"steel", 210000, 0.3, {}, {}, 355.0}, {"rigid", 0, 0, {}, {}, {}, true}};
+    model.parts = {{"bracket", "steel", 10}, {"pin", "steel", 1, true}};
+    model.loads = {{"pull", "force", {0, -20000}, "N", {"pin"}}, {"", "pressure", {}, "MPa", {"bracket/top"}}};
+    model.supports = {{"fix x, y on bracket/bottom", {"bracket/bottom"}}};
+    const std::string page = without_scripts(report_html(bracket(), model));
+    EXPECT_EQ(fault(page), "");
+    for (const char* words : {"bracket.json (2d06800538d394c2)", "2026-01-31T12:00:00Z", "plane stress", "210000", "355",
+                              "1 (none was given)", "pull: force (0, -20000) N", "pressure that varies", "mm, N, MPa"})
+        EXPECT_TRUE(has(page, words)) << words;
 }
 
 TEST(Report, HasEverySection) {

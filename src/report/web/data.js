@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's data (src/report/page_data.hpp), unpacked.
+
+export const components = ['ux', 'uy', 'xx', 'yy', 'xy', 'zz'];
+
+/// Signed integers in groups of seven bits.
+function integers(base64) {
+    const text = atob(base64), list = [];
+    for (let i = 0; i < text.length;) {
+        let rest = 0, factor = 1, byte;
+        do {
+            byte = text.charCodeAt(i++);
+            rest += (byte & 127) * factor;
+            factor *= 128;
+        } while (byte > 127);
+        list.push(rest % 2 ? -(rest + 1) / 2 : rest / 2);
+    }
+    return list;
+}
+
+/// Places and components: x, y of n samples; value[6 i + c].
+function unpackSamples(packed, field) {
+    const from = integers(packed), n = from.length / 8, x = new Float64Array(n), y = new Float64Array(n), value = new Float32Array(6 * n), now = new Float64Array(8);
+    for (let i = 0; i < n; ++i) {
+        for (let c = 0; c < 8; ++c) now[c] += from[8 * i + c];
+        x[i] = field.origin[0] + field.step * now[0];
+        y[i] = field.origin[1] + field.step * now[1];
+        for (let c = 0; c < 6; ++c) value[6 * i + c] = now[2 + c] === -32768 ? NaN : now[2 + c] / 32767 * field.scale[c];
+    }
+    return {n, x, y, value};
+}
+
+/// Four samples for each patch, counter-clockwise.
+function unpackPatches(packed) {
+    let first = 0;
+    return Int32Array.from(integers(packed), (difference, k) => k % 4 === 0 ? first += difference : first + difference);
+}
+
+function unpackPart(part, facts) {
+    const field = part.field, samples = unpackSamples(field.samples, field), loops = unpackSamples(field.loops, field);
+    let end = 0;
+    const ranges = field.loop_sizes.map(size => [end, end += size]);
+    const own = facts.parts.find(p => p.name === part.name);
+    const material = own && facts.materials.find(m => m.name === own.material);
+    return {...part, samples, loops, ranges, inside: field.inside, patches: unpackPatches(field.patches),
+        hasField: samples.n > 0, E: material?.E ?? NaN, nu: material?.nu ?? NaN, box: boxOf(loops.x, loops.y)};
+}
+
+export function boxOf(x, y) {
+    const box = {x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity};
+    for (let i = 0; i < x.length; ++i) {
+        box.x0 = Math.min(box.x0, x[i]);
+        box.x1 = Math.max(box.x1, x[i]);
+        box.y0 = Math.min(box.y0, y[i]);
+        box.y1 = Math.max(box.y1, y[i]);
+    }
+    return box;
+}
+
+export function joinedBox(boxes) {
+    return boxes.reduce((a, b) => ({x0: Math.min(a.x0, b.x0), x1: Math.max(a.x1, b.x1), y0: Math.min(a.y0, b.y0), y1: Math.max(a.y1, b.y1)}));
+}
+
+/// Is a point inside the loops of a part (as drawn, undeformed)?
+export function isInside(part, px, py) {
+    let inside = false;
+    const {x, y} = part.loops;
+    for (const [from, to] of part.ranges)
+        for (let i = from, j = to - 1; i < to; j = i++)
+            if ((y[i] > py) !== (y[j] > py) && px < (x[j] - x[i]) * (py - y[i]) / (y[j] - y[i]) + x[i]) inside = !inside;
+    return inside;
+}
+
+/// The displacement of the boundary of a part where it is nearest to a point.
+function boundaryDisplacement(part, px, py) {
+    const {x, y, value} = part.loops;
+    let best = Infinity, ux = 0, uy = 0;
+    for (const [from, to] of part.ranges)
+        for (let i = from, j = to - 1; i < to; j = i++) {
+            const dx = x[i] - x[j], dy = y[i] - y[j], length = dx * dx + dy * dy;
+            const t = length > 0 ? Math.min(1, Math.max(0, ((px - x[j]) * dx + (py - y[j]) * dy) / length)) : 0;
+            const distance = (px - x[j] - t * dx) ** 2 + (py - y[j] - t * dy) ** 2;
+            if (distance >= best) continue;
+            best = distance;
+            ux = value[6 * j] + t * (value[6 * i] - value[6 * j]);
+            uy = value[6 * j + 1] + t * (value[6 * i + 1] - value[6 * j + 1]);
+        }
+    return [ux, uy];
+}
+
+/// Adds to a contact what drawing it needs: displacements and outward normals of the first part along its profile, and a common
+/// abscissa where the profile runs over several edges.
+function prepareContact(contact, parts) {
+    const p = contact.profile, first = parts[contact.parts[0]], n = p.x.length;
+    contact.first = first;
+    contact.ux = new Float64Array(n);
+    contact.uy = new Float64Array(n);
+    contact.nx = new Float64Array(n);
+    contact.ny = new Float64Array(n);
+    let votes = 0;
+    const length = n > 1 ? Math.hypot(p.x[n - 1] - p.x[0], p.y[n - 1] - p.y[0]) + 1e-12 : 1;
+    for (let i = 0; i < n; ++i) {
+        const a = Math.max(0, i - 1), b = Math.min(n - 1, i + 1), tx = p.x[b] - p.x[a], ty = p.y[b] - p.y[a], l = Math.hypot(tx, ty) || 1;
+        contact.nx[i] = ty / l;
+        contact.ny[i] = -tx / l;
+        votes += isInside(first, p.x[i] + 1e-3 * length * contact.nx[i], p.y[i] + 1e-3 * length * contact.ny[i]) ? -1 : 1;
+        [contact.ux[i], contact.uy[i]] = boundaryDisplacement(first, p.x[i], p.y[i]);
+    }
+    if (votes < 0)
+        for (let i = 0; i < n; ++i) {
+            contact.nx[i] *= -1;
+            contact.ny[i] *= -1;
+        }
+    contact.along = p.s.slice();
+    if (p.edges.length > 1)
+        for (let i = 0, s = 0; i < n; ++i) contact.along[i] = s += i ? Math.hypot(p.x[i] - p.x[i - 1], p.y[i] - p.y[i - 1]) : 0;
+    contact.peak = Math.max(0, ...p.pressure.map(Math.abs));
+    contact.isOpen = contact.status === 'open';
+}
+
+export function unpack(text) {
+    const data = JSON.parse(text);
+    data.parts = data.parts.map(part => unpackPart(part, {parts: data.model.parts ?? [], materials: data.model.materials ?? []}));
+    data.contacts.forEach((contact, k) => {
+        contact.index = k;
+        prepareContact(contact, data.parts);
+    });
+    data.box = joinedBox(data.parts.map(p => p.box));
+    data.size = Math.hypot(data.box.x1 - data.box.x0, data.box.y1 - data.box.y0);
+    data.largestDisplacement = Math.max(0, ...data.parts.map(p => p.max_displacement.value ?? 0));
+    return data;
+}

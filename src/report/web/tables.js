@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts and parts as tables beside the canvas; a row and its place light up together.
+import {boxOf} from './data.js';
+import {text, withUnit} from './colors.js';
+import {element, sortableTable} from './dom.js';
+
+const inBrackets = unit => unit ? ` [${unit}]` : '';
+
+function markRows(root, attribute, index) {
+    for (const row of root.querySelectorAll('tr[' + attribute + ']')) row.classList.toggle('lit', Number(row.getAttribute(attribute)) === index);
+}
+
+export function contactPanel(data, state, canvas) {
+    const {units} = data, closed = data.contacts.filter(c => !c.isOpen), open = data.contacts.filter(c => c.isOpen);
+    if (!data.contacts.length) return element('p', {}, 'No parts touch.');
+    const size = c => Math.hypot(...c.force);
+    const columns = [
+        {name: '#', number: true, value: c => c.index + 1},
+        {name: 'contact', value: c => `${c.between[0]} – ${c.between[1]}`},
+        {name: 'status', value: c => c.kind === 'contact' ? c.status : c.kind},
+        {name: 'force' + inBrackets(units.force), number: true, value: size, show: c => text(size(c))},
+        {name: 'max pressure' + inBrackets(units.stress), number: true, value: c => c.max_pressure.value ?? 0,
+            show: c => text(c.max_pressure.value) + (c.at_corner ? '*' : '')},
+    ];
+    const decorate = (contact, row) => {
+        const pick = () => state.set('contact', state.contact === contact.index ? -1 : contact.index);
+        row.dataset.contact = contact.index;
+        row.setAttribute('data-contact', contact.index);
+        row.tabIndex = 0;
+        row.title = [contact.interface, 'length ' + withUnit(contact.length, units.length), 'double click: zoom there',
+            contact.at_corner ? '* at a sharp corner, where pressure has no limit' : ''].filter(Boolean).join('; ');
+        row.addEventListener('pointerenter', () => state.set('hovered', contact.index));
+        row.addEventListener('pointerleave', () => state.set('hovered', -1));
+        row.addEventListener('click', pick);
+        row.addEventListener('keydown', e => e.key === 'Enter' && pick());
+        row.addEventListener('dblclick', () => {
+            state.set('contact', contact.index);
+            const p = contact.profile, carries = p.x.map((_, i) => contact.isOpen || p.pressure[i] !== 0);
+            canvas.showBox(boxOf(p.x.filter((_, i) => carries[i]), p.y.filter((_, i) => carries[i])));
+        });
+        row.classList.toggle('lit', state.contact === contact.index);
+        return row;
+    };
+    const search = element('input', {type: 'search', placeholder: 'Search parts and edges', 'aria-label': 'Search contacts', input: () => {
+        const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+        for (const row of root.querySelectorAll('tr[data-contact]')) row.hidden = !words.every(w => row.textContent.toLowerCase().includes(w));
+        if (words.length && folded) folded.open = true;
+    }});
+    const folded = open.length ? element('details', {class: 'open-contacts', open: closed.length === 0}, element('summary', {}, `${open.length} open`),
+        sortableTable(columns, open, decorate, 'Open contacts')) : null;
+    const root = element('div', {class: 'panel contacts-panel'}, data.contacts.length > 6 ? search : null,
+        closed.length ? element('div', {class: 'scroll'}, sortableTable(columns, closed, decorate, 'Contacts')) : null, folded);
+    state.on(what => {
+        if (what === 'contact' || what === 'hover') markRows(root, 'data-contact', state.hovered >= 0 ? state.hovered : state.contact);
+    });
+    return root;
+}
+
+export function partPanel(data, state, canvas) {
+    const {units} = data, hasYield = data.parts.some(p => p.utilisation !== null);
+    const columns = [
+        {name: 'part', value: p => p.name, show: p => element('span', {class: 'part-cell'}, element('span', {class: 'swatch', style: 'background:' + p.color}), p.name)},
+        {name: 'material', value: p => p.material},
+        {name: 'max von Mises' + inBrackets(units.stress), number: true, value: p => p.max_von_mises.value ?? 0,
+            show: p => p.solved && p.hasField ? text(p.max_von_mises.value) + (p.at_corner ? '*' : '') : p.rigid ? 'rigid' : '–'},
+    ];
+    if (hasYield)
+        columns.push({name: 'of yield', number: true, value: p => p.utilisation ?? -1, show: p => p.utilisation === null ? '–' : element('span', {class: 'meter'},
+            element('span', {class: 'fill' + (p.utilisation > 1 ? ' over' : ''), style: `width:${Math.min(100, 100 * p.utilisation)}%`}),
+            element('span', {}, text(100 * p.utilisation, 3) + ' %'))});
+    columns.push({name: 'max |u|' + inBrackets(units.length), number: true, value: p => p.max_displacement.value ?? 0, show: p => p.solved ? text(p.max_displacement.value) : '–'});
+    const decorate = (part, row) => {
+        const index = data.parts.indexOf(part);
+        row.setAttribute('data-part', index);
+        row.tabIndex = 0;
+        row.title = part.at_corner ? '* at a corner, where stress has no limit; double click: zoom there' : 'double click: zoom there';
+        row.addEventListener('pointerenter', () => state.set('part', index));
+        row.addEventListener('pointerleave', () => state.set('part', -1));
+        row.addEventListener('dblclick', () => canvas.showBox(part.box, 0.8));
+        row.addEventListener('keydown', e => e.key === 'Enter' && canvas.showBox(part.box, 0.8));
+        return row;
+    };
+    const root = element('div', {class: 'panel'}, element('div', {class: 'scroll'}, sortableTable(columns, data.parts, decorate, 'Parts')));
+    state.on(what => what === 'hover' && markRows(root, 'data-part', state.part));
+    return root;
+}
