@@ -242,6 +242,31 @@ TEST(Session, MotionsThatContactTouchesOnlyGoOutOfTheWay) {
     }
 }
 
+/// One step from the start each time; borders of slip stay where grids were made for them, and that is said.
+TEST(Session, AnswersWithFrictionOneStepAtATime) {
+    Session session(scene_with(R"("parts": [
+        {"name": "base", "material": "steel", "geometry": {"rectangle": {"min": [-30, -20], "max": [30, 0]}}},
+        {"name": "roller", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}}],
+        "contacts": {"friction": 0.3},
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"part": "roller", "rigid": {"translation": [null, null], "rotation": 0}}],
+        "loads": [{"name": "press", "part": "roller", "force": [0, -5000]}, {"name": "push", "part": "roller", "force": [800, 0]}],
+        "output": {"probes": [{"part": "roller", "at": [0, 12]}]})"));
+    const Result& result = session.result();
+    const Answer answer = session.answer();
+    expect_same(answer, result);
+    EXPECT_TRUE(answer.doubts.empty());
+    EXPECT_FALSE(first_closed(answer).shear.empty());
+    session.set_load("push", -1.5);
+    const Answer back = session.answer();
+    EXPECT_NEAR((first_closed(back).force - Vec2(-1200, -5000)).norm(), 0, 1e-6 * 5000);
+    ASSERT_EQ(back.doubts.size(), 1U);
+    EXPECT_NE(back.doubts[0].find("began to slip"), std::string::npos);
+    session.set_load("push", 2);  // 0.32 would hold it
+    EXPECT_EQ(session.answer().status, "failed");
+    session.set_load("push", 1);
+    expect_same(session.answer(), result);
+}
+
 /// A pin that is drawn beside where it comes to rest: answers are from there.
 TEST(Session, AnswersFromWherePartsComeToRest) {
     Session session(scene_with(R"("parts": [
