@@ -53,7 +53,7 @@ CommandSpec study_spec() {
     return {
         "study",
         "SCENE",
-        "Shows what accuracy costs in time: one scene at many settings.",
+        "Shows what accuracy costs in time: one scene at many settings of its grids. (Values of its parameters: abut sweep.)",
         {{"-o", "DIR", "folder for study.html, study.csv and study.json (default: out)"},
          {"--budget", "SECONDS", "runs that would not fit into this are left out and listed (default: 60)"},
          {"--once", "", "solve each setting once: quick, and times are rough"},

@@ -7,6 +7,7 @@
 
 #include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
 
 namespace abut::solver {
 
@@ -20,6 +21,7 @@ constexpr int max_primal_dual_steps = 24;    // with the few steps of what follo
 constexpr double singular_fraction = 1e-15;  // of the largest pivot: the closed rows leave a motion free
 constexpr double free_fraction = 1e-10;      // of the largest stiffness against a motion: below, it counts as free
 constexpr double closed_fraction = 1e-8;     // of the largest elastic closing: gaps of redundant rows, by rounding
+constexpr double clear_fraction = 1e-6;      // of the deepest penetration: what free motions leave it by, besides
 constexpr double term_rounding = 1e-14;      // of the terms of a gap
 constexpr int least_rows_for_blas = 16;      // of a product with C: below, the call costs more than it saves
 
@@ -155,16 +157,36 @@ bool solve_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd& mot
     return true;
 }
 
-/// The same where free motions stay; false where all are free.
-bool solve_held_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd& motion) {
+/// The same where free motions stay; false where all are free. free: a basis of them (n x free motions).
+bool solve_held_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd& motion, MatrixXd& free) {
     const Index n = load.size();
     if (n == 0) return false;
     const auto [values, motions] = symmetric_eigen(stiffness);
     if (!(values[n - 1] > 0)) return false;
-    motion = motions.transpose() * load;
-    for (Index k = 0; k < n; ++k) motion[k] = values[k] > free_fraction * values[n - 1] ? motion[k] / values[k] : 0.0;
-    motion = motions * motion;
+    const Index n_free = (values.array() <= free_fraction * values[n - 1]).count();
+    free = motions.leftCols(n_free);
+    const auto held = motions.rightCols(n - n_free);
+    motion = held * (held.transpose() * load).cwiseQuotient(values.tail(n - n_free));
     return true;
+}
+
+/// Moves along free motions until no open row penetrates, as little as that takes; where none of them does that, nothing. Least
+/// distance programming [Lawson74, chapter 23]: |z| least under H z >= h is, by its dual, non-negative least squares on H' and
+/// h.
+void clear_open_rows(const ShiftedQp& shifted, const MatrixXd& free, const ActiveSet& active, ContactState& state) {
+    std::vector<Index> open;
+    for (std::size_t k = 0; k < active.size(); ++k)
+        if (!active[k]) open.push_back(static_cast<Index>(k));
+    const VectorXd gap = gap_of(shifted, state)(open);
+    const Index n = free.cols();
+    if (n == 0 || open.empty() || gap.minCoeff() >= 0) return;
+    const double deepest = -gap.minCoeff();
+    MatrixXd dual(n + 1, gap.size());
+    dual.topRows(n) = (shifted.qp.modes(open, Eigen::all) * free).transpose();
+    dual.row(n) = -gap.transpose() / deepest;
+    const VectorXd left = nonnegative_least_squares(dual, VectorXd::Unit(n + 1, n), std::vector<char>(open.size(), 1)).residual;
+    if (left[n] <= clear_fraction) return;
+    state.amplitudes -= (1 + clear_fraction) * deepest / left[n] * (free * left.head(n));
 }
 
 /// solve: the amplitudes from their condensed stiffness and load.
@@ -221,7 +243,10 @@ bool solve_on(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSe
 
 bool solve_least_motion(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
                         ContactState& state) {
-    const auto solve = [](const Condensed& c, VectorXd& motion) { return solve_held_motion(c.stiffness, c.load, motion); };
+    MatrixXd free;
+    const auto solve = [&](const Condensed& c, VectorXd& motion) {
+        return solve_held_motion(c.stiffness, c.load, motion, free);
+    };
     return solve_set(shifted, anchor, active, solve, factor, state);
 }
 
@@ -257,11 +282,16 @@ SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, Active
 
 SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
                                       int& iterations) {
-    const auto amplitudes = [](const Condensed& c, VectorXd& motion) {
-        return solve_motion(c.stiffness, c.load, motion) || solve_held_motion(c.stiffness, c.load, motion);
-    };
     const VectorXd here = VectorXd::Zero(shifted.qp.modes.cols());
-    const auto solve = [&] { return solve_set(shifted, here, active, amplitudes, factor, state); };
+    const auto solve = [&] {
+        MatrixXd free(here.size(), 0);
+        const auto amplitudes = [&](const Condensed& c, VectorXd& motion) {
+            return solve_motion(c.stiffness, c.load, motion) || solve_held_motion(c.stiffness, c.load, motion, free);
+        };
+        if (!solve_set(shifted, here, active, amplitudes, factor, state)) return false;
+        clear_open_rows(shifted, free, active, state);
+        return true;
+    };
     return search_sets(shifted, solve, active, state, iterations);
 }
 

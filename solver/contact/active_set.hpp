@@ -65,8 +65,8 @@ enum class SetSearch { found, repeated, singular };
 SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
                       ContactState& state, int& iterations);
 
-/// The same without a proximal term, where motions that a set leaves free stay where they are (solve_least_motion). singular: C
-/// is on a set.
+/// The same without a proximal term. Motions that a set leaves free stay where they are, or clear the open rows that would
+/// penetrate there. singular: C is on a set.
 SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
                                       int& iterations);
 

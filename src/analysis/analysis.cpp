@@ -212,9 +212,10 @@ Begun begin_analysis(const Scene& drawn) {
     return begun;
 }
 
-/// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run.
+/// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run. known: of cases on the
+/// same factors.
 Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
-                         std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
+                         std::chrono::steady_clock::time_point begin, Stopwatches& seconds, PartConditions* known = nullptr) {
     const ResolvedConditions& conditions = begun.conditions;
     Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
@@ -230,7 +231,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     result.solver = {static_cast<int>(out.passes.size()),
                      out.factorizations,
                      out.iterations,
-                     largest_condition(out.solved, threads),
+                     largest_condition(out.solved, threads, rest ? nullptr : known),
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
@@ -305,10 +306,11 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
     std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
     std::vector<CaseResult> results;
+    PartConditions known;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         results.push_back(
             {scene.cases[k].name, scene.cases[k].factors,
-             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds).result});
+             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds, &known).result});
     return results;
 }
 

@@ -112,6 +112,10 @@ struct PreparedScene::State {
     void refer_to_prepared(const Answer& answer);
     void tell_doubts(const std::vector<ReadContact>& contacts, double strongest, Answer& answer) const;
     void tell_motions(Answer& answer) const;
+    bool has_friction() const {
+        const std::vector<solver::Interface>& faces = solved().problem.interfaces;
+        return std::any_of(faces.begin(), faces.end(), [](const solver::Interface& face) { return face.friction.has_value(); });
+    }
     bool is_rigid(int part) const {
         const int grid = solved().solver_part[at(part)];
         return grid >= 0 && solved().grids[at(grid)].is_rigid;
@@ -304,6 +308,11 @@ Answer PreparedScene::answer(const LoadFactors& factors) {
         }
     s.tell_doubts(contacts, strongest, answer);
     answer.doubts.insert(answer.doubts.end(), s.rigid_pairs.begin(), s.rigid_pairs.end());
+    if (s.has_friction() && factors != s.factors)
+        answer.doubts.push_back(
+            "with friction, grids are fine where faces began to slip under the loads prepared: beside other such places shear, "
+            "and "
+            "what moves by slip, are coarse");
     s.tell_motions(answer);
     return answer;
 }

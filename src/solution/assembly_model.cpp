@@ -321,13 +321,18 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
     solve_contacts(scene, solved, seconds, threads);
 }
 
-double largest_condition(const SolvedAssembly& solved, int threads) {
+double largest_condition(const SolvedAssembly& solved, int threads, PartConditions* known) {
     const std::vector<solver::PartSystem>& parts = solved.problem.parts;
+    const auto is_shared = [&](std::size_t i) { return known && !solved.grids[i].input.free_strain; };
     std::vector<double> condition(parts.size(), 0);
     solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const solver::PartSystem& system = parts[at(i)];
-        if (!system.body && system.failure.empty()) condition[at(i)] = condition_estimate(system);
+        if (system.body || !system.failure.empty()) return;
+        const bool is_known = is_shared(at(i)) && known->contains(solved.grids[at(i)].part);
+        condition[at(i)] = is_known ? known->at(solved.grids[at(i)].part) : condition_estimate(system);
     });
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (is_shared(i) && condition[i] > 0) (*known)[solved.grids[i].part] = condition[i];
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
 }
 

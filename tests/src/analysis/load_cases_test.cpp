@@ -244,5 +244,16 @@ TEST(LoadCases, WhatIsWrongIsToldWithItsPlace) {
     }
 }
 
+/// Factors in common have one condition, found once; that of a case alone is the same.
+TEST(LoadCases, TellTheConditionOfTheirCommonFactors) {
+    Scene scene = loaded_bar(R"("cases": [{"name": "a", "loads": {"push": 1}}, {"name": "b", "loads": {"pull": 1}}])");
+    scene.accuracy.cell_size = 2;
+    const std::vector<CaseResult> cases = analyze_cases(scene, {});
+    ASSERT_EQ(cases.size(), 2U);
+    const double alone = analyze(scene_of_case(scene, scene.cases[1]), {}).solver.condition_estimate;
+    EXPECT_GT(alone, 1);
+    for (const CaseResult& c : cases) EXPECT_NEAR(c.result.solver.condition_estimate, alone, 1e-6 * alone) << c.name;
+}
+
 }  // namespace
 }  // namespace abut::load_cases_test

@@ -215,6 +215,58 @@ TEST(Session, RefusesFactorsThatMeanNothing) {
     EXPECT_NO_THROW(spun.set_load("speed", -1));
 }
 
+/// A block that rests on a base and touches a wall, which nothing presses it against: as it bulges it goes aside, by a motion
+/// that no load drives. Without gaps everything is in proportion to the load.
+TEST(Session, MotionsThatContactTouchesOnlyGoOutOfTheWay) {
+    Session session(scene_with(R"("parts": [
+        {"name": "base", "material": "steel", "geometry": {"rectangle": {"min": [-30, -20], "max": [30, 0]}}},
+        {"name": "wall", "material": "steel", "geometry": {"rectangle": {"min": [10, 2], "max": [30, 22]}}},
+        {"name": "block", "material": "steel", "geometry": {"rectangle": {"min": [-10, 0], "max": [10, 20]}}}],
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"on": "wall/right", "fix": ["x", "y"]}],
+        "loads": [{"name": "press", "on": "block/top", "pressure": 50}])"));
+    const auto resting = [&](double press) {
+        session.set_load("press", press);
+        const Answer answer = session.answer();
+        EXPECT_EQ(answer.status, "ok") << answer.message;
+        for (const ContactAnswer& c : answer.contacts)
+            if (c.parts == std::array<std::string, 2>{"wall", "block"}) { EXPECT_NEAR(c.force.norm(), 0, 1e-6 * 1000 * press); }
+        for (const ContactAnswer& c : answer.contacts)
+            if (c.parts == std::array<std::string, 2>{"base", "block"}) return c;
+        throw std::runtime_error("the block does not rest on the base");
+    };
+    const double largest = resting(1).max_pressure.value;
+    for (double press : {1.7, 0.2, 3.0, 1.0}) {
+        const ContactAnswer c = resting(press);
+        EXPECT_NEAR(c.force.y(), -1000 * press, 1e-6 * 1000 * press);
+        EXPECT_NEAR(c.max_pressure.value, press * largest, rounding * press * largest);
+    }
+}
+
+/// One step from the start each time; borders of slip stay where grids were made for them, and that is said.
+TEST(Session, AnswersWithFrictionOneStepAtATime) {
+    Session session(scene_with(R"("parts": [
+        {"name": "base", "material": "steel", "geometry": {"rectangle": {"min": [-30, -20], "max": [30, 0]}}},
+        {"name": "roller", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}}],
+        "contacts": {"friction": 0.3},
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"part": "roller", "rigid": {"translation": [null, null], "rotation": 0}}],
+        "loads": [{"name": "press", "part": "roller", "force": [0, -5000]}, {"name": "push", "part": "roller", "force": [800, 0]}],
+        "output": {"probes": [{"part": "roller", "at": [0, 12]}]})"));
+    const Result& result = session.result();
+    const Answer answer = session.answer();
+    expect_same(answer, result);
+    EXPECT_TRUE(answer.doubts.empty());
+    EXPECT_FALSE(first_closed(answer).shear.empty());
+    session.set_load("push", -1.5);
+    const Answer back = session.answer();
+    EXPECT_NEAR((first_closed(back).force - Vec2(-1200, -5000)).norm(), 0, 1e-6 * 5000);
+    ASSERT_EQ(back.doubts.size(), 1U);
+    EXPECT_NE(back.doubts[0].find("began to slip"), std::string::npos);
+    session.set_load("push", 2);  // 0.32 would hold it
+    EXPECT_EQ(session.answer().status, "failed");
+    session.set_load("push", 1);
+    expect_same(session.answer(), result);
+}
+
 /// A pin that is drawn beside where it comes to rest: answers are from there.
 TEST(Session, AnswersFromWherePartsComeToRest) {
     Session session(scene_with(R"("parts": [
