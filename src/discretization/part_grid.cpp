@@ -19,7 +19,9 @@ namespace {
 /// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
-/// A leaf of a tree costs about this times what a cell of a tensor grid does, from the tree to the factor (measured).
+/// A leaf of a tree costs about this times what a cell of a tensor grid does: measured 1.3 to 1.45 from the space to the
+/// smoothed stress where all leaves are of one level (20 000 and 80 000 unknowns); 1.7 to 2 in whole runs of few thousand
+/// unknowns, where levels meet everywhere, and cells are cut once more to be counted.
 constexpr double price_of_leaf = 2;
 /// Cells are halved no deeper: their size keeps half the digits.
 constexpr int deepest_level = 24;

@@ -143,8 +143,9 @@ TEST(Patch, HalvedCellsGiveTheExactField) {
                     const Result r = test::answer(scene_text(shape, "plane_stress", conditions, grid, degree));
                     const bool held = conditions == by_displacements();
                     expect_field(r, plane_stress_field, held ? Vec2(0, 0) : shape.centroid, held ? 1e-6 : 1e-9, what);
-                    EXPECT_GT(r.unknowns, test::answer(scene_text(shape, "plane_stress", conditions, grid_text(offset, 31), degree))
-                                              .unknowns);
+                    EXPECT_GT(
+                        r.unknowns,
+                        test::answer(scene_text(shape, "plane_stress", conditions, grid_text(offset, 31), degree)).unknowns);
                 }
 }
 

@@ -98,12 +98,12 @@ Case make_case(unsigned k, solver::Basis basis) {
     c.elements = find_elements(c.part, c.cells);
     const Grid& grid = c.cells.grid;
     c.space = solver::make_space({solver::clamped_knots(grid.x, 1 + static_cast<int>(k / 3 % 4)),
-                          solver::clamped_knots(grid.y, 1 + static_cast<int>((k / 3 + k / 24) % 4)),
-                          c.elements.fraction,
-                          {c.elements.cell_of_extra, c.elements.neighbours},
-                          basis,
-                          [](int) { return std::vector<Vec2>{}; },
-                          grid.tree});
+                                  solver::clamped_knots(grid.y, 1 + static_cast<int>((k / 3 + k / 24) % 4)),
+                                  c.elements.fraction,
+                                  {c.elements.cell_of_extra, c.elements.neighbours},
+                                  basis,
+                                  [](int) { return std::vector<Vec2>{}; },
+                                  grid.tree});
     return c;
 }
 

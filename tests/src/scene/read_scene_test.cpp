@@ -432,7 +432,8 @@ TEST(ReadScene, accuracy) {
     const Accuracy accuracy =
         with_members(R"("accuracy": {"level": "fine", "degree": 3, "cell_size": 0.1, "basis": "web", "dirichlet": "nitsche",
         "adapt": true, "solver": "cholmod", "refine": [{"near": [0, 1], "radius": 0.2, "cell_size": 0.01}],
-        "grids": {"p": {"cells": [4, 8], "offset": [0.1, 0], "angle": 45, "degree": [2, 3]}}})")
+        "grids": {"p": {"cells": [4, 8], "offset": [0.1, 0], "angle": 45, "degree": [2, 3],
+            "refine": [{"from": [1, 0], "to": [0.5, 2], "levels": 3}, {"from": [0, 0], "to": [1, 1]}]}}})")
             .accuracy;
     EXPECT_EQ(accuracy.level, "fine");
     EXPECT_EQ(accuracy.degree, 3);
@@ -449,6 +450,11 @@ TEST(ReadScene, accuracy) {
     EXPECT_EQ(grid.offset, Vec2(0.1, 0));
     EXPECT_NEAR(grid.angle, pi / 4, 1e-15);
     EXPECT_EQ(grid.degree, (std::array<int, 2>{2, 3}));
+    ASSERT_EQ(grid.refine.size(), 2u);
+    EXPECT_EQ(grid.refine[0].low, Vec2(0.5, 0));
+    EXPECT_EQ(grid.refine[0].high, Vec2(1, 2));
+    EXPECT_EQ(grid.refine[0].levels, 3);
+    EXPECT_EQ(grid.refine[1].levels, 1);
     EXPECT_FALSE(accuracy.target);
     EXPECT_EQ(with_members(R"("accuracy": {"target": 0.003})").accuracy.target, 0.003);
     const Accuracy knots =
