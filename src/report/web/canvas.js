@@ -26,7 +26,7 @@ export class Canvas {
     }
 
     resize() {
-        const box = this.element.getBoundingClientRect(), kept = this.width ? this.view() : null;
+        const box = this.element.getBoundingClientRect(), kept = this.width && !this.isFitted ? this.view() : null;
         if (!box.width || !box.height) return;
         this.ratio = Math.min(window.devicePixelRatio || 1, 2);
         this.width = box.width;
@@ -53,6 +53,11 @@ export class Canvas {
     point(px, py) {
         const p = this.place;
         return [(px - p.x) / p.scale, (p.y - py) / p.scale];
+    }
+
+    /// Does the picture show everything, as large as it can?
+    get isFitted() {
+        return this.transform.k === 1 && this.transform.x === 0 && this.transform.y === 0;
     }
 
     /// The middle of the picture and its width, in the model's units.

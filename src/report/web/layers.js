@@ -101,7 +101,8 @@ export function cellClasses(part) {
         }
     });
     // Points of the boundary stand where it crosses grid lines, so that what is between two of them is in one cell.
-    const onLine = (lines, k, v) => Math.min(Math.abs(v - lines[k]), Math.abs(v - lines[k + 1])) < 1e-6 * (lines[k + 1] - lines[k]);
+    // What runs along a line belongs to no cell; places are known to a step.
+    const onLine = (lines, k, v) => Math.min(Math.abs(v - lines[k]), Math.abs(v - lines[k + 1])) < 2 * part.field.step;
     for (const [from, to] of part.ranges)
         for (let i = from, j = to - 1; i < to; j = i++) {
             const a = turned(j), b = turned(i), mx = (a[0] + b[0]) / 2, my = (a[1] + b[1]) / 2;
