@@ -5,7 +5,7 @@ import {zoom, zoomIdentity} from 'd3-zoom';
 import {Scale} from './colors.js';
 import {isInside} from './data.js';
 import {sampleAt, colored, rasterize} from './raster.js';
-import {drawCells, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
+import {contactColor, gapColor, shearColor, drawCells, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
 
 const margin = 56;          // pixels around the model
 const slowFrame = 45;       // milliseconds: while things move, frames that take longer are drawn coarser
@@ -130,7 +130,9 @@ export class Canvas {
         data.parts.forEach((part, i) => this.paintPart(part, this.paths[i], place, coarseness));
         if (state.has('cells')) drawCells(this);
         drawContacts(this);
-        if (state.has('fans')) drawFans(this);
+        if (state.has('fans')) drawFans(this, 'pressure', contactColor);
+        if (state.has('shear')) drawFans(this, 'shear', shearColor);
+        if (state.has('gap')) drawFans(this, 'gap', gapColor);
         if (state.has('supports')) drawSupports(this);
         if (state.has('loads')) drawLoads(this);
         if (state.has('resultants')) drawResultants(this);

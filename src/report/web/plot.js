@@ -3,6 +3,7 @@
 import uPlot from 'uplot';
 import {text, withUnit} from './colors.js';
 import {copy, element} from './dom.js';
+import {contactColor, shearColor} from './layers.js';
 
 const height = 230;
 
@@ -52,9 +53,9 @@ export class ContactPlot {
             width: this.box.clientWidth || 600, height, legend: {show: false}, scales: {x: {time: false}, pressure: {range: (u, low, high) => [tension ? 1.08 * Math.min(low, 0) : 0, 1.08 * Math.max(high, 0) || 1]},
                 gap: {range: (u, low, high) => [low < -0.1 * least ? low : 0, Math.max(1.08 * high, least)]}},
             cursor: {y: false, points: {size: 8}, drag: {x: true, y: false}},
-            series: [{}, {scale: 'pressure', stroke: '#d3102b', width: 2, fill: '#d3102b1c', points: {show: false}},
+            series: [{}, {scale: 'pressure', stroke: contactColor, width: 2, fill: '#d3102b1c', points: {show: false}},
                 {scale: 'gap', stroke: gapColor, width: 1.5, dash: [6, 3], points: {show: false}},
-                ...(p.shear ? [{scale: 'pressure', stroke: '#7b2fbf', width: 1.5, points: {show: false}}] : [])],
+                ...(p.shear ? [{scale: 'pressure', stroke: shearColor, width: 1.5, points: {show: false}}] : [])],
             axes: [{...axis, label: name(abscissa, units.length), size: 34, labelSize: 20}, {...axis, scale: 'pressure', label: name(p.shear ? 'pressure, shear' : 'pressure', units.stress), size: 56, labelSize: 18},
                 {...axis, scale: 'gap', side: 1, label: name('gap', units.length), grid: {show: false}, size: 62, labelSize: 18, stroke: gapColor}],
             hooks: {setCursor: [chart => this.read(this.turned(chart.cursor.idx))]},
