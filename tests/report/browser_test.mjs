@@ -143,7 +143,7 @@ async function zoomsAndPans(page) {
     });
 }
 
-async function picksContacts(page, result) {
+async function picksContacts(page, {result, report}) {
     await page.click('tr[data-contact="0"]');
     check('a row picks its contact', await page.evaluate(() => window.abutReport.state.contact) === 0);
     check('its curves are shown', await page.isVisible('.plot .u-over'));
@@ -153,6 +153,12 @@ async function picksContacts(page, result) {
     check('the cursor of the curves is in the canvas', cursor?.contact === 0 && cursor.i > 0, cursor);
     const reading = await page.textContent('.plot-reading'), profile = result.contacts[0].profile;
     check('and its values are read', reading.includes(shown(profile.pressure[cursor.i])) && reading.includes(profile.edge[cursor.i]), reading, profile.pressure[cursor.i]);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.click('text=Copy as CSV');
+    await settled(page);
+    const copied = (await page.evaluate(() => navigator.clipboard.readText())).trim().split('\n'), written = readFileSync(join(report, '../contact_1.csv'), 'utf8').trim().split('\n');
+    check('copied as CSV', copied[0] === written[0] && copied.length === written.length && copied.every((line, i) => line.split(',').every((cell, k) =>
+        cell === written[i].split(',')[k] || near(Number(cell), Number(written[i].split(',')[k]), 1e-6 * Math.max(1, Math.abs(Number(cell)))))), copied[1], written[1]);
     await page.hover('.stage canvas', {position: {x: 5, y: 40}});
     const top = result.contacts[0].max_pressure.at, [x, y] = await windowPoint(page, ...top);
     await page.mouse.move(x + 1, y + 1);
@@ -252,7 +258,7 @@ for (const [name, scene] of Object.entries(scenes)) {
     if (name === 'three') {
         await hoverReads(page, made.result);
         await pinsAndKeys(page, made.result.probes[0]);
-        await picksContacts(page, made.result);
+        await picksContacts(page, made);
         const size = statSync(made.report).size;
         check('below 1 MB', size < 1e6, size);
     }

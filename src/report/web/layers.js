@@ -372,7 +372,10 @@ export function drawExtremes(canvas) {
         if (x < 0 || y < 0 || x > canvas.width || y > canvas.height) continue;
         ring(canvas.context, x, y, 5, canvas.ink, canvas.paper);
         const corner = quantity.key === 'vm' && word === 'max ' && end.part.at_corner ? ' at a corner' : '';
-        label(canvas, word + withUnit(end.value, unit) + corner, x, y, {bold: true});
+        // Samples have sixteen bits: what is smaller than their step is not known.
+        const from = quantity.unit === 'length' ? 0 : 2, step = Math.max(...end.part.field.scale.slice(from, from + (from ? 4 : 2))) / 32767;
+        const isNothing = quantity.key !== 'w' && word === 'min ' && Math.abs(end.value) < 2 * step;
+        label(canvas, word + (isNothing ? '≈ ' + withUnit(0, unit) : withUnit(end.value, unit)) + corner, x, y, {bold: true});
     }
 }
 

@@ -172,6 +172,20 @@ TEST(Report, ManyPartsAndContactsAreAllThere) {
     for (int i = 0; i < 12; ++i) EXPECT_TRUE(has(page, "<b>ball" + std::to_string(i) + "</b>")) << i;
 }
 
+TEST(Report, OnlyTheStrongestContactsHavePictures) {
+    Result r = bracket();
+    const ContactResult contact = r.contacts[0];
+    for (int i = 1; i <= 11; ++i) {
+        r.contacts.push_back(contact);
+        r.contacts.back().max_pressure.value += i % 4;
+    }
+    const std::string page = without_scripts(report_html(r));
+    EXPECT_EQ(fault(page), "");
+    EXPECT_EQ(count(page, "<article>"), 8);
+    EXPECT_EQ(count(page, "<article class=\"weak\">"), 4);
+    EXPECT_EQ(count(page, "Close-up"), 8);
+}
+
 TEST(Report, CapsTheScaleOnlyForASingularPeakAndSaysSo) {
     const auto field = [](double peak) {
         return [=](const Vec2& p) {
