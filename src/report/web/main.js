@@ -190,6 +190,7 @@ function start(data, root) {
     canvas.resize();
     take();
     addEventListener('hashchange', take);
+    canvas.paint();  // what a browser cannot do shows here
     window.abutReport = {data, state, canvas};
 }
 
