@@ -29,6 +29,7 @@ else()
   find_package(BLAS REQUIRED)
   find_package(LAPACK REQUIRED)
   find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+  set(ABUT_FIND_NUMERICS "find_dependency(BLAS)\nfind_dependency(LAPACK)")  # where the library is installed
   target_link_libraries(abut_numerics INTERFACE ${CHOLMOD_LIBRARY} LAPACK::LAPACK BLAS::BLAS)
   message(STATUS "CHOLMOD and BLAS: shared")
 endif()

@@ -149,10 +149,9 @@ void join_end(CellContours& cell, std::size_t k) {
 void set_cell(CellContours& cell, const Part& part, const CutCells& cells, int c) {
     const auto first = static_cast<std::size_t>(cells.first_contour[static_cast<std::size_t>(c)]);
     const auto last = static_cast<std::size_t>(cells.first_contour[static_cast<std::size_t>(c) + 1]);
-    const auto i = static_cast<std::size_t>(cells.grid.column_of(c)), j = static_cast<std::size_t>(cells.grid.row_of(c));
     cell.part = &part;
     cell.contours = std::span(cells.contours).subspan(first, last - first);
-    cell.box = {{cells.grid.x[i], cells.grid.y[j]}, {cells.grid.x[i + 1], cells.grid.y[j + 1]}};
+    cell.box = cells.grid.box(c);
     cell.crossing_length = crossing_fraction * cells.merge;
     cell.begin.clear();
     cell.end.clear();

@@ -7,6 +7,7 @@
 
 #include "geometry/cells/contour_area.hpp"
 #include "geometry/cells/grid_walk.hpp"
+#include "geometry/cells/tree_grid.hpp"
 
 namespace abut::geometry {
 
@@ -66,11 +67,6 @@ void append_right_sides(CutCells& cells, std::vector<LineCrossing>& crossings) {
     }
 }
 
-CellClass class_by(double fraction) {
-    if (fraction < sliver_fraction) return CellClass::outer;
-    return fraction > 1 - sliver_fraction ? CellClass::inner : CellClass::boundary;
-}
-
 /// Sum that loses nothing to the number of terms [Neumaier 1974]: a million equal cells added one by one would drift by 1e-11.
 class CompensatedSum {
 public:
@@ -86,48 +82,43 @@ private:
 };
 
 void classify(CutCells& cells, const Part& part) {
-    const Grid& grid = cells.grid;
     CompensatedSum area;
-    std::size_t c = 0;
-    for (std::size_t row = 0; row + 1 < grid.y.size(); ++row)
-        for (std::size_t column = 0; column + 1 < grid.x.size(); ++column, ++c) {
-            const double x0 = grid.x[column], x1 = grid.x[column + 1];
-            const double full = (x1 - x0) * (grid.y[row + 1] - grid.y[row]);
-            if (cells.first_contour[c] < cells.first_contour[c + 1]) {
-                double sum = 0;
-                for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
-                    sum += area_share(part, cells.contours[static_cast<std::size_t>(k)], x0, x1);
-                cells.fraction[c] = sum / full;
-                cells.cell_class[c] = class_by(cells.fraction[c]);
-            }
-            if (cells.cell_class[c] != CellClass::boundary) cells.fraction[c] = cells.cell_class[c] == CellClass::inner;
-            area.add(cells.fraction[c] * full);
+    for (std::size_t c = 0; c < cells.cell_class.size(); ++c) {
+        const Box2 box = cells.grid.box(static_cast<int>(c));
+        const double full = box.size().x() * box.size().y();
+        if (cells.first_contour[c] < cells.first_contour[c + 1]) {
+            double sum = 0;
+            for (int k = cells.first_contour[c]; k < cells.first_contour[c + 1]; ++k)
+                sum += area_share(part, cells.contours[static_cast<std::size_t>(k)], box.min.x(), box.max.x());
+            cells.fraction[c] = sum / full;
+            cells.cell_class[c] = class_by(cells.fraction[c]);
         }
+        if (cells.cell_class[c] != CellClass::boundary) cells.fraction[c] = cells.cell_class[c] == CellClass::inner;
+        area.add(cells.fraction[c] * full);
+    }
     cells.area = area.value();
 }
 
-double distance(const Grid& grid, int cell, const Vec2& p) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return (p - p.cwiseMax(Vec2(grid.x[i], grid.y[j])).cwiseMin(Vec2(grid.x[i + 1], grid.y[j + 1]))).norm();
+double distance(const Box2& box, const Vec2& p) {
+    return (p - p.cwiseMax(box.min).cwiseMin(box.max)).norm();
 }
 
-/// The cell that holds p; where that is an outer one (a tip cut off by a grid line, rounding), the nearest of the eight around
-/// it that is not; -1 where all are.
+/// The cell that holds p; where that is an outer one (a tip cut off by a grid line, rounding), the nearest of those around it
+/// that is not; -1 where all are.
 int cell_near(const CutCells& cells, const Vec2& p) {
     const Grid& grid = cells.grid;
-    const int column = std::clamp(interval_of(grid.x, p.x()), 0, grid.columns() - 1);
-    const int row = std::clamp(interval_of(grid.y, p.y()), 0, grid.rows() - 1);
     const auto has_material = [&](int cell) { return cells.cell_class[static_cast<std::size_t>(cell)] != CellClass::outer; };
-    if (has_material(grid.cell(column, row))) return grid.cell(column, row);
+    const int own = grid.cell_at(p);
+    if (has_material(own)) return own;
     int nearest = -1;
     double least = std::numeric_limits<double>::infinity();
-    for (int j = std::max(row - 1, 0); j <= std::min(row + 1, grid.rows() - 1); ++j)
-        for (int i = std::max(column - 1, 0); i <= std::min(column + 1, grid.columns() - 1); ++i) {
-            const int cell = grid.cell(i, j);
-            if (!has_material(cell) || distance(grid, cell, p) >= least) continue;
-            least = distance(grid, cell, p);
-            nearest = cell;
-        }
+    grid.for_cells_in(grid.box(own), [&](int cell) {
+        if (!has_material(cell)) return;
+        const double away = distance(grid.box(cell), p);
+        if (away >= least) return;
+        least = away;
+        nearest = cell;
+    });
     return nearest;
 }
 
@@ -185,7 +176,31 @@ int interval_of(const std::vector<double>& lines, double v) {
     return static_cast<int>(std::upper_bound(lines.begin(), lines.end(), v) - lines.begin()) - 1;
 }
 
+int nearest_interval(const std::vector<double>& lines, double v) {
+    return std::clamp(interval_of(lines, v), 0, static_cast<int>(lines.size()) - 2);
+}
+
+int Grid::cell_at(const Vec2& p) const {
+    const int base = cell(nearest_interval(x, p.x()), nearest_interval(y, p.y()));
+    if (!tree) return base;
+    int node = base;
+    while (!tree->is_leaf(node)) {
+        const TreeCell c = tree->cell(node);
+        node = tree->first_child(node) + (p.x() >= level_line(x, c.level + 1, 2 * c.column + 1)) +
+               2 * (p.y() >= level_line(y, c.level + 1, 2 * c.row + 1));
+    }
+    return tree->leaf_of(node);
+}
+
+void finish_cells(CutCells& cells, const Part& part) {
+    cells.first_contour =
+        sort_by_counting(cells.contours, cells.cell_class.size(), [](const ContourPiece& c) { return c.cell; });
+    classify(cells, part);
+    locate_pieces(cells, part);
+}
+
 CutCells cut_cells(const Part& part, const Grid& grid) {
+    if (grid.tree) return cut_tree(part, grid);
     GridWalk walk = walk_boundary(part, grid);
     CutCells cells;
     cells.grid = grid;
@@ -195,9 +210,7 @@ CutCells cut_cells(const Part& part, const Grid& grid) {
     cells.contours = std::move(walk.contours);
     cells.pieces = std::move(walk.pieces);
     append_right_sides(cells, walk.crossings);
-    cells.first_contour = sort_by_counting(cells.contours, n_cells, [](const ContourPiece& c) { return c.cell; });
-    classify(cells, part);
-    locate_pieces(cells, part);
+    finish_cells(cells, part);
     return cells;
 }
 

@@ -25,24 +25,21 @@ struct Sides {
     bool has_one_element(int cell) const { return !is_boundary(cell) || n_elements[index(cell)] == 1; }
 };
 
-/// The cell across a side; -1 beyond the grid or where there is no material.
-int cell_across(const Sides& sides, int cell, CellSide side) {
-    const Grid& grid = sides.cells.grid;
-    const int column = grid.column_of(cell) + (side == CellSide::right) - (side == CellSide::left);
-    const int row = grid.row_of(cell) + (side == CellSide::top) - (side == CellSide::bottom);
-    if (column < 0 || column >= grid.columns() || row < 0 || row >= grid.rows()) return -1;
-    const int other = grid.cell(column, row);
-    return sides.has_material(other) ? other : -1;
+/// Calls f(cell) for the cells with material across a side.
+template <class F>
+void for_cells_across(const Sides& sides, int cell, CellSide side, F f) {
+    sides.cells.grid.for_cells_across(cell, (side == CellSide::right) - (side == CellSide::left),
+                                      (side == CellSide::top) - (side == CellSide::bottom), [&](int other) {
+                                          if (sides.has_material(other)) f(other);
+                                      });
 }
 
 /// Stretches of one side. An inner cell has all of it: `whole` is then filled and returned.
 std::span<const SideStretch> stretches_on(const Sides& sides, int cell, CellSide side, SideStretch& whole) {
-    const Grid& grid = sides.cells.grid;
     if (!sides.is_boundary(cell)) {
-        const bool upright = side == CellSide::right || side == CellSide::left;
-        const std::vector<double>& lines = upright ? grid.y : grid.x;
-        const auto i = static_cast<std::size_t>(upright ? grid.row_of(cell) : grid.column_of(cell));
-        whole = {cell, side, lines[i], lines[i + 1]};
+        const int along = side == CellSide::right || side == CellSide::left ? 1 : 0;
+        const Box2 box = sides.cells.grid.box(cell);
+        whole = {cell, side, box.min[along], box.max[along]};
         return {&whole, 1};
     }
     const std::size_t k = sides.index(cell);
@@ -82,12 +79,12 @@ std::vector<int> special_cells(const Sides& sides) {
     std::vector<int> special;
     for (int cell : sides.of_boundary.boundary_cells) {
         if (!sides.has_one_element(cell)) special.push_back(cell);
-        for (CellSide side : all_sides) {
-            const int other = cell_across(sides, cell, side);
-            if (other < 0 || is_plain(sides, cell, other, side)) continue;
-            special.push_back(cell);
-            special.push_back(other);
-        }
+        for (CellSide side : all_sides)
+            for_cells_across(sides, cell, side, [&](int other) {
+                if (is_plain(sides, cell, other, side)) return;
+                special.push_back(cell);
+                special.push_back(other);
+            });
     }
     std::sort(special.begin(), special.end());
     special.erase(std::unique(special.begin(), special.end()), special.end());
@@ -101,10 +98,10 @@ std::vector<std::pair<int, int>> links_of(const Sides& sides, int cell, std::vec
     for (CellSide side : all_sides) {
         SideStretch whole;
         for (const SideStretch& s : stretches_on(sides, cell, side, whole)) links.emplace_back(s.component, s.component);
-        const int other = cell_across(sides, cell, side);
-        if (other < 0) continue;
-        around.push_back(other);
-        for_overlaps(sides, cell, other, side, [&](int here, int there) { links.emplace_back(here, there); });
+        for_cells_across(sides, cell, side, [&](int other) {
+            around.push_back(other);
+            for_overlaps(sides, cell, other, side, [&](int here, int there) { links.emplace_back(here, there); });
+        });
     }
     std::sort(around.begin(), around.end());
     std::sort(links.begin(), links.end());

@@ -54,11 +54,6 @@ bool is_split(const Elements& elements, int cell) {
     return extras.first_extra < extras.end_extra;
 }
 
-Box2 box_of_cell(const Grid& grid, int cell) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
-}
-
 Vec2 clamped(const Vec2& p, const Box2& box) {
     return p.cwiseMax(box.min).cwiseMin(box.max);
 }
@@ -80,7 +75,7 @@ bool is_nearer(const Nearest& a, const Nearest& b, double rounding) {
 /// component, or outside and next to it.
 int element_in_cell(const Part& part, const CutCells& cells, const Elements& elements, int cell, const Vec2& p) {
     if (!is_split(elements, cell)) return cell;
-    const Vec2 q = clamped(p, box_of_cell(cells.grid, cell));
+    const Vec2 q = clamped(p, cells.grid.box(cell));
     Nearest nearest{cell};
     const auto c = static_cast<std::size_t>(cell);
     for (auto k = static_cast<std::size_t>(cells.first_contour[c]); k < static_cast<std::size_t>(cells.first_contour[c + 1]);
@@ -96,42 +91,25 @@ int element_in_cell(const Part& part, const CutCells& cells, const Elements& ele
     return nearest.element;
 }
 
-/// In rings of cells around the point's own, until no nearer one can follow. -1 where no cell holds material.
+/// Looked for in boxes around the point that grow until no nearer cell can follow. -1 where no cell holds material.
 int nearest_cell_with_material(const CutCells& cells, const Elements& elements, const Vec2& p) {
     const Grid& grid = cells.grid;
-    const int column = std::clamp(interval_of(grid.x, p.x()), 0, grid.columns() - 1);
-    const int row = std::clamp(interval_of(grid.y, p.y()), 0, grid.rows() - 1);
-    int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    const auto consider = [&](int i, int j) {
-        if (i < 0 || i >= grid.columns() || j < 0 || j >= grid.rows()) return;
-        const int cell = grid.cell(i, j);
-        if (!(elements.fraction[static_cast<std::size_t>(cell)] > 0)) return;
-        const double distance = (p - clamped(p, box_of_cell(grid, cell))).norm();
-        if (distance >= least) return;
-        least = distance;
-        nearest = cell;
-    };
-    // nothing outside the rings so far is nearer than the nearest line around them
-    const auto reach = [&](const std::vector<double>& lines, int low, int high, double v) {
-        double least_step = std::numeric_limits<double>::infinity();
-        if (low > 0) least_step = v - lines[static_cast<std::size_t>(low)];
-        if (high + 1 < static_cast<int>(lines.size()))
-            least_step = std::min(least_step, lines[static_cast<std::size_t>(high)] - v);
-        return least_step;
-    };
-    for (int r = 0; r <= std::max(grid.columns(), grid.rows()); ++r) {
-        for (int k = -r; k <= r; ++k) {
-            consider(column + k, row - r);
-            consider(column + k, row + r);
-            consider(column - r, row + k);
-            consider(column + r, row + k);
-        }
-        const double beyond = std::min(reach(grid.x, std::max(column - r, 0), std::min(column + r + 1, grid.columns()), p.x()),
-                                       reach(grid.y, std::max(row - r, 0), std::min(row + r + 1, grid.rows()), p.y()));
-        if (least <= beyond) break;
+    const int own = grid.cell_at(p);
+    const Box2 all = grid.box();
+    const double most = std::max((p - all.min).cwiseAbs().maxCoeff(), (p - all.max).cwiseAbs().maxCoeff());
+    for (double reach = 0;; reach = std::max(2 * reach, grid.box(own).size().maxCoeff())) {
+        int nearest = -1;
+        double least = std::numeric_limits<double>::infinity();
+        const auto consider = [&](int cell) {
+            if (!(elements.fraction[static_cast<std::size_t>(cell)] > 0)) return;
+            const double distance = (p - clamped(p, grid.box(cell))).norm();
+            if (distance > least || (distance == least && cell != own)) return;
+            least = distance;
+            nearest = cell;
+        };
+        grid.for_cells_in({p - Vec2::Constant(reach), p + Vec2::Constant(reach)}, consider);
+        if (least <= reach || reach > most) return nearest;
     }
-    return nearest;
 }
 
 /// Of pieces in cells of several elements: the element of the piece's own contour, or where that is in another cell (the piece

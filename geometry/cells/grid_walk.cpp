@@ -2,6 +2,7 @@
 #include "geometry/cells/grid_walk.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/brep/monotone.hpp"
 
@@ -76,7 +77,8 @@ void add_contour(Trail& trail, GridWalk& walk, ContourPiece piece) {
 void close_loop(const Trail& trail, GridWalk& walk) {
     if (trail.last >= 0) walk.contours[static_cast<std::size_t>(trail.last)].leaves = trail.departed;
     if (trail.first < 0 || trail.departed != CellSide::none) return;
-    walk.contours[static_cast<std::size_t>(trail.first)].enters = trail.entered;
+    ContourPiece& first = walk.contours[static_cast<std::size_t>(trail.first)];
+    if (first.enters == CellSide::none) first.enters = trail.entered;
 }
 
 void walk_piece(GridWalk& walk, Trail& trail, Steps& steps, const Grid& grid, const MonotonePiece& piece, const Curve& curve) {
@@ -86,22 +88,25 @@ void walk_piece(GridWalk& walk, Trail& trail, Steps& steps, const Grid& grid, co
     sort_by_progress(steps);
     int column = interval_of(grid.x, piece.from.x()), row = interval_of(grid.y, piece.from.y());
     double t = piece.t0;
-    const auto record = [&](double until) {
+    Vec2 from = piece.from;
+    const auto record = [&](double until, const Vec2& to) {
         if (until <= t) return;
-        if (inside(grid, column, row)) add_contour(trail, walk, {grid.cell(column, row), piece.edge, t, until});
+        if (inside(grid, column, row))
+            add_contour(trail, walk, {grid.cell(column, row), piece.edge, t, until, CellSide::none, CellSide::none, from, to});
         trail.begun = true;
         walk.pieces.push_back({piece.edge, t, until, -1});
         t = until;
+        from = to;
     };
     for (const Step& step : steps) {
-        record(step.meeting.t);
+        record(step.meeting.t, step.meeting.at);
         if (step.d_column != 0)
             walk.crossings.push_back({step.d_column > 0 ? column + 1 : column, step.meeting.at.y(), step.d_column});
         note_step(trail, walk, side_of(step));
         column += step.d_column;
         row += step.d_row;
     }
-    record(piece.t1);
+    record(piece.t1, piece.to);
 }
 
 }  // namespace
@@ -111,6 +116,34 @@ std::vector<int> loops_of_edges(const Part& part) {
     for (std::size_t l = 0; l < part.loops.size(); ++l)
         for (int e : part.loops[l].edges) loop_of[static_cast<std::size_t>(e)] = static_cast<int>(l);
     return loop_of;
+}
+
+GridWalk walk_quarters(const Part& part, std::span<const ContourPiece> edges, const std::vector<int>& loop_of,
+                       const Vec2& middle) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    const Grid quarters{{-far, middle.x(), far}, {-far, middle.y(), far}};
+    GridWalk walk;
+    Steps steps;
+    Trail trail;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        const ContourPiece& c = edges[k];
+        const auto e = static_cast<std::size_t>(c.edge);
+        if (k > 0 && loop_of[e] != loop_of[static_cast<std::size_t>(edges[k - 1].edge)]) {
+            close_loop(trail, walk);
+            trail = {};
+        }
+        if (c.enters != CellSide::none) {
+            trail.last = -1;
+            trail.entered = c.enters;
+        }
+        const Curve& curve = part.edges[e].curve;
+        walk_piece(walk, trail, steps, quarters, monotone_piece(c.edge, curve, c.t0, c.t1, c.from, c.to), curve);
+        if (c.leaves == CellSide::none) continue;
+        note_step(trail, walk, c.leaves);
+        trail.entered = CellSide::none;
+    }
+    close_loop(trail, walk);
+    return walk;
 }
 
 GridWalk walk_boundary(const Part& part, const Grid& grid) {

@@ -13,9 +13,7 @@ namespace {
 
 /// Of a piece that has no cell (-1): the whole grid's.
 Vec2 cell_size(const Grid& grid, int cell) {
-    if (cell < 0) return {grid.x.back() - grid.x.front(), grid.y.back() - grid.y.front()};
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {grid.x[i + 1] - grid.x[i], grid.y[j + 1] - grid.y[j]};
+    return (cell < 0 ? grid.box() : grid.box(cell)).size();
 }
 
 void add_row(CellRule& rule, double x0, const Vec2& end, double dy, const GaussRule& inner) {
@@ -29,19 +27,18 @@ void add_row(CellRule& rule, double x0, const Vec2& end, double dy, const GaussR
 /// `portions`: kept over contours, so that they allocate nothing.
 void add_contour(CellRule& rule, const Part& part, const Grid& grid, const ContourPiece& c, int degree,
                  std::vector<GaussPortion>& portions) {
-    const auto column = static_cast<std::size_t>(grid.column_of(c.cell));
-    const double x0 = grid.x[column];
+    const Box2 box = grid.box(c.cell);
+    const double x0 = box.min.x();
     const GaussRule& inner = gauss_rule(degree + 1);
     if (c.edge < 0) {
         const GaussRule& outer = gauss_rule(degree + 1);
         for (std::size_t i = 0; i < outer.points.size(); ++i)
-            add_row(rule, x0, {grid.x[column + 1], c.t0 + outer.points[i] * (c.t1 - c.t0)}, outer.weights[i] * (c.t1 - c.t0),
-                    inner);
+            add_row(rule, x0, {box.max.x(), c.t0 + outer.points[i] * (c.t1 - c.t0)}, outer.weights[i] * (c.t1 - c.t0), inner);
         return;
     }
     const Curve& curve = part.edges[static_cast<std::size_t>(c.edge)].curve;
     portions.clear();
-    append_area_portions(portions, curve, c.t0, c.t1, degree, cell_size(grid, c.cell));
+    append_area_portions(portions, curve, c.t0, c.t1, degree, box.size());
     for (const GaussPortion& portion : portions) {
         const GaussRule& outer = gauss_rule(portion.n);
         for (std::size_t i = 0; i < outer.points.size(); ++i) {

@@ -45,7 +45,7 @@ using Sums = std::array<double, 6>;
 
 /// Over the grid's box: rules may have points outside the part, where a polynomial of its box alone would be large.
 Fields make_fields(const Grid& grid, int degree) {
-    const Box2 box{{grid.x.front(), grid.y.front()}, {grid.x.back(), grid.y.back()}};
+    const Box2 box = grid.box();
     const int m = std::min(2 * degree, most_degree);
     return {box.center(), 0.5 * box.size(), m, recurrence(m), {{{0, 0}, {1, 0}, {0, 1}, {m, 0}, {0, m}, {m, m}}}};
 }
@@ -86,6 +86,11 @@ void add_box(Sums& sums, const Fields& fields, const Box2& box) {
 /// Inner cells beside each other as one box.
 void add_inner_cells(Sums& sums, const Fields& fields, const CutCells& cells) {
     const Grid& grid = cells.grid;
+    if (grid.tree) {
+        for (int cell = 0; cell < grid.n_cells(); ++cell)
+            if (cells.cell_class[static_cast<std::size_t>(cell)] == CellClass::inner) add_box(sums, fields, grid.box(cell));
+        return;
+    }
     const auto is_inner = [&](int column, int row) {
         return cells.cell_class[static_cast<std::size_t>(grid.cell(column, row))] == CellClass::inner;
     };
@@ -111,11 +116,6 @@ void add_flux(Sums& by_x, Sums& by_y, const Fields& fields, const BoundaryPoint&
     }
 }
 
-Box2 cell_box(const Grid& grid, int cell) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
-}
-
 void add_rule(RuleCheck& check, Sums& sums, const Fields& fields, const CellRule& rule, const Box2& cell, double merge) {
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
         const Vec2& p = rule.points[q];
@@ -134,7 +134,7 @@ RuleCheck check_rules(const Part& part, const CutCells& cells, const Elements& e
     RuleCheck check;
     Sums volume{}, by_x{}, by_y{};
     for (const CellRule& rule : rules)
-        add_rule(check, volume, fields, rule, cell_box(cells.grid, elements.cell_of(rule.element)), cells.merge);
+        add_rule(check, volume, fields, rule, cells.grid.box(elements.cell_of(rule.element)), cells.merge);
     add_inner_cells(volume, fields, cells);
     for (std::size_t e = 0; e < part.edges.size(); ++e)
         for (const BoundaryPoint& p : boundary_rule(part, cells, static_cast<int>(e), 0, 1, fields.degree + 1))

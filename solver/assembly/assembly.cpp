@@ -22,14 +22,13 @@ Eigen::Map<const VectorXd> as_vector(const std::vector<double>& v) {
 /// Calls f(cell) for every cell that is wholly inside.
 template <class F>
 void for_full_cells(const SplineSpace& s, F f) {
-    for (int cell = 0; cell < s.columns() * s.rows(); ++cell)
+    for (int cell = 0; cell < s.n_cells(); ++cell)
         if (is_full(s, cell)) f(cell);
 }
 
 CellRule tensor_rule(const SplineSpace& s, int cell, const LineRule& rule) {
-    const auto c = static_cast<std::size_t>(cell % s.columns()), r = static_cast<std::size_t>(cell / s.columns());
-    const double x0 = s.x.breakpoints[c], hx = s.x.breakpoints[c + 1] - x0;
-    const double y0 = s.y.breakpoints[r], hy = s.y.breakpoints[r + 1] - y0;
+    const IntervalKnots x = s.along_x(cell), y = s.along_y(cell);
+    const double x0 = x.low(), hx = x.high() - x0, y0 = y.low(), hy = y.high() - y0;
     CellRule result{cell, {}, {}};
     for (std::size_t j = 0; j < rule.points.size(); ++j)
         for (std::size_t i = 0; i < rule.points.size(); ++i) {
@@ -86,8 +85,8 @@ struct Stiffness {
 
 void add_full_cells(Stiffness& s) {
     const SplineSpace& space = s.input.space;
-    const IntervalIntegrals x = interval_integrals(space.x, s.input.line_rule);
-    const IntervalIntegrals y = interval_integrals(space.y, s.input.line_rule);
+    const IntervalIntegrals x = interval_integrals(space, 0, s.input.line_rule);
+    const IntervalIntegrals y = interval_integrals(space, 1, s.input.line_rule);
     std::pair<int, int> last(-1, -1);  // the intervals whose blocks are at hand
     for (std::size_t k = 0; k + s.input.cut_rules.size() < s.elements.element.size(); ++k) {
         if (!s.needs(k)) continue;

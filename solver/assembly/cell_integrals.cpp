@@ -14,14 +14,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-LineIntegrals line_integrals(const KnotVector& knots, int interval, const LineRule& rule) {
+LineIntegrals line_integrals(const IntervalKnots& knots, const LineRule& rule) {
     const Index n = knots.degree + 1;
     LineIntegrals m{MatrixXd::Zero(n, n), MatrixXd::Zero(n, n), MatrixXd::Zero(n, n)};
-    const double a = knots.breakpoints[static_cast<std::size_t>(interval)];
-    const double h = knots.breakpoints[static_cast<std::size_t>(interval) + 1] - a;
+    const double a = knots.low(), h = knots.high() - a;
     for (std::size_t k = 0; k < rule.points.size(); ++k) {
         LocalValues v, g;
-        evaluate(knots, interval, a + rule.points[k] * h, v, g);
+        evaluate(knots, a + rule.points[k] * h, v, g);
         const Eigen::Map<const VectorXd> value(v.data(), n), slope(g.data(), n);
         const double w = rule.weights[k] * h;
         m.mass += w * value * value.transpose();
@@ -71,13 +70,13 @@ MatrixXd times(const MatrixXd& a, const PackedExtraction& e) {
 }  // namespace
 
 void sample(const SplineSpace& s, int element, const std::vector<Vec2>& points, Sampled& out) {
-    const int c = s.column_of(element), r = s.row_of(element);
+    const IntervalKnots along_x = s.along_x(element), along_y = s.along_y(element);
     const Index p = s.x.degree + 1, q = s.y.degree + 1, n = static_cast<Index>(points.size());
     for (MatrixXd* m : {&out.value, &out.dx, &out.dy}) m->resize(n, p * q);
     for (Index k = 0; k < n; ++k) {
         LocalValues vx, gx, vy, gy;
-        evaluate(s.x, c, points[static_cast<std::size_t>(k)].x(), vx, gx);
-        evaluate(s.y, r, points[static_cast<std::size_t>(k)].y(), vy, gy);
+        evaluate(along_x, points[static_cast<std::size_t>(k)].x(), vx, gx);
+        evaluate(along_y, points[static_cast<std::size_t>(k)].y(), vy, gy);
         const Eigen::Map<const Eigen::RowVectorXd> x(vx.data(), p), xd(gx.data(), p);
         for (Index b = 0; b < q; ++b) {
             const double y = vy[static_cast<std::size_t>(b)], yd = gy[static_cast<std::size_t>(b)];
@@ -88,11 +87,11 @@ void sample(const SplineSpace& s, int element, const std::vector<Vec2>& points, 
     }
 }
 
-IntervalIntegrals interval_integrals(const KnotVector& knots, const LineRule& rule) {
-    const double fraction = rounding_of_lines(knots);
+IntervalIntegrals interval_integrals(const SplineSpace& space, int axis, const LineRule& rule) {
+    const double fraction = rounding_of_lines(axis == 0 ? space.x : space.y);
     IntervalIntegrals all;
-    for (int i = 0; i < knots.n_intervals(); ++i) {
-        LineIntegrals m = line_integrals(knots, i, rule);
+    for (int i = 0; i < space.n_intervals(axis); ++i) {
+        LineIntegrals m = line_integrals(space.interval(axis, i), rule);
         const auto same = [&](const LineIntegrals& o) {
             return is_close(m.mass, o.mass, fraction) && is_close(m.stiffness, o.stiffness, fraction) &&
                    is_close(m.mixed, o.mixed, fraction);
@@ -126,11 +125,11 @@ namespace {
 struct Gradients {
     std::array<double, (max_degree + 1) * (max_degree + 1)> dx, dy;
 };
-void gradients(const SplineSpace& s, int column, int row, const Vec2& point, Gradients& out) {
+void gradients(const IntervalKnots& x, const IntervalKnots& y, const Vec2& point, Gradients& out) {
     LocalValues vx, gx, vy, gy;
-    evaluate(s.x, column, point.x(), vx, gx);
-    evaluate(s.y, row, point.y(), vy, gy);
-    const auto p = static_cast<std::size_t>(s.x.degree) + 1, q = static_cast<std::size_t>(s.y.degree) + 1;
+    evaluate(x, point.x(), vx, gx);
+    evaluate(y, point.y(), vy, gy);
+    const auto p = static_cast<std::size_t>(x.degree) + 1, q = static_cast<std::size_t>(y.degree) + 1;
     for (std::size_t b = 0; b < q; ++b)
         for (std::size_t a = 0; a < p; ++a) {
             out.dx[b * p + a] = gx[a] * vy[b];
@@ -142,12 +141,12 @@ void gradients(const SplineSpace& s, int column, int row, const Vec2& point, Gra
 template <int N>
 void add_points(const SplineSpace& space, int element, const std::vector<Vec2>& points, const std::vector<double>& weights,
                 CellIntegrals& out) {
-    const int column = space.column_of(element), row = space.row_of(element);
+    const IntervalKnots x = space.along_x(element), y = space.along_y(element);
     const Index n = out.axx.rows();
     Eigen::Matrix<double, N, N> xx = Eigen::Matrix<double, N, N>::Zero(n, n), yy = xx, xy = xx;
     Gradients at;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        gradients(space, column, row, points[k], at);
+        gradients(x, y, points[k], at);
         const Eigen::Map<const Eigen::Vector<double, N>> dx(at.dx.data(), n), dy(at.dy.data(), n);
         const Eigen::Vector<double, N> wx = weights[k] * dx, wy = weights[k] * dy;
         xx += dx.lazyProduct(wx.transpose());
@@ -163,7 +162,7 @@ void add_points(const SplineSpace& space, int element, const std::vector<Vec2>& 
 
 void integrate_cut_cell(const SplineSpace& space, int element, const std::vector<Vec2>& points,
                         const std::vector<double>& weights, CellIntegrals& out) {
-    const Index n = (space.x.degree + 1) * (space.y.degree + 1);
+    const Index n = space.n_local();
     for (MatrixXd* m : {&out.axx, &out.ayy, &out.axy}) m->resize(n, n);
     switch (n) {
         case 4:

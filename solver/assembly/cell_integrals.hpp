@@ -25,13 +25,13 @@ struct LineIntegrals {
     Eigen::MatrixXd mass, stiffness, mixed;
 };
 
-/// The line integrals of every interval of a knot vector; intervals whose integrals are those of the one before but for the
+/// The line integrals of every interval along an axis of a space; intervals whose integrals are those of the one before but for the
 /// rounding of the grid lines share them, so that whole rows of equal cells are integrated once.
 struct IntervalIntegrals {
     std::vector<LineIntegrals> integrals;
     std::vector<int> of_interval;
 };
-IntervalIntegrals interval_integrals(const KnotVector& knots, const LineRule& rule);
+IntervalIntegrals interval_integrals(const SplineSpace& space, int axis, const LineRule& rule);
 
 /// The integrals of gx gx', gy gy' and gx gy' over one element, gx and gy the derivatives of its functions.
 struct CellIntegrals {

@@ -23,16 +23,15 @@ void add_to(LineIntegrals& m, const VectorXd& value, const VectorXd& slope, doub
     m.mixed += w * slope * value.transpose();
 }
 
-RadialIntegrals radial_integrals(const KnotVector& knots, int interval, const LineRule& rule, double axis) {
+RadialIntegrals radial_integrals(const IntervalKnots& knots, const LineRule& rule, double axis) {
     const Index n = knots.degree + 1;
     const MatrixXd zero = MatrixXd::Zero(n, n);
     RadialIntegrals m{{zero, zero, zero}, {zero, zero, zero}, zero};
-    const double a = knots.breakpoints[static_cast<std::size_t>(interval)];
-    const double h = knots.breakpoints[static_cast<std::size_t>(interval) + 1] - a;
+    const double a = knots.low(), h = knots.high() - a;
     for (std::size_t k = 0; k < rule.points.size(); ++k) {
         LocalValues v, g;
         const double x = a + rule.points[k] * h, r = x - axis, w = rule.weights[k] * h;
-        evaluate(knots, interval, x, v, g);
+        evaluate(knots, x, v, g);
         const VectorXd value = VectorXd::Map(v.data(), n), slope = VectorXd::Map(g.data(), n);
         add_to(m.weighted, value, slope, w * r);
         add_to(m.plain, value, slope, w);
@@ -113,16 +112,16 @@ struct RingStiffness {
 
 void add_full_cells(RingStiffness& s) {
     const SplineSpace& space = s.input.space;
-    const IntervalIntegrals y = interval_integrals(space.y, s.input.line_rule);
-    for (int c = 0; c < space.columns(); ++c) {
-        const RadialIntegrals x = radial_integrals(space.x, c, s.input.line_rule, *s.input.axis);
-        for (int r = 0; r < space.rows(); ++r) {
-            const int cell = r * space.columns() + c;
-            if (!is_full(space, cell)) continue;
-            const int kind = y.of_interval[static_cast<std::size_t>(r)];
-            integrate_full(x, y.integrals[static_cast<std::size_t>(kind)], s.element);
-            s.add(cell);
-        }
+    const IntervalIntegrals y = interval_integrals(space, 1, s.input.line_rule);
+    std::vector<RadialIntegrals> x;
+    for (int c = 0; c < space.n_intervals(0); ++c)
+        x.push_back(radial_integrals(space.interval(0, c), s.input.line_rule, *s.input.axis));
+    for (int cell = 0; cell < space.n_cells(); ++cell) {
+        if (!is_full(space, cell)) continue;
+        const int kind = y.of_interval[static_cast<std::size_t>(space.row_of(cell))];
+        integrate_full(x[static_cast<std::size_t>(space.column_of(cell))], y.integrals[static_cast<std::size_t>(kind)],
+                       s.element);
+        s.add(cell);
     }
 }
 
@@ -131,7 +130,7 @@ void add_full_cells(RingStiffness& s) {
 BlockMatrix assemble_ring_stiffness(const PartInput& input) {
     const SplineSpace& space = input.space;
     FunctionSets sets;
-    for (int cell = 0; cell < space.columns() * space.rows(); ++cell)
+    for (int cell = 0; cell < space.n_cells(); ++cell)
         if (is_full(space, cell)) sets.add(extraction(space, cell).functions);
     for (const CellRule& rule : input.cut_rules) sets.add(extraction(space, rule.element).functions);
     BlockMatrix k = make_block_matrix(space.n_functions, sets);

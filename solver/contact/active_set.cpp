@@ -59,10 +59,10 @@ bool condense(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet&
     const Index n = shifted.qp.modes.cols();
     MatrixXd& columns = c.columns;
     columns.resize(static_cast<Index>(closed.size()), n + 1);
-    for (Index j = 0; j < n; ++j)
-        for (Index i = 0; i < columns.rows(); ++i) columns(i, j) = shifted.qp.modes(closed[static_cast<std::size_t>(i)], j);
-    columns.col(n) = shifted.gap(closed) + columns.leftCols(n) * anchor;
-    factor.solve_lower(columns);
+    columns.leftCols(n) = factor.solved(shifted.qp.modes);
+    VectorXd gap = shifted.gap(closed);
+    factor.solve_lower(gap);
+    columns.col(n) = gap + columns.leftCols(n) * anchor;
     const MatrixXd products = gram(columns);
     c.stiffness = products.topLeftCorner(n, n);
     c.load = shifted.qp.mode_load - products.col(n).head(n);
@@ -144,6 +144,56 @@ bool close_penetrated(const ShiftedQp& shifted, const ContactState& state, bool 
     return true;
 }
 
+/// The amplitudes' own problem; false where a motion is free.
+bool solve_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd& motion) {
+    motion = VectorXd::Zero(load.size());
+    if (load.size() == 0) return true;
+    const PivotedCholesky held(stiffness);
+    const VectorXd d = held.pivots().cwiseAbs();
+    if (!held.succeeded() || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
+    motion = held.solve(load);
+    return true;
+}
+
+/// The same where free motions stay; false where all are free.
+bool solve_held_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd& motion) {
+    const Index n = load.size();
+    if (n == 0) return false;
+    const auto [values, motions] = symmetric_eigen(stiffness);
+    if (!(values[n - 1] > 0)) return false;
+    motion = motions.transpose() * load;
+    for (Index k = 0; k < n; ++k) motion[k] = values[k] > free_fraction * values[n - 1] ? motion[k] / values[k] : 0.0;
+    motion = motions * motion;
+    return true;
+}
+
+/// solve: the amplitudes from their condensed stiffness and load.
+template <class Solve>
+bool solve_set(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, const Solve& solve,
+               ClosedFactor& factor, ContactState& state) {
+    Condensed c;
+    VectorXd motion;
+    if (!condense(shifted, anchor, active, factor, c) || !solve(c, motion)) return false;
+    state = state_of(shifted.qp, c, factor, anchor, motion);
+    return closes_what_is_left_out(shifted, factor, state);
+}
+
+/// solve: of a set, into the state; false where the set has no solution.
+template <class Solve>
+SetSearch search_sets(const ShiftedQp& shifted, const Solve& solve, ActiveSet& active, const ContactState& state,
+                      int& iterations) {
+    std::set<ActiveSet> seen;
+    for (int step = 0; step < max_primal_dual_steps; ++step) {
+        if (!seen.insert(active).second) return SetSearch::repeated;
+        ++iterations;
+        if (!solve()) return SetSearch::singular;
+        ActiveSet next = next_set(shifted, active, state);
+        if (next == active) return SetSearch::found;
+        active = std::move(next);
+    }
+    return SetSearch::repeated;
+}
+
 }  // namespace
 
 VectorXd closing_of(const ContactQp& qp, const VectorXd& multipliers) {
@@ -163,32 +213,16 @@ ActiveSet bilateral_rows(const ContactQp& qp) {
 
 bool solve_on(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& active, ClosedFactor& factor,
               ContactState& state) {
-    Condensed c;
-    if (!condense(shifted, proximal.anchor, active, factor, c)) return false;
-    const Index n = shifted.qp.modes.cols();
-    VectorXd motion = VectorXd::Zero(n);
-    if (n > 0) {
-        const PivotedCholesky held(c.stiffness + proximal.stiffness);
-        const VectorXd d = held.pivots().cwiseAbs();
-        if (!held.succeeded() || d.minCoeff() <= singular_fraction * d.maxCoeff()) return false;
-        motion = held.solve(c.load);
-    }
-    state = state_of(shifted.qp, c, factor, proximal.anchor, motion);
-    return closes_what_is_left_out(shifted, factor, state);
+    const auto solve = [&](const Condensed& c, VectorXd& motion) {
+        return solve_motion(c.stiffness + proximal.stiffness, c.load, motion);
+    };
+    return solve_set(shifted, proximal.anchor, active, solve, factor, state);
 }
 
 bool solve_least_motion(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor,
                         ContactState& state) {
-    Condensed c;
-    const Index n = shifted.qp.modes.cols();
-    if (n == 0 || !condense(shifted, anchor, active, factor, c)) return false;
-    const auto [stiffness, motions] = symmetric_eigen(c.stiffness);
-    if (!(stiffness[n - 1] > 0)) return false;
-    VectorXd motion = motions.transpose() * c.load;
-    for (Index k = 0; k < n; ++k) motion[k] = stiffness[k] > free_fraction * stiffness[n - 1] ? motion[k] / stiffness[k] : 0.0;
-    motion = motions * motion;
-    state = state_of(shifted.qp, c, factor, anchor, motion);
-    return closes_what_is_left_out(shifted, factor, state);
+    const auto solve = [](const Condensed& c, VectorXd& motion) { return solve_held_motion(c.stiffness, c.load, motion); };
+    return solve_set(shifted, anchor, active, solve, factor, state);
 }
 
 VectorXd gap_of(const ShiftedQp& shifted, const ContactState& s) {
@@ -217,16 +251,18 @@ ActiveSet next_set(const ShiftedQp& shifted, const ActiveSet& active, const Cont
 
 SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
                       ContactState& state, int& iterations) {
-    std::set<ActiveSet> seen;
-    for (int step = 0; step < max_primal_dual_steps; ++step) {
-        if (!seen.insert(active).second) return SetSearch::repeated;
-        ++iterations;
-        if (!solve_on(shifted, proximal, active, factor, state)) return SetSearch::singular;
-        ActiveSet next = next_set(shifted, active, state);
-        if (next == active) return SetSearch::found;
-        active = std::move(next);
-    }
-    return SetSearch::repeated;
+    return search_sets(
+        shifted, [&] { return solve_on(shifted, proximal, active, factor, state); }, active, state, iterations);
+}
+
+SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+                                      int& iterations) {
+    const auto amplitudes = [](const Condensed& c, VectorXd& motion) {
+        return solve_motion(c.stiffness, c.load, motion) || solve_held_motion(c.stiffness, c.load, motion);
+    };
+    const VectorXd here = VectorXd::Zero(shifted.qp.modes.cols());
+    const auto solve = [&] { return solve_set(shifted, here, active, amplitudes, factor, state); };
+    return search_sets(shifted, solve, active, state, iterations);
 }
 
 bool descend(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor, ContactState& state,

@@ -65,6 +65,11 @@ enum class SetSearch { found, repeated, singular };
 SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
                       ContactState& state, int& iterations);
 
+/// The same without a proximal term, where motions that a set leaves free stay where they are (solve_least_motion). singular: C
+/// is on a set.
+SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
+                                      int& iterations);
+
 /// Primal active set with a projected step [Nocedal06, sections 16.5 and 16.7] from the multipliers of `state`, as far as they
 /// are >= 0: the energy falls from one set to the next, so none comes back and it ends. E must be positive definite. False
 /// where C is singular on a set, or rounding stops the descent before the conditions hold.

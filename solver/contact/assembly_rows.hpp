@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The steps of solve_assembly: the rows of an assembly, and the solution under them.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "solver/contact/neutral_motions.hpp"
@@ -13,8 +14,27 @@ struct AssemblyRows {
     std::vector<int> first_row;  ///< by interface
     Eigen::VectorXd foundation;  ///< by row, of the start
     Eigen::VectorXd expected;    ///< multipliers; empty: nothing is known of them
+    std::vector<FrictionRow> friction;
 };
 AssemblyRows assembly_rows(const AssemblyProblem& problem);
+
+/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
+/// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
+/// pressures would change by more than a trifle.
+std::optional<Eigen::VectorXd> balanced(const ContactQp& qp, const Eigen::MatrixXd& levers, const Eigen::VectorXd& forces);
+
+/// The contact problem under the motions `held` (amplitudes x motions), and its answer.
+struct HeldAnswer {
+    ContactQp qp;
+    Eigen::MatrixXd held;
+    ContactQpResult result;
+
+    HeldAnswer(ContactQp of_all, Eigen::MatrixXd motions);
+    bool has_answer() const { return result.feasible && result.converged; }
+};
+/// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
+/// these, too: their amplitudes mean nothing. levers: as of `balanced`.
+HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Eigen::MatrixXd& levers);
 
 /// A solution in which pressures and constraint forces are not filled in: multipliers has them, by row; empty with a mechanism.
 struct RowsSolution {

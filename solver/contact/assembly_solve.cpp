@@ -27,6 +27,9 @@ using Eigen::VectorXd;
 /// Conditions that the first displacements meet to this are met to rounding: a step of refinement would cost another solution
 /// of every part for digits that the stiffness matrix does not have.
 constexpr double refined_residual = 1e-12;
+/// Of an interface's own foundation: what bodies are held by along it at the start. Little, so that they come to rest on their
+/// faces, not on their flanks.
+constexpr double tangential_foundation = 1e-2;
 
 class Laps {
 public:
@@ -51,7 +54,30 @@ VectorXd foundation_of(const AssemblyProblem& problem, const AssemblyRows& all) 
         }
     for (Index row = 0; row < foundation.size(); ++row)
         if (!all.rows.unilateral[static_cast<std::size_t>(row)]) foundation[row] = stiffest > 0 ? stiffest : 1.0;
+    for (const FrictionRow& f : all.friction) foundation[f.tangential] = tangential_foundation * foundation[f.normal];
     return foundation;
+}
+
+std::vector<FrictionRow> friction_rows(const AssemblyProblem& problem, const std::vector<int>& first_row) {
+    std::vector<FrictionRow> friction;
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i) {
+        const Interface& face = problem.interfaces[i];
+        if (!face.friction) continue;
+        ENSURE(i > 0 && face.bilateral && *face.friction > 0 && n_rows(problem.interfaces[i - 1]) == n_rows(face),
+               "an interface of friction follows that of its pressure");
+        for (int k = 0; k < n_rows(face); ++k) friction.push_back({first_row[i - 1] + k, first_row[i] + k, *face.friction});
+    }
+    return friction;
+}
+
+/// Slips count from the state before.
+void take_slips_before(const AssemblyProblem& problem, AssemblyRows& all) {
+    if (all.friction.empty() || problem.before.empty()) return;
+    ENSURE(problem.before.size() == problem.parts.size(), "every part has a displacement before, or none has");
+    VectorXd moved = VectorXd::Zero(all.rows.n);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i)
+        moved += rows_times(all.rows.by_part[i], problem.before[i], all.rows.n);
+    for (const FrictionRow& f : all.friction) all.rows.gap0[f.tangential] -= moved[f.tangential];
 }
 
 /// What is known of the multipliers, where something is.
@@ -134,9 +160,8 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
     recover();
 }
 
-/// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
-/// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where
-/// pressures would change by more than a trifle.
+}  // namespace
+
 std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, const VectorXd& forces) {
     constexpr double rounding = 1e-13, most_change = 0.02;
     MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
@@ -144,29 +169,21 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     VectorXd imbalance = VectorXd::Zero(motions.cols());
     imbalance.tail(levers.cols()) = levers.transpose() * forces;
     if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
-    const MatrixXd weighted = forces.cwiseAbs().asDiagonal() * motions;
+    VectorXd size = forces.cwiseAbs();
+    for (const FrictionRow& f : qp.friction) size[f.normal] = size[f.tangential] = 0;  // their bounds stay as they are
+    const MatrixXd weighted = size.asDiagonal() * motions;
     const VectorXd amplitudes = least_squares(motions.transpose() * weighted, imbalance);
-    const VectorXd change = (forces.array() != 0).select(-motions * amplitudes, 0.0);
+    const VectorXd change = (size.array() != 0).select(-motions * amplitudes, 0.0);
     if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
-    return forces + forces.cwiseAbs().cwiseProduct(change);
+    return forces + size.cwiseProduct(change);
 }
 
-/// The contact problem under the motions `held`, and its answer.
-struct HeldAnswer {
-    ContactQp qp;
-    MatrixXd held;
-    ContactQpResult result;
+HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
+    qp.modes = qp.modes * held;
+    qp.mode_load = held.transpose() * qp.mode_load;
+    result = solve_contact_qp(qp);
+}
 
-    HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
-        qp.modes = qp.modes * held;
-        qp.mode_load = held.transpose() * qp.mode_load;
-        result = solve_contact_qp(qp);
-    }
-    bool has_answer() const { return result.feasible && result.converged; }
-};
-
-/// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
-/// these, too: their amplitudes mean nothing.
 HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers) {
     HeldAnswer answer(qp, split.resisted);
     if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
@@ -179,14 +196,14 @@ HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Matri
     return all.has_answer() ? all : answer;
 }
 
-}  // namespace
-
 AssemblyRows assembly_rows(const AssemblyProblem& problem) {
     AssemblyRows all;
     all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row);
     for (const MeanConstraint& c : problem.constraints)
         append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
                                c.coefficient, c.size, c.value);
+    all.friction = friction_rows(problem, all.first_row);
+    take_slips_before(problem, all);
     all.foundation = foundation_of(problem, all);
     all.expected = expected_multipliers(problem, all);
     return all;
@@ -204,6 +221,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     scale_rows(qp, rows.weight);
     qp.foundation = all.foundation;
     qp.expected = all.expected;
+    qp.friction = all.friction;
     solution.seconds.condensation = laps.lap();
 
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
@@ -217,6 +235,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     solution.seconds.contact = laps.lap();
     if (!held.result.feasible) {
         solution.mechanism = part_motions(problem.parts, held.held * held.result.mechanism);
+        solution.holding_factor = held.result.holding_factor;
         return answered;
     }
     ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};

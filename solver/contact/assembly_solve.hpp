@@ -41,6 +41,8 @@ struct AssemblyProblem {
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
     std::vector<double> part_load;   ///< largest load on each part; empty: not known
+    /// (2n) by part: the displacements of the state before, from which slips count; empty: none.
+    std::vector<Eigen::VectorXd> before;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
     /// them slides the body in its own outline.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
@@ -63,6 +65,7 @@ struct AssemblySolution {
     std::vector<double> constraint_force;       ///< by constraint
     std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
     std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
+    double holding_factor = 0;  ///< of a mechanism: coefficients of friction so many times as large would hold; 0: none do
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/contact/active_set.hpp"
+#include "solver/contact/friction.hpp"
 #include "solver/contact/interior_point.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/nonnegative.hpp"
@@ -204,8 +205,24 @@ void ensure_shapes(const ContactQp& qp) {
 
 }  // namespace
 
+bool solve_from_neighbour(const ContactQp& qp, const VectorXd& amplitudes, ClosedFactor& factor, ContactQpResult& result) {
+    ensure_shapes(qp);
+    ENSURE(amplitudes.size() == qp.modes.cols() && qp.expected.size() == qp.gap.size(), "a neighbour has as many unknowns");
+    const ShiftedQp near{qp, qp.gap + qp.modes * amplitudes};
+    ContactState state;
+    ActiveSet active = closed_by(qp, qp.expected);
+    result.iterations = 0;
+    result.converged = primal_dual_or_least_motion(near, active, factor, state, result.iterations) == SetSearch::found &&
+                       is_balanced(qp, state.multipliers);
+    if (!result.converged) return false;
+    result.active = std::move(active);
+    conclude(near, amplitudes, state, result);
+    return true;
+}
+
 ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ensure_shapes(qp);
+    if (!qp.friction.empty()) return solve_with_friction(qp);
     ContactQpResult result;
     result.active = bilateral_rows(qp);
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
@@ -238,6 +255,7 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
 }
 
 double contact_residual(const ContactQp& qp, const ContactConditions& c) {
+    if (!qp.friction.empty()) return friction_residual(qp, c);
     return residual_of(qp, c, closing_of(qp, c.multipliers));
 }
 
@@ -245,7 +263,7 @@ bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd
     ensure_shapes(qp);
     ENSURE(active.size() == qp.unilateral.size(), "every row is closed or open");
     ContactState state;
-    if (!state_on_set(qp, active, state)) return false;
+    if (!(qp.friction.empty() ? state_on_set(qp, active, state) : state_with_friction(qp, active, state))) return false;
     multipliers = std::move(state.multipliers);
     amplitudes = std::move(state.amplitudes);
     return true;

@@ -4,12 +4,22 @@
 //   min 1/2 l'C l + g'l   subject to  G'l + h = 0,  l_k >= 0 for unilateral k,
 //
 // whose conditions are: gap = g + C l + G a >= 0, l >= 0, gap . l = 0 (gap = 0 for bilateral rows); a are the amplitudes of the
-// rigid motions that no support holds, G'l + h = 0 their equilibrium.
+// rigid motions that no support holds, G'l + h = 0 their equilibrium. With friction it is no program but the same conditions
+// with more rows: see friction.hpp.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
 
 namespace abut::solver {
+
+class ClosedFactor;
+
+/// A row of tangential traction, whose gap is the slip, and the row of the pressure that bounds it: |l_t| <= coefficient l_n,
+/// l_t = -coefficient l_n sign(slip) where it slips. An infinite coefficient: no slip where there is pressure.
+struct FrictionRow {
+    int normal, tangential;
+    double coefficient;  ///< > 0
+};
 
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {
@@ -24,6 +34,7 @@ struct ContactQp {
     /// The multipliers of a problem much like this one, whose active set the search begins with; empty: that of the settle.
     /// Speed only.
     Eigen::VectorXd expected{};
+    std::vector<FrictionRow> friction{};  ///< their tangential rows count as bilateral in `unilateral`
 };
 
 /// The solution of the contact problem, or why there is none.
@@ -31,12 +42,13 @@ struct ContactQpResult {
     Eigen::VectorXd multipliers, gap;
     Eigen::VectorXd settled, motion;  ///< amplitudes of the rigid settle, and from there to the answer
     Eigen::VectorXd amplitudes() const { return settled + motion; }
-    std::vector<char> active;
+    std::vector<char> active;  ///< by row: 1 closed, 0 open; tangential rows of friction: RowState (friction.hpp)
     int iterations = 0;
     bool converged = false;
     bool used_fallback = false;  ///< the primal-dual active set repeated or lost a set: the descending one went on
     bool feasible = true;        ///< false: no pressures >= 0 balance the loads
     Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive
+    double holding_factor = 0;   ///< with !feasible: coefficients of friction so many times as large would hold; 0: none do
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
 };
 
@@ -52,8 +64,13 @@ struct ContactQpResult {
 ///    without the term; where a single point carries all, the balance becomes exact by the passes.
 /// 4. Where it repeats a set, or a pass does: the interior point method, and the active set again from the rows that it closes.
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
+/// With friction: solve_with_friction (friction.hpp) instead.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
-
+/// The answer from that of a problem that differs by its loads: from its set (`expected`), the amplitudes measured from its
+/// own. Motions that a set leaves free stay there, as long as the loads do no work in them. factor: of the compliance, kept
+/// from one problem to the next. False: it is not found from there, and `result` has nothing.
+bool solve_from_neighbour(const ContactQp& qp, const Eigen::VectorXd& amplitudes, ClosedFactor& factor,
+                          ContactQpResult& result);
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {
     Eigen::VectorXd multipliers, gap, imbalance;
@@ -65,7 +82,7 @@ struct ContactConditions {
 double contact_residual(const ContactQp& qp, const ContactConditions& conditions);
 
 /// Finds multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set
-/// leaves free stays at zero. False where C is singular on the set or no row of it resists any motion. With residuals in place
+/// leaves free stays at zero. Rows of friction that slip have the multiplier that their pressure gives them. False where C is singular on the set or no row of it resists any motion. With residuals in place
 /// of gap and mode_load: the correction of a step of iterative refinement.
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers,
                   Eigen::VectorXd& amplitudes);

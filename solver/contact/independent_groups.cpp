@@ -50,6 +50,7 @@ struct Mover {
             number[at(part)] = static_cast<int>(own.parts.size());
             own.parts.push_back(std::move(whole.parts[at(part)]));
             own.load_scale = std::max(own.load_scale, whole.part_load[at(part)]);
+            if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
         }
         for (int k : members.interfaces) {
             own.interfaces.push_back(std::move(whole.interfaces[at(k)]));
@@ -111,6 +112,7 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     scatter(std::move(from.constraint_force), members.constraints, to.constraint_force);
     append_motions(from.neutral, members, to.neutral);
     append_motions(from.mechanism, members, to.mechanism);
+    to.holding_factor = std::max(to.holding_factor, from.holding_factor);
     add_outcome(from, to);
     add_seconds(from.seconds, to.seconds);
 }

@@ -111,8 +111,8 @@ public:
     void add(int element, const Vec2& x, const Vec2& along, const PointRows& of) {
         if (element != element_ || !is_same(of)) open(element, of);
         LocalValues vx, vy;
-        evaluate(space_.x, space_.column_of(element), x.x(), vx);
-        evaluate(space_.y, space_.row_of(element), x.y(), vy);
+        evaluate(space_.along_x(element), x.x(), vx);
+        evaluate(space_.along_y(element), x.y(), vy);
         Index k = 0;
         for (Index b = 0; b <= space_.y.degree; ++b)
             for (Index a = 0; a <= space_.x.degree; ++a, ++k) {

@@ -53,7 +53,7 @@ public:
         const double little = regularization * matrix.diagonal().mean();
         matrix.diagonal().array() += little;
         for (Index k : unilateral_) matrix(k, k) += x.gap[k] / x.l[k];
-        if (!compliance_.compute(matrix)) return false;
+        if (!compliance_.compute(std::move(matrix))) return false;
         if (qp_.modes.cols() == 0) return true;
         columns_ = compliance_.solve_lower(qp_.modes);
         MatrixXd stiffness = columns_.transpose() * columns_;

@@ -239,31 +239,40 @@ MatrixXd integrals_of_modes(const PartSystem& part) {
     const Vec2 center = part.free_motions.front().center;
     const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
     const MatrixXd coefficients = coefficients_of(part.input.space, rigid);
-    MatrixXd integrals(coefficients.rows(), 3);
-    for (Index k = 0; k < 3; ++k)
-        integrals.col(k) = body_load(part.input, [&](const Vec2& x) { return rigid[static_cast<std::size_t>(k)].at(x); });
+    MatrixXd integrals = MatrixXd::Zero(coefficients.rows(), 3);
+    const VectorXd of_one = body_load(part.input, [](const Vec2&) { return Vec2(1, 0); });
+    for (Index i = 0; i < of_one.size(); i += 2) integrals(i, 0) = integrals(i + 1, 1) = of_one[i];
+    integrals.col(2) = body_load(part.input, [&](const Vec2& x) { return rigid[2].at(x); });
     return integrals *
            PivotedCholesky(coefficients.transpose() * coefficients).solve_columns(coefficients.transpose() * part.modes);
 }
 
 }  // namespace
 
-void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
+NeutralMeasure neutral_measure(const AssemblyProblem& problem, const MatrixXd& neutral) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    if (neutral.cols() == 0) return;
-    MatrixXd gram = MatrixXd::Zero(neutral.cols(), neutral.cols());
-    VectorXd rhs = VectorXd::Zero(neutral.cols());
-    std::vector<MatrixXd> motion(problem.parts.size());
+    NeutralMeasure measure{{}, MatrixXd::Zero(neutral.cols(), neutral.cols())};
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
         const auto own = neutral.middleRows(offset[i], offset[i + 1] - offset[i]);
-        motion[i] = problem.parts[i].modes * own;
+        measure.integrals.push_back(MatrixXd::Zero(part.modes.rows(), neutral.cols()));
         if (own.isZero(0)) continue;
-        const MatrixXd integrals = integrals_of_modes(problem.parts[i]) * own;
-        gram += integrals.transpose() * motion[i];
-        rhs -= integrals.transpose() * solution.displacement[i];
+        measure.integrals[i] = integrals_of_modes(part) * own;
+        measure.gram += measure.integrals[i].transpose() * (part.modes * own);
     }
-    const VectorXd amplitude = PivotedCholesky(gram).solve(rhs);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) solution.displacement[i] += motion[i] * amplitude;
+    return measure;
+}
+
+void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
+    if (neutral.cols() == 0) return;
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    const NeutralMeasure measure = neutral_measure(problem, neutral);
+    VectorXd rhs = VectorXd::Zero(neutral.cols());
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) rhs -= measure.integrals[i].transpose() * solution.displacement[i];
+    const VectorXd amplitude = PivotedCholesky(measure.gram).solve(rhs);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i)
+        solution.displacement[i] +=
+            problem.parts[i].modes * (neutral.middleRows(offset[i], offset[i + 1] - offset[i]) * amplitude);
 }
 
 }  // namespace abut::solver

@@ -33,6 +33,7 @@ ClosedFactor::ClosedFactor(const MatrixXd& compliance, const Eigen::VectorXd& pr
 bool ClosedFactor::move_to(const std::vector<char>& closed) {
     const auto left = std::find_if(rows_.begin(), rows_.end(), [&](Index row) { return !closed[at(row)]; });
     rows_.erase(left, rows_.end());
+    n_solved_ = std::min(n_solved_, rows_.size());
     std::vector<char> kept(closed.size(), 0);
     for (Index row : rows_) kept[at(row)] = 1;
     std::vector<Index> more;
@@ -77,10 +78,24 @@ bool ClosedFactor::append_all(const std::vector<Index>& more) {
     return true;
 }
 
-void ClosedFactor::solve_lower(MatrixXd& x) const {
-    const int n = static_cast<int>(rows_.size()), columns = static_cast<int>(x.cols()), ldl = static_cast<int>(l_.rows());
-    const double one = 1;
-    if (n > 0 && columns > 0) dtrsm_("L", "L", "N", "N", &n, &columns, &one, l_.data(), &ldl, x.data(), &n);
+/// [y1; y2] = L^-1 [g1; g2]: y2 = L22^-1 (g2 - L21 y1).
+void ClosedFactor::solve_new_rows(const MatrixXd& columns) {
+    if (solved_.cols() != columns.cols()) solved_.resize(l_.rows(), columns.cols());
+    const int n = static_cast<int>(n_solved_), more = static_cast<int>(rows_.size()) - n, ld = static_cast<int>(l_.rows()),
+              width = static_cast<int>(columns.cols());
+    n_solved_ = rows_.size();
+    if (more == 0 || width == 0) return;
+    for (int j = 0; j < width; ++j)
+        for (int i = n; i < n + more; ++i) solved_(i, j) = columns(rows_[at(i)], j);
+    const double one = 1, minus = -1;
+    double* below = solved_.data() + n;
+    if (n > 0) dgemm_("N", "N", &more, &width, &n, &minus, l_.data() + n, &ld, solved_.data(), &ld, &one, below, &ld);
+    dtrsm_("L", "L", "N", "N", &more, &width, &one, l_.data() + n + static_cast<Index>(n) * ld, &ld, below, &ld);
+}
+
+void ClosedFactor::solve_lower(Eigen::VectorXd& x) const {
+    const int n = static_cast<int>(rows_.size()), ldl = static_cast<int>(l_.rows()), step = 1;
+    if (n > 0) dtrsv_("L", "N", "N", &n, l_.data(), &ldl, x.data(), &step);
 }
 
 void ClosedFactor::solve_transposed(Eigen::VectorXd& x) const {

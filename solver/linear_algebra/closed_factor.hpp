@@ -21,18 +21,27 @@ public:
 
     /// The closed rows in the factor's order, without those left out.
     const std::vector<Eigen::Index>& rows() const { return rows_; }
+    /// L^-1 G of the rows of some columns G (m x n), which must be the same ones in every call. Cost: that of the rows that are
+    /// new since the last one.
+    auto solved(const Eigen::MatrixXd& columns) {
+        solve_new_rows(columns);
+        return solved_.topRows(static_cast<Eigen::Index>(rows_.size()));
+    }
     /// x = L^-1 x, x = L'^-1 x; rows as in rows().
-    void solve_lower(Eigen::MatrixXd& x) const;
+    void solve_lower(Eigen::VectorXd& x) const;
     void solve_transposed(Eigen::VectorXd& x) const;
 
 private:
+    void solve_new_rows(const Eigen::MatrixXd& columns);
     bool append(const std::vector<Eigen::Index>& more);
     bool append_all(const std::vector<Eigen::Index>& more);  // false: no row is taken, some pivot is rounding or negative
 
     const Eigen::MatrixXd& compliance_;
     std::vector<Eigen::Index> preferred_;  ///< all rows
     std::vector<Eigen::Index> rows_, left_out_;
-    Eigen::MatrixXd l_;  ///< (m x m) of which the leading rows().size() are used, the lower triangle
+    Eigen::MatrixXd solved_;    ///< of `solved`: (m x n)
+    std::size_t n_solved_ = 0;  ///< its rows that are up to date
+    Eigen::MatrixXd l_;         ///< (m x m) of which the leading rows().size() are used, the lower triangle
 };
 
 }  // namespace abut::solver

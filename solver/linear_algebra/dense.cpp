@@ -2,9 +2,11 @@
 #include "solver/linear_algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "solver/linear_algebra/blas.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -14,7 +16,16 @@ using Eigen::VectorXd;
 
 namespace {
 constexpr const char* rows_differ = "a right-hand side has the rows of its matrix";
+constexpr double singular = 1e-15;  // reciprocal condition number
+
+/// x = L^-1 x, or L'^-1 x.
+void solve_triangle(const MatrixXd& l, const char* transposed, MatrixXd& x) {
+    const int n = static_cast<int>(x.rows()), columns = static_cast<int>(x.cols());
+    const double one = 1;
+    if (n > 0 && columns > 0) dtrsm_("L", "L", transposed, "N", &n, &columns, &one, l.data(), &n, x.data(), &n);
 }
+
+}  // namespace
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(a);
@@ -40,25 +51,41 @@ VectorXd least_squares(const MatrixXd& a, const VectorXd& b) {
     return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(a).solve(b);
 }
 
-bool Cholesky::compute(const MatrixXd& a) {
+std::optional<VectorXd> solve_square(const MatrixXd& a, const VectorXd& b) {
+    ENSURE(a.rows() == a.cols() && a.rows() == b.size(), rows_differ);
+    if (b.size() == 0) return b;
+    const Eigen::PartialPivLU<MatrixXd> factor(a);
+    if (!(factor.rcond() > singular)) return std::nullopt;
+    VectorXd x = factor.solve(b);
+    x += factor.solve(b - a * x);
+    return x;
+}
+
+bool Cholesky::compute(MatrixXd a) {
     ENSURE(a.rows() == a.cols(), "a symmetric matrix is square");
-    factor_.compute(a);
-    return succeeded();
+    l_ = std::move(a);
+    const int n = static_cast<int>(l_.rows());
+    int info = 0;
+    if (n > 0) dpotrf_("L", &n, l_.data(), &n, &info);
+    succeeded_ = info == 0 && l_.diagonal().allFinite();
+    return succeeded_;
 }
 
 VectorXd Cholesky::solve(const VectorXd& b) const {
-    ENSURE(factor_.rows() == b.size(), rows_differ);
-    return factor_.solve(b);
+    return solve_columns(b);
 }
 
 MatrixXd Cholesky::solve_columns(const MatrixXd& b) const {
-    ENSURE(factor_.rows() == b.rows(), rows_differ);
-    return factor_.solve(b);
+    MatrixXd x = solve_lower(b);
+    solve_triangle(l_, "T", x);
+    return x;
 }
 
 MatrixXd Cholesky::solve_lower(const MatrixXd& b) const {
-    ENSURE(factor_.rows() == b.rows(), rows_differ);
-    return factor_.matrixL().solve(b);
+    ENSURE(l_.rows() == b.rows(), rows_differ);
+    MatrixXd x = b;
+    solve_triangle(l_, "N", x);
+    return x;
 }
 
 PivotedCholesky::PivotedCholesky(const MatrixXd& a) : factor_(a) {}

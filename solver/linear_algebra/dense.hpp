@@ -3,6 +3,7 @@
 #pragma once
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <optional>
 
 namespace abut::solver {
 
@@ -25,20 +26,25 @@ SingularVectors right_singular_vectors(const Eigen::MatrixXd& a);  ///< (columns
 /// The shortest x that minimises |A x - b|, for any rank of A.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
+/// x of A x = b for a square A, by LU decomposition with partial pivots and a step of refinement; nothing where A is singular
+/// to rounding.
+std::optional<Eigen::VectorXd> solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
 /// A = L L' of a positive definite matrix, of which the lower triangle is read.
 class Cholesky {
 public:
     Cholesky() = default;
-    explicit Cholesky(const Eigen::MatrixXd& a) { compute(a); }
-    bool compute(const Eigen::MatrixXd& a);  ///< false: not positive definite
-    bool succeeded() const { return factor_.info() == Eigen::Success; }
-    Eigen::VectorXd diagonal() const { return factor_.matrixLLT().diagonal(); }  ///< of L
+    explicit Cholesky(Eigen::MatrixXd a) { compute(std::move(a)); }
+    bool compute(Eigen::MatrixXd a);  ///< false: not positive definite
+    bool succeeded() const { return succeeded_; }
+    Eigen::VectorXd diagonal() const { return l_.diagonal(); }  ///< of L
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
     Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& b) const;
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;  ///< L^-1 b
 
 private:
-    Eigen::LLT<Eigen::MatrixXd> factor_;
+    Eigen::MatrixXd l_;  ///< its lower triangle
+    bool succeeded_ = false;
 };
 
 /// P A P' = L D L' of a semidefinite matrix, the largest pivots first. Solutions of what has tiny pivots mean little: look at

@@ -12,6 +12,7 @@ using Eigen::Index;
 
 /// All functions that do not vanish on the first grid line; none where one of them reaches it as an extension only.
 std::optional<std::vector<int>> functions_on_first_line(const SplineSpace& s) {
+    if (s.tree) return functions_on_side(s, GridSide::left, {{s.y.breakpoints.front(), s.y.breakpoints.back()}});
     const int columns = s.x.n_functions();
     std::vector<int> found;
     for (int branch = 0; branch + 1 < static_cast<int>(s.first.size()); ++branch) {
@@ -31,12 +32,12 @@ std::optional<std::vector<int>> functions_on_first_line(const SplineSpace& s) {
 /// Elements of the first column that hold material.
 std::vector<int> first_column(const PartInput& input) {
     std::vector<int> elements;
-    for (int r = 0; r < input.space.rows(); ++r) {
-        const int cell = r * input.space.columns();
-        if (input.space.fraction[static_cast<std::size_t>(cell)] == 1) elements.push_back(cell);
-    }
+    const SplineSpace& space = input.space;
+    const auto is_first = [&](int element) { return space.along_x(element).low() == space.x.breakpoints.front(); };
+    for (int cell = 0; cell < space.n_cells(); ++cell)
+        if (is_full(space, cell) && is_first(cell)) elements.push_back(cell);
     for (const CellRule& rule : input.cut_rules)
-        if (input.space.column_of(rule.element) == 0) elements.push_back(rule.element);
+        if (is_first(rule.element)) elements.push_back(rule.element);
     return elements;
 }
 
@@ -45,8 +46,7 @@ void add_penalty(PartSystem& s) {
     const double p = std::max(space.x.degree, space.y.degree);
     const double gamma = s.input.thickness * nitsche_factor * p * p * local_elasticity(s.input).d11;
     for (int element : first_column(s.input)) {
-        const auto row = static_cast<std::size_t>(space.row_of(element));
-        const double y0 = space.y.breakpoints[row], h = space.y.breakpoints[row + 1] - y0;
+        const double y0 = space.low_corner(element).y(), h = space.cell_size(element).y();
         for (std::size_t q = 0; q < s.input.line_rule.points.size(); ++q) {
             const PointBasis b = evaluate(space, element, {*s.input.axis, y0 + h * s.input.line_rule.points[q]});
             const double w = gamma * h * s.input.line_rule.weights[q];

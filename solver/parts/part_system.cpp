@@ -110,6 +110,8 @@ void assemble(PartSystem& s) {
         s.held_load = Eigen::VectorXd::Zero(2 * s.n());
     }
     if (s.input.free_strain) s.held_load += free_strain_load(s.input);
+    ENSURE(s.input.pulls.empty() || !(s.input.structure || s.input.is_projected), "pulls have the plain stiffness");
+    for (const Eigen::VectorXd& pull : s.input.pulls) s.pulls.push_back(make_pull(s.stiffness, pull));
 }
 
 void set_loads(PartSystem& s, Eigen::VectorXd applied, const Eigen::VectorXd& weighted) {
@@ -175,6 +177,19 @@ void ensure_rules(const PartInput& input) {
 }
 
 }  // namespace
+
+void set_shortening(PartSystem& system, const Eigen::VectorXd& shortening) {
+    ENSURE(shortening.size() == static_cast<Index>(system.pulls.size()), "every pull is shortened by something");
+    system.input.stress_free = Eigen::VectorXd::Zero(system.pulls.empty() ? 0 : 2 * system.n());
+    for (std::size_t k = 0; k < system.pulls.size(); ++k) {
+        Pull& pull = system.pulls[k];
+        const double change = shortening[static_cast<Index>(k)] - pull.shortening;
+        pull.shortening += change;
+        system.held_load += change * pull.load;
+        system.load += change * pull.load;
+        system.input.stress_free += pull.shortening * pull.displacement;
+    }
+}
 
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion) {
     Eigen::VectorXd c(2 * space.n_functions);
@@ -325,8 +340,10 @@ Resultant resultant_of(const SplineSpace& space, const Eigen::VectorXd& load) {
     return sum;
 }
 
-double strain_energy(const PartSystem& system, const Eigen::VectorXd& displacement) {
+double strain_energy(const PartSystem& system, const Eigen::VectorXd& total) {
     if (system.body) return 0;
+    const Eigen::VectorXd elastic = elastic_displacement(system.input, total);
+    const Eigen::VectorXd& displacement = elastic.size() > 0 ? elastic : total;
     if (system.input.structure) return weighted_strain_energy(system.input, displacement);
     if (system.input.free_strain || system.input.axis)
         return elastic_energy(system.input, displacement) +

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/linear_algebra/factorization.hpp"
+#include "solver/terms/pull.hpp"
 #include "solver/terms/springs.hpp"
 #include "solver/terms/supports.hpp"
 
@@ -57,7 +58,8 @@ struct PartSystem {
     BlockMatrix stiffness;
     Eigen::VectorXd load;     ///< (2n) all: external ones, on the weighted functions where there is a structure, and held_load
     Eigen::VectorXd applied;  ///< (2n) external loads only, on the plain functions
-    Eigen::VectorXd held_load;  ///< (2n) what supports, springs and the free strain add to them
+    Eigen::VectorXd held_load;  ///< (2n) what supports, springs, the free strain and pulls add to them
+    std::vector<Pull> pulls;    ///< of input.pulls
     std::vector<SupportRecord> supports;
     std::vector<SpringSet> springs;
     std::string axis_hold;       ///< how u_x is held on the axis that the part touches; empty: it touches none
@@ -87,6 +89,9 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
 
 /// The same part under other external loads (as make_part_system takes them); both share the factor. Its free strain stays.
 PartSystem with_loads(const PartSystem& system, Eigen::VectorXd applied, const Eigen::VectorXd& weighted = {});
+
+/// Shortens the part across its cuts, by pull, in place of what it was shortened by before.
+void set_shortening(PartSystem& system, const Eigen::VectorXd& shortening);
 
 /// The coefficients (2n) of a rigid motion: exact, since all our spaces hold linear functions.
 Eigen::VectorXd coefficients_of(const SplineSpace& space, const RigidMotion& motion);

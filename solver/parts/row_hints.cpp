@@ -11,8 +11,8 @@ RowHints row_hints(const PartInput& input, const std::vector<int>& number) {
     RowHints hints;
     if (input.by_cholmod) hints.method = FactorMethod::supernodal;
     hints.reach = std::max(space.x.degree, space.y.degree);
-    hints.place.reserve(number.size());
-    for (std::size_t i = 0; i < number.size(); ++i) {
+    if (!space.tree) hints.place.reserve(number.size());
+    for (std::size_t i = 0; !space.tree && i < number.size(); ++i) {
         const int tensor = space.tensor_of[i / 2];
         if (number[i] != static_cast<int>(hints.place.size())) continue;  // dropped, or had
         hints.place.push_back({tensor % nx, tensor / nx});
@@ -28,7 +28,7 @@ RowHints row_hints(const SplineSpace& space) {
     RowHints hints;
     hints.reach = std::max(space.x.degree, space.y.degree);
     const int nx = space.x.n_functions();
-    for (int f = 0; f < space.n_functions; ++f) {
+    for (int f = 0; !space.tree && f < space.n_functions; ++f) {
         const int tensor = space.tensor_of[static_cast<std::size_t>(f)];
         hints.place.push_back({tensor % nx, tensor / nx});
     }

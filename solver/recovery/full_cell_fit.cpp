@@ -7,15 +7,15 @@
 
 namespace abut::solver {
 
-FullCellFit::Samples FullCellFit::samples_on(const KnotVector& displacement, const KnotVector& fit, int interval,
+FullCellFit::Samples FullCellFit::samples_on(const IntervalKnots& displacement, const IntervalKnots& fit,
                                              const std::vector<double>& abscissas) {
-    const double begin = fit.breakpoints[at(interval)], length = fit.breakpoints[at(interval) + 1] - begin;
+    const double begin = fit.low(), length = fit.high() - begin;
     Samples samples{{}, Eigen::MatrixXd::Zero(fit.degree + 1, fit.degree + 1)};
     for (double u : abscissas) {
         Abscissa p;
         p.at = begin + u * length;
-        evaluate(displacement, interval, p.at, p.displacement.value, p.displacement.slope);
-        evaluate(fit, interval, p.at, p.fit);
+        evaluate(displacement, p.at, p.displacement.value, p.displacement.slope);
+        evaluate(fit, p.at, p.fit);
         for (int j = 0; j <= fit.degree; ++j)
             for (int i = 0; i <= fit.degree; ++i) samples.products(i, j) += p.fit[at(i)] * p.fit[at(j)];
         samples.points.push_back(p);
@@ -23,19 +23,21 @@ FullCellFit::Samples FullCellFit::samples_on(const KnotVector& displacement, con
     return samples;
 }
 
-std::vector<FullCellFit::Line> FullCellFit::lines_of(const KnotVector& displacement, const KnotVector& fit,
+std::vector<FullCellFit::Line> FullCellFit::lines_of(const SplineSpace& displacement, const SplineSpace& fit, int axis,
                                                      const FullCellRule& rule) {
     std::vector<Line> lines;
-    for (int k = 0; k < fit.n_intervals(); ++k)
-        lines.push_back({samples_on(displacement, fit, k, rule.inside), samples_on(displacement, fit, k, rule.between)});
+    for (int k = 0; k < fit.n_intervals(axis); ++k) {
+        const IntervalKnots u = displacement.interval(axis, k), s = fit.interval(axis, k);
+        lines.push_back({samples_on(u, s, rule.inside), samples_on(u, s, rule.between)});
+    }
     return lines;
 }
 
 FullCellFit::FullCellFit(const SplineSpace& displacement, const SplineSpace& fit, const FullCellRule& rule)
     : space_(fit),
       between_weight_(rule.between_weight),
-      columns_(lines_of(displacement.x, fit.x, rule)),
-      rows_(lines_of(displacement.y, fit.y, rule)) {}
+      columns_(lines_of(displacement, fit, 0, rule)),
+      rows_(lines_of(displacement, fit, 1, rule)) {}
 
 void FullCellFit::equations(const StressOf::OnElement& stress, int element, FullCellEquations& result) const {
     const Line &column = columns_[at(space_.column_of(element))], &row = rows_[at(space_.row_of(element))];

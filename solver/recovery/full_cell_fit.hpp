@@ -43,9 +43,10 @@ private:
     struct Line {
         Samples inside, between;
     };
-    static Samples samples_on(const KnotVector& displacement, const KnotVector& fit, int interval,
+    static Samples samples_on(const IntervalKnots& displacement, const IntervalKnots& fit,
                               const std::vector<double>& abscissas);
-    static std::vector<Line> lines_of(const KnotVector& displacement, const KnotVector& fit, const FullCellRule& rule);
+    static std::vector<Line> lines_of(const SplineSpace& displacement, const SplineSpace& fit, int axis,
+                                      const FullCellRule& rule);
     void add(const StressOf::OnElement& stress, const Samples& x, const Samples& y, double weight,
              FullCellEquations& result) const;
 

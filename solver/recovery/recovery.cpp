@@ -131,8 +131,7 @@ FullCellRule full_cell_rule(const SplineSpace& s, const std::vector<double>& ins
 }
 
 Samples full_cell_samples(const SplineSpace& s, int element, const FullCellRule& rule) {
-    const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
-    const Vec2 a(s.x.breakpoints[c], s.y.breakpoints[r]), size = Vec2(s.x.breakpoints[c + 1], s.y.breakpoints[r + 1]) - a;
+    const Vec2 a = s.low_corner(element), size = s.cell_size(element);
     Samples samples;
     const auto add_all = [&](const std::vector<double>& abscissas, double weight) {
         for (double v : abscissas)
@@ -170,10 +169,7 @@ void add_all_elements(NormalEquations& eq, const PartInput& input, const SplineS
 void add_rules(NormalEquations& eq, const PartInput& input, const SplineSpace& space, const StressOf& stress) {
     const std::vector<CellRule>& rules = input.structure ? input.structure->rules : input.cut_rules;
     for (const CellRule& rule : rules) {
-        const auto c = static_cast<std::size_t>(space.column_of(rule.element)),
-                   r = static_cast<std::size_t>(space.row_of(rule.element));
-        const double area =
-            (space.x.breakpoints[c + 1] - space.x.breakpoints[c]) * (space.y.breakpoints[r + 1] - space.y.breakpoints[r]);
+        const double area = space.cell_size(rule.element).prod();
         Samples samples{rule.points, rule.weights};
         for (double& w : samples.weights) w /= area;
         add_element(eq, space, stress, rule.element, samples);
@@ -198,7 +194,8 @@ StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displaceme
                               from.fraction,
                               from.splits,
                               Basis::web,
-                              {}});
+                              {},
+                              from.tree});
     field.out_of_plane = input.elasticity.out_of_plane;
     field.failure = field.space.failure;
     if (!field.failure.empty()) return field;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/base/quadtree.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -24,14 +26,11 @@ void cox_de_boor(const double* t, int p, double x, double* values) {
     }
 }
 
-const double* interval_start(const KnotVector& knots, int interval) {
-    return knots.knots.data() + knots.first[static_cast<std::size_t>(interval)] + knots.degree;
-}
+}  // namespace
 
-/// Blossom of an interval's polynomials at p arguments: one value for each of the interval's functions.
-LocalValues blossom(const KnotVector& knots, int interval, const double* arguments) {
+LocalValues blossom(const IntervalKnots& knots, const double* arguments) {
     const int p = knots.degree;
-    const double* t = interval_start(knots, interval);
+    const double* t = knots.start;
     LocalValues result{};
     for (int unit = 0; unit <= p; ++unit) {
         LocalValues d{};
@@ -49,8 +48,6 @@ LocalValues blossom(const KnotVector& knots, int interval, const double* argumen
     }
     return result;
 }
-
-}  // namespace
 
 KnotVector clamped_knots(std::vector<double> breakpoints, int degree) {
     const std::vector<int> simple(breakpoints.size(), 1);
@@ -102,13 +99,13 @@ int interval_of(const KnotVector& knots, double x) {
     return std::clamp(i, 0, knots.n_intervals() - 1);
 }
 
-void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values) {
-    cox_de_boor(interval_start(knots, interval), knots.degree, x, values.data());
+void evaluate(const IntervalKnots& knots, double x, LocalValues& values) {
+    cox_de_boor(knots.start, knots.degree, x, values.data());
 }
 
-void evaluate(const KnotVector& knots, int interval, double x, LocalValues& values, LocalValues& derivatives) {
+void evaluate(const IntervalKnots& knots, double x, LocalValues& values, LocalValues& derivatives) {
     const int p = knots.degree;
-    const double* t = interval_start(knots, interval);
+    const double* t = knots.start;
     cox_de_boor(t, p - 1, x, values.data());
     // the last step, by the shares of which the derivatives are made:
     // N_i' = p (N_{i,p-1} / (t_{i+p} - t_i) - N_{i+1,p-1} / (t_{i+p+1} - t_{i+1}))
@@ -133,13 +130,50 @@ double greville(const KnotVector& knots, int i) {
     return sum / knots.degree;
 }
 
+double greville(const IntervalKnots& knots, int k) {
+    if (knots.degree == 0) return 0.5 * (knots.low() + knots.high());
+    double sum = 0;
+    for (int i = 0; i < knots.degree; ++i) sum += knots.inner_knots(k)[i];
+    return sum / knots.degree;
+}
+
+namespace {
+
+/// How often the line of a level is a knot.
+int level_multiplicity(const KnotVector& base, int level, int line) {
+    const int old = line >> level, n = base.n_intervals();
+    if (line != old << level) return 1;
+    if (old == 0 || old == n) return base.degree + 1;
+    return base.first[at(old)] - base.first[at(old) - 1];
+}
+
+}  // namespace
+
+std::vector<double> level_knots(const KnotVector& base, int level, int interval) {
+    const int each_way = std::max(1, base.degree);
+    std::vector<double> knots;
+    for (int line = interval; static_cast<int>(knots.size()) < each_way; --line)
+        knots.insert(knots.end(), at(level_multiplicity(base, level, line)), level_line(base.breakpoints, level, line));
+    knots.resize(at(each_way));
+    std::reverse(knots.begin(), knots.end());
+    for (int line = interval + 1; static_cast<int>(knots.size()) < 2 * each_way; ++line)
+        knots.insert(knots.end(), at(level_multiplicity(base, level, line)), level_line(base.breakpoints, level, line));
+    knots.resize(at(2 * each_way));
+    return knots;
+}
+
+int level_first(const KnotVector& base, int level, int interval) {
+    const int old = interval >> level;
+    return interval + base.first[at(old)] - old;
+}
+
 KnotVector derivative_knots(const KnotVector& knots) {
     KnotVector lower{knots.degree - 1, knots.breakpoints, {knots.knots.begin() + 1, knots.knots.end() - 1}, knots.first};
     return lower;
 }
 
 LocalValues extension_coefficients(const KnotVector& knots, int interval, int j) {
-    return blossom(knots, interval, knots.knots.data() + j + 1);
+    return blossom(knots.interval(interval), knots.knots.data() + j + 1);
 }
 
 std::vector<RefinedCoefficient> refinement(const KnotVector& coarse, const KnotVector& fine) {
@@ -148,7 +182,7 @@ std::vector<RefinedCoefficient> refinement(const KnotVector& coarse, const KnotV
         // any interval of the function will do: the middle of one holds no coarse knot
         const auto on = static_cast<std::size_t>(support(fine, j).begin);
         const int from = interval_of(coarse, 0.5 * (fine.breakpoints[on] + fine.breakpoints[on + 1]));
-        rows.push_back({coarse.first[static_cast<std::size_t>(from)], blossom(coarse, from, fine.knots.data() + j + 1)});
+        rows.push_back({coarse.first[static_cast<std::size_t>(from)], blossom(coarse.interval(from), fine.knots.data() + j + 1)});
     }
     return rows;
 }

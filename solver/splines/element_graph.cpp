@@ -3,9 +3,15 @@
 
 namespace abut::solver {
 
-ElementGraph::ElementGraph(int columns, int rows, const std::vector<double>& fraction, const Splits& splits)
-    : columns_(columns), rows_(rows), fraction_(fraction), splits_(splits) {
-    const int n_cells = columns * rows;
+ElementGraph::ElementGraph(int columns, int rows, const std::vector<double>& fraction, const Splits& splits,
+                           const Quadtree* tree)
+    : columns_(columns),
+      rows_(rows),
+      n_cells_(tree ? tree->n_leaves() : columns * rows),
+      tree_(tree),
+      fraction_(fraction),
+      splits_(splits) {
+    const int n_cells = n_cells_;
     if (!splits.neighbours.empty() || !splits.cell_of_extra.empty()) special_.assign(static_cast<std::size_t>(n_cells), 0);
     for (const auto& own : splits.neighbours) special_[static_cast<std::size_t>(cell_of(own.first))] = 1;
     for (int cell : splits.cell_of_extra) special_[static_cast<std::size_t>(cell)] = 1;

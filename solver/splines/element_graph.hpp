@@ -8,12 +8,12 @@ namespace abut::solver {
 /// The graph of a grid's elements; keeps references to what it was made from.
 class ElementGraph {
 public:
-    ElementGraph(int columns, int rows, const std::vector<double>& fraction, const Splits& splits);
+    ElementGraph(int columns, int rows, const std::vector<double>& fraction, const Splits& splits,
+                 const Quadtree* tree = nullptr);
 
     int n_elements() const { return static_cast<int>(fraction_.size()); }
     int cell_of(int element) const {
-        const int n_cells = columns_ * rows_;
-        return element < n_cells ? element : splits_.cell_of_extra[static_cast<std::size_t>(element - n_cells)];
+        return element < n_cells_ ? element : splits_.cell_of_extra[static_cast<std::size_t>(element - n_cells_)];
     }
     bool has_material(int element) const { return fraction_[static_cast<std::size_t>(element)] > 0; }
     /// Does a cell hold material in one piece that hangs together with all cells around it that do, too?
@@ -34,6 +34,7 @@ public:
             for (int other : own->second) f(other);
             return;
         }
+        if (tree_) return for_leaves_around(element, f);
         const int cell = cell_of(element), c = cell % columns_, r = cell / columns_;
         if (r > 0 && has_material(cell - columns_)) f(cell - columns_);
         if (c > 0 && has_material(cell - 1)) f(cell - 1);
@@ -44,7 +45,20 @@ public:
 private:
     int first_extra(int cell) const { return first_extra_.empty() ? 0 : first_extra_[static_cast<std::size_t>(cell)]; }
 
-    int columns_, rows_;
+    template <class F>
+    void for_leaves_around(int element, F f) const {
+        const int node = tree_->node_of(cell_of(element));
+        const auto take = [&](int other) {
+            if (const int leaf = tree_->leaf_of(other); has_material(leaf)) f(leaf);
+        };
+        tree_->for_leaves_across(node, 0, -1, take);
+        tree_->for_leaves_across(node, -1, 0, take);
+        tree_->for_leaves_across(node, 1, 0, take);
+        tree_->for_leaves_across(node, 0, 1, take);
+    }
+
+    int columns_, rows_, n_cells_;
+    const Quadtree* tree_;
     const std::vector<double>& fraction_;
     const Splits& splits_;
     std::vector<int> first_extra_, extra_;  // by cell; empty without splits

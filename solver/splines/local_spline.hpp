@@ -29,7 +29,7 @@ public:
     /// coefficient(f): (N) of function f of the space. Cost: the entries of the element's rows.
     template <class Coefficient>
     LocalSpline(const SplineSpace& space, int element, const Coefficient& coefficient)
-        : space_(space), column_(space.column_of(element)), row_(space.row_of(element)) {
+        : x_(space.along_x(element)), y_(space.along_y(element)) {
         LocalFunctions branches;
         const std::size_t n = local_functions(space, element, branches);
         for (std::size_t k = 0; k < n; ++k) {
@@ -43,8 +43,8 @@ public:
 
     Values value(const Vec2& x) const {
         LocalValues vx, vy;
-        evaluate(space_.x, column_, x.x(), vx);
-        evaluate(space_.y, row_, x.y(), vy);
+        evaluate(x_, x.x(), vx);
+        evaluate(y_, x.y(), vy);
         return value(vx, vy);
     }
 
@@ -52,14 +52,14 @@ public:
     Values value(const LocalValues& along_x, const LocalValues& along_y) const {
         Values sum = Values::Zero();
         const Factor* factor = factor_.data();
-        for (std::size_t b = 0; b <= degree(space_.y); ++b) sum += along_y[b] * combined(along_x, factor);
+        for (std::size_t b = 0; b <= degree(y_); ++b) sum += along_y[b] * combined(along_x, factor);
         return sum;
     }
 
     SplineAt<N> at(const Vec2& x) const {
         LineValues along_x, along_y;
-        evaluate(space_.x, column_, x.x(), along_x.value, along_x.slope);
-        evaluate(space_.y, row_, x.y(), along_y.value, along_y.slope);
+        evaluate(x_, x.x(), along_x.value, along_x.slope);
+        evaluate(y_, x.y(), along_y.value, along_y.slope);
         return at(along_x, along_y);
     }
 
@@ -69,7 +69,7 @@ public:
         const auto& [vy, gy] = along_y;
         SplineAt<N> result{Values::Zero(), Eigen::Matrix<double, N, 2>::Zero()};
         const Factor* factor = factor_.data();
-        for (std::size_t b = 0; b <= degree(space_.y); ++b) {
+        for (std::size_t b = 0; b <= degree(y_); ++b) {
             const Factor* row = factor;
             result.gradient.col(0) += vy[b] * combined(gx, row);
             const Values along = combined(vx, factor);
@@ -82,16 +82,15 @@ public:
 private:
     using Factor = Values;
 
-    static std::size_t degree(const KnotVector& knots) { return static_cast<std::size_t>(knots.degree); }
+    static std::size_t degree(const IntervalKnots& knots) { return static_cast<std::size_t>(knots.degree); }
     /// The sum over one row of B-splines; factor goes on to the next.
     Values combined(const LocalValues& values, const Factor*& factor) const {
         Values sum = Values::Zero();
-        for (std::size_t a = 0; a <= degree(space_.x); ++a) sum += values[a] * *factor++;
+        for (std::size_t a = 0; a <= degree(x_); ++a) sum += values[a] * *factor++;
         return sum;
     }
 
-    const SplineSpace& space_;
-    int column_, row_;
+    IntervalKnots x_, y_;
     std::array<Factor, (max_degree + 1) * (max_degree + 1)> factor_;
 };
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "solver/splines/branches.hpp"
+#include "solver/splines/tree_space.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
@@ -17,8 +18,7 @@ namespace abut::solver {
 namespace {
 
 double distance_squared(const SplineSpace& s, int element, const Vec2& p) {
-    const auto middle = [](const std::vector<double>& b, int i) { return 0.5 * (b[at(i)] + b[at(i) + 1]); };
-    return (Vec2(middle(s.x.breakpoints, s.column_of(element)), middle(s.y.breakpoints, s.row_of(element))) - p).squaredNorm();
+    return (s.low_corner(element) + 0.5 * s.cell_size(element) - p).squaredNorm();
 }
 
 Vec2 greville_of_tensor(const SplineSpace& s, int tensor) {
@@ -181,7 +181,33 @@ void normalize(SplineSpace& s, const ElementGraph& graph, const std::vector<int>
 
 }  // namespace
 
+int SplineSpace::n_intervals(int axis) const {
+    const KnotVector& knots = axis == 0 ? x : y;
+    if (!tree) return knots.n_intervals();
+    return static_cast<int>(level_intervals[at(axis)].knots.size()) / (2 * std::max(1, knots.degree));
+}
+
+IntervalKnots SplineSpace::interval(int axis, int i) const {
+    const KnotVector& knots = axis == 0 ? x : y;
+    if (!tree) return knots.interval(i);
+    const int each_way = std::max(1, knots.degree);
+    return {knots.degree, level_intervals[at(axis)].knots.data() + (2 * i + 1) * each_way - 1};
+}
+
+int SplineSpace::cell_at(const Vec2& p) const {
+    const int base = solver::interval_of(y, p.y()) * columns() + solver::interval_of(x, p.x());
+    if (!tree) return base;
+    int node = base;
+    while (!tree->is_leaf(node)) {
+        const TreeCell c = tree->cell(node);
+        node = tree->first_child(node) + (p.x() >= level_line(x.breakpoints, c.level + 1, 2 * c.column + 1)) +
+               2 * (p.y() >= level_line(y.breakpoints, c.level + 1, 2 * c.row + 1));
+    }
+    return tree->leaf_of(node);
+}
+
 SplineSpace make_space(SpaceInput input) {
+    if (input.tree) return make_tree_space(std::move(input));
     SplineSpace s;
     s.x = std::move(input.x);
     s.y = std::move(input.y);
@@ -213,6 +239,11 @@ SplineSpace make_space(std::vector<double> x_lines, std::vector<double> y_lines,
 }
 
 std::size_t local_functions(const SplineSpace& space, int element, LocalFunctions& result) {
+    if (space.tree) {
+        const int n = space.n_local();
+        for (int k = 0; k < n; ++k) result[at(k)] = element * n + k;
+        return at(n);
+    }
     if (!space.branches.empty()) {
         const auto own = space.branches.find(element);
         if (own != space.branches.end()) {
@@ -270,12 +301,11 @@ Extraction extraction(const SplineSpace& space, int element) {
 }
 
 PointBasis evaluate(const SplineSpace& space, int element, const Vec2& p) {
-    const int c = space.column_of(element), r = space.row_of(element);
     LocalValues vx, gx, vy, gy;
-    evaluate(space.x, c, p.x(), vx, gx);
-    evaluate(space.y, r, p.y(), vy, gy);
+    evaluate(space.along_x(element), p.x(), vx, gx);
+    evaluate(space.along_y(element), p.y(), vy, gy);
     const Extraction e = extraction(space, element);
-    const Eigen::Index n = (space.x.degree + 1) * (space.y.degree + 1);
+    const Eigen::Index n = space.n_local();
     Eigen::VectorXd value(n), dx(n), dy(n);
     Eigen::Index k = 0;
     for (int b = 0; b <= space.y.degree; ++b)
@@ -290,7 +320,7 @@ PointBasis evaluate(const SplineSpace& space, int element, const Vec2& p) {
 }
 
 Vec2 greville_point(const SplineSpace& space, int function) {
-    return greville_of_tensor(space, space.tensor_of[at(function)]);
+    return space.tree ? space.place[at(function)] : greville_of_tensor(space, space.tensor_of[at(function)]);
 }
 
 }  // namespace abut::solver

@@ -5,15 +5,20 @@
 // cells in several pieces, whose other components follow. A tensor B-spline whose support inside the part falls into several
 // connected pieces, the arms beside a slot, is as many functions, its branches: each lives on one of
 // them, and nothing ties the arms together.
+//
+// With a quadtree of cells the space is a hierarchical one (tree_space.hpp): the cells are its leaves, each has the B-splines
+// of its own level, and what these are of the space's functions is a matter of the element.
 #pragma once
 #include <Eigen/Core>
 #include <array>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "solver/splines/bspline.hpp"
+#include "src/base/quadtree.hpp"
 
 namespace abut::solver {
 
@@ -35,11 +40,20 @@ struct Splits {
     std::map<int, std::vector<int>> neighbours;
 };
 
+/// The intervals along one axis of all nodes of a quadtree, each once: by level, then along the axis.
+struct LevelIntervals {
+    std::vector<double> knots;  ///< level_knots() of each
+    std::vector<int> of_node;
+};
+
 /// Every branch is a combination of the space's functions ("extraction"): itself, where it is one of them; for an extended
 /// basis, where its support holds no inner cell, the continuation of the polynomials of the nearest inner element, or the mean
-/// of the continuations where several are equally near. Nothing downstream knows which basis it is.
+/// of the continuations where several are equally near. Nothing downstream knows which basis it is. With a tree every element
+/// has branches of its own, as many as B-splines live on it: n_local() times its number and on, x fastest.
 struct SplineSpace {
-    KnotVector x, y;
+    KnotVector x, y;  ///< with a tree: of its base
+    std::shared_ptr<const Quadtree> tree{};
+    std::array<LevelIntervals, 2> level_intervals{};  ///< along x and y; with a tree only
     Basis basis = Basis::web;
     std::vector<double> fraction;  ///< filled fraction of the cell (row-major, row = y), by element
     Splits splits;
@@ -49,23 +63,42 @@ struct SplineSpace {
     std::vector<int> first;                    ///< n_branches + 1 offsets: the row of a branch
     std::vector<int> function;                 ///< functions of the space in each row, ascending
     std::vector<double> coefficient;
-    std::vector<int> tensor_of;              ///< tensor function of each function of the space
+    std::vector<int> tensor_of;              ///< tensor function of each function of the space; without a tree
+    std::vector<Vec2> place;                 ///< greville_point() of each function; with a tree
+    std::vector<std::uint8_t> on_sides;      ///< sides of the grid, by bit, on which each is not zero; with a tree
     std::vector<double> coefficient_of_one;  ///< of each function in the function 1; empty: all 1
-    int n_extended = 0;                      ///< branches that are extended
+    int n_extended = 0;                      ///< branches that are extended; with a tree functions
+    int n_apart = 0;                         ///< functions more than B-splines of a tree, since arms are not tied together
     std::string failure;                     ///< not empty: no such space (no inner cell to extend from), and why
 
-    int columns() const { return x.n_intervals(); }
+    int columns() const { return x.n_intervals(); }  ///< of the base
     int rows() const { return y.n_intervals(); }
-    int n_cells() const { return columns() * rows(); }
+    int n_cells() const { return tree ? tree->n_leaves() : columns() * rows(); }
+    int n_local() const { return (x.degree + 1) * (y.degree + 1); }  ///< B-splines of an element
+    /// The intervals along an axis on which cells have B-splines: a grid's columns (rows), a tree's of all levels.
+    int n_intervals(int axis) const;
+    IntervalKnots interval(int axis, int i) const;
     int n_tensor() const { return x.n_functions() * y.n_functions(); }
     int cell_of(int element) const {
         return element < n_cells() ? element : splits.cell_of_extra[static_cast<std::size_t>(element - n_cells())];
     }
-    int column_of(int element) const { return cell_of(element) % columns(); }
-    int row_of(int element) const { return cell_of(element) / columns(); }
+    /// The intervals that an element's cell lies on.
+    int column_of(int element) const {
+        const int cell = cell_of(element);
+        return tree ? level_intervals[0].of_node[at(tree->node_of(cell))] : cell % columns();
+    }
+    int row_of(int element) const {
+        const int cell = cell_of(element);
+        return tree ? level_intervals[1].of_node[at(tree->node_of(cell))] : cell / columns();
+    }
+    IntervalKnots along_x(int element) const { return interval(0, column_of(element)); }
+    IntervalKnots along_y(int element) const { return interval(1, row_of(element)); }
+    Vec2 low_corner(int element) const { return {along_x(element).low(), along_y(element).low()}; }
+    Vec2 cell_size(int element) const { return Vec2(along_x(element).high(), along_y(element).high()) - low_corner(element); }
     /// The cell that holds a point: in parts without slots its element, too; elsewhere whoever knows the part's shape has to
     /// tell the element.
-    int cell_at(const Vec2& p) const { return interval_of(y, p.y()) * columns() + interval_of(x, p.x()); }
+    int cell_at(const Vec2& p) const;
+    int taken_apart() const { return tree ? n_apart : static_cast<int>(tensor_of_extra.size()); }
     bool has_row(int branch) const {
         return first[static_cast<std::size_t>(branch)] < first[static_cast<std::size_t>(branch) + 1];
     }
@@ -84,6 +117,7 @@ struct SpaceInput {
     Basis basis = Basis::web;
     /// Points of the boundary of (element and part), asked for only by the normalized basis: of cut elements.
     std::function<std::vector<Vec2>(int element)> outline;
+    std::shared_ptr<const Quadtree> tree{};  ///< leaves are the cells; its neighbours are at most one level apart
 };
 /// Makes a space; what cannot be made is told in `failure`.
 SplineSpace make_space(SpaceInput input);

@@ -16,7 +16,7 @@ using Entries = std::vector<Eigen::Triplet<double>>;
 
 SplineSpace pressure_space(const SplineSpace& s) {
     const Basis basis = s.basis == Basis::web ? Basis::web : Basis::plain;  // the factor scales its rows: nothing to normalise
-    return make_space({derivative_knots(s.x), derivative_knots(s.y), s.fraction, s.splits, basis, {}});
+    return make_space({derivative_knots(s.x), derivative_knots(s.y), s.fraction, s.splits, basis, {}, s.tree});
 }
 
 /// Local values, by points, taken together to those of the space's functions.

@@ -9,9 +9,16 @@
 
 namespace abut::solver {
 
-StressOf::StressOf(const PartInput& input, const Eigen::VectorXd& displacement) : input_(input), displacement_(displacement) {
+Eigen::VectorXd elastic_displacement(const PartInput& input, const Eigen::VectorXd& displacement) {
+    return input.stress_free.size() > 0 ? Eigen::VectorXd(displacement - input.stress_free) : Eigen::VectorXd();
+}
+
+StressOf::StressOf(const PartInput& input, const Eigen::VectorXd& displacement)
+    : input_(input),
+      elastic_(elastic_displacement(input, displacement)),
+      displacement_(elastic_.size() > 0 ? elastic_ : displacement) {
     ENSURE(displacement.size() == 2 * input.space.n_functions, "a displacement has two numbers for every function");
-    if (input.is_projected) pressure_ = pressure(dilatation_of(input), displacement);
+    if (input.is_projected) pressure_ = pressure(dilatation_of(input), displacement_);
 }
 
 StressOf::OnElement::OnElement(const StressOf& stress, int element) : stress_(stress), element_(element) {

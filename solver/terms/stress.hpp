@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stresses of a displacement, whichever way the part's volume strain is made, less those of its free strain.
+// Stresses of a displacement, whichever way the part's volume strain is made, less those of its free strain and of what leaves
+// no stress.
 #pragma once
 #include <optional>
 
@@ -7,6 +8,9 @@
 #include "solver/terms/solution_structure.hpp"
 
 namespace abut::solver {
+
+/// The displacement (2n) less the one that leaves no stress (PartInput::stress_free); empty where there is none.
+Eigen::VectorXd elastic_displacement(const PartInput& input, const Eigen::VectorXd& displacement);
 
 /// The stresses of one part and displacement, both of which it refers to. Cost of making it: with a projected dilatation one
 /// solution with the mass matrix, else nothing.
@@ -28,6 +32,8 @@ public:
     };
 
     StressOf(const PartInput& input, const Eigen::VectorXd& displacement);
+    StressOf(const StressOf&) = delete;
+    StressOf& operator=(const StressOf&) = delete;
 
     /// The stress (xx, yy, xy) at a point of an element.
     Eigen::Vector3d operator()(int element, const Vec2& x) const;
@@ -42,6 +48,7 @@ private:
     double volume_pressure(int element, const Vec2& x) const;
 
     const PartInput& input_;
+    Eigen::VectorXd elastic_;  // the displacement less the one that leaves no stress, where there is any
     const Eigen::VectorXd& displacement_;
     Eigen::VectorXd pressure_;
 };

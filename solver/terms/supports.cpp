@@ -6,6 +6,7 @@
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "solver/terms/stress.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 
@@ -50,8 +51,7 @@ PointForms forms(const PartInput& input, const SupportPoint& p) {
 
 double penalty(const PartInput& input, int element) {
     const SplineSpace& s = input.space;
-    const auto c = static_cast<std::size_t>(s.column_of(element)), r = static_cast<std::size_t>(s.row_of(element));
-    const double h = std::min(s.x.breakpoints[c + 1] - s.x.breakpoints[c], s.y.breakpoints[r + 1] - s.y.breakpoints[r]);
+    const double h = s.cell_size(element).minCoeff();
     const double p = std::max(s.x.degree, s.y.degree);
     return nitsche_factor * p * p * local_elasticity(input).d11 / h;
 }
@@ -152,16 +152,26 @@ struct HeldIntervals {
     std::vector<char> wholly, partly;
 };
 
+/// How much of an interval is held.
+double covered(double low, double high, const std::vector<Stretch>& stretches) {
+    double sum = 0;
+    for (const Stretch& s : stretches) sum += std::max(0.0, std::min(high, s.to) - std::max(low, s.from));
+    return sum;
+}
+
+/// Stretches end at the part's corners: rounding of the coordinates, not of the cell, decides.
+double rounding_along(const KnotVector& along) {
+    return 1e-9 * (along.breakpoints.back() - along.breakpoints.front());
+}
+
 HeldIntervals held_intervals(const KnotVector& along, const std::vector<Stretch>& stretches) {
     HeldIntervals held;
+    const double rounding = rounding_along(along);
     for (int i = 0; i < along.n_intervals(); ++i) {
         const double a = along.breakpoints[static_cast<std::size_t>(i)], b = along.breakpoints[static_cast<std::size_t>(i) + 1];
-        double covered = 0;
-        for (const Stretch& s : stretches) covered += std::max(0.0, std::min(b, s.to) - std::max(a, s.from));
-        // stretches end at the part's corners: rounding of the coordinates, not of the cell, decides
-        const double rounding = 1e-9 * (along.breakpoints.back() - along.breakpoints.front());
-        held.wholly.push_back(covered >= b - a - rounding);
-        held.partly.push_back(covered > rounding);
+        const double sum = covered(a, b, stretches);
+        held.wholly.push_back(sum >= b - a - rounding);
+        held.partly.push_back(sum > rounding);
     }
     return held;
 }
@@ -172,10 +182,64 @@ bool has_branches(const SplineSpace& space, int tensor) {
     return std::find(extra.begin(), extra.end(), tensor) != extra.end();
 }
 
+/// The functions that are not zero on a side along an element's cell, which touches it: of its outermost B-splines.
+void append_functions_along(const SplineSpace& space, int element, GridSide side, std::vector<int>& functions) {
+    const int nx = space.x.degree + 1, ny = space.y.degree + 1;
+    const bool vertical = side == GridSide::left || side == GridSide::right;
+    const int outermost = side == GridSide::right ? nx - 1 : side == GridSide::top ? ny - 1 : 0;
+    for (int i = 0; i < (vertical ? ny : nx); ++i) {
+        const int row = element * space.n_local() + (vertical ? i * nx + outermost : outermost * nx + i);
+        const auto begin = space.function.begin();
+        functions.insert(functions.end(), begin + space.first[at(row)], begin + space.first[at(row) + 1]);
+    }
+}
+
+/// Does an element hold material in a cell on a side?
+bool is_along(const SplineSpace& space, int element, GridSide side) {
+    if (!(space.fraction[at(element)] > 0)) return false;
+    const TreeCell& c = space.tree->leaf(space.cell_of(element));
+    switch (side) {
+        case GridSide::left:
+            return c.column == 0;
+        case GridSide::right:
+            return c.column + 1 == space.columns() << c.level;
+        case GridSide::bottom:
+            return c.row == 0;
+        default:
+            return c.row + 1 == space.rows() << c.level;
+    }
+}
+
+/// functions_on_side() of a space with a tree: element by element along the side.
+std::optional<std::vector<int>> functions_on_side_of_tree(const SplineSpace& space, GridSide side,
+                                                          const std::vector<Stretch>& stretches) {
+    const int axis = side == GridSide::left || side == GridSide::right ? 1 : 0;
+    const double rounding = rounding_along(axis == 1 ? space.y : space.x);
+    std::vector<int> dropped, elsewhere;
+    for (int e = 0; e < static_cast<int>(space.fraction.size()); ++e) {
+        if (!is_along(space, e, side)) continue;
+        const double low = space.low_corner(e)[axis], high = low + space.cell_size(e)[axis];
+        const double sum = covered(low, high, stretches);
+        if (sum > rounding && std::binary_search(space.splits.cell_of_extra.begin(), space.splits.cell_of_extra.end(),
+                                                 space.cell_of(e)))
+            return std::nullopt;
+        if (sum > rounding) append_functions_along(space, e, side, dropped);
+        if (sum < high - low - rounding) append_functions_along(space, e, side, elsewhere);
+    }
+    std::sort(dropped.begin(), dropped.end());
+    dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
+    for (int f : dropped)
+        if ((space.on_sides[at(f)] >> static_cast<int>(side) & 1) == 0) return std::nullopt;
+    for (int f : elsewhere)
+        if (std::binary_search(dropped.begin(), dropped.end(), f)) return std::nullopt;
+    return dropped;
+}
+
 }  // namespace
 
 std::optional<std::vector<int>> functions_on_side(const SplineSpace& space, GridSide side,
                                                   const std::vector<Stretch>& stretches) {
+    if (space.tree) return functions_on_side_of_tree(space, side, stretches);
     const SideRow row = row_of(space, side);
     const HeldIntervals held = held_intervals(row.along, stretches);
     const auto lives_on_held = [&](int k) {

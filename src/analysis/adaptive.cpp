@@ -7,6 +7,7 @@
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/grid_walk.hpp"
 #include "src/analysis/part_groups.hpp"
+#include "src/analysis/step_path.hpp"
 
 namespace abut {
 
@@ -69,8 +70,8 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
     return out;
 }
 
-std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& cases, const AnalyzeOptions& options,
-                                            Stopwatches& seconds) {
+std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vector<CaseProblem>& cases,
+                                            const AnalyzeOptions& options, Stopwatches& seconds) {
     const int threads = solver::usable_threads(options.threads);
     EffectUses uses;
     const std::vector<Candidate> candidates = search_scene(*cases.front().scene, 1, seconds, uses);
@@ -87,8 +88,11 @@ std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& case
                                                       ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         is_last = true;
         for (std::size_t k = 0; k < cases.size(); ++k)
-            is_last &= walks[k].take(solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                walks[k].ask().parts, prepared, seconds, threads));
+            is_last &= walks[k].take(
+                scene.in_steps
+                    ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads}, k > 0 ? &walks[k - 1].last() : nullptr)
+                    : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts, prepared, {},
+                                 seconds, threads));
     }
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

@@ -19,9 +19,10 @@ struct CaseProblem {
     const ResolvedConditions* conditions;
 };
 
-/// Solves cases that differ by their loads alone: every pass is on one set of grids, fine where any case wants it,
-/// and on one set of factors. By case; all are of the last pass.
-std::vector<Outcome> solve_cases_adaptively(const std::vector<CaseProblem>& cases, const AnalyzeOptions& options,
-                                            Stopwatches& seconds);
+/// Solves the cases of a scene, which differ by their loads alone: every pass is on one set of grids, fine where any case wants
+/// it, and on one set of factors. By case; all are of the last pass. Steps are walked in their order on every set of grids, so
+/// that the last ones have the whole path.
+std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vector<CaseProblem>& cases,
+                                            const AnalyzeOptions& options, Stopwatches& seconds);
 
 }  // namespace abut

@@ -2,13 +2,16 @@
 // The walk: conditions -> candidates -> passes (grids, solution, new grids from the contacts found) -> results.
 #include "src/analysis/analysis.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
+#include <set>
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/analysis/adaptive.hpp"
+#include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/held_contacts.hpp"
@@ -25,6 +28,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/contact/cell_search.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
@@ -39,11 +43,25 @@ namespace abut {
 
 namespace {
 
-/// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's
-/// pictures.
-constexpr double drawn_patch = 1.0 / 160;
+bool has_friction(const Outcome& out) {
+    return std::any_of(out.candidates.begin(), out.candidates.end(), [](const Candidate& c) { return c.friction > 0; });
+}
 
-void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+/// What friction would hold a mechanism, where some would and some is there.
+std::string holding_friction(const Outcome& out) {
+    const double factor = out.solved.solution.holding_factor;
+    std::set<double> coefficients;
+    for (const Candidate& c : out.candidates)
+        if (c.friction > 0 && !c.bonded) coefficients.insert(c.friction);
+    if (factor == 0 || coefficients.empty()) return "";
+    if (coefficients.size() == 1)
+        return ". A coefficient of friction of " + number_text(*coefficients.begin() * factor, 4) + " would hold it, " +
+               number_text(*coefficients.begin(), 4) + " does not";
+    return ". Coefficients of friction " + number_text(factor, 4) + " times as large would hold it";
+}
+
+void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
+    const SolvedAssembly& solved = out.solved;
     result.status = "failed";
     result.solver.converged = false;
     if (!solved.failure.empty()) {
@@ -52,6 +70,7 @@ void fill_failure(const Scene& scene, const SolvedAssembly& solved, Result& resu
     }
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
+        holding_friction(out) +
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
@@ -117,6 +136,9 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
     fill_equilibrium(scene, solved, result);
+    for (const PreloadState& cut : solved.preloads)
+        result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
+                                   cut.force_under_load});
     fill_errors(out, result);
     fill_missed(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();
@@ -195,13 +217,13 @@ Begun begin_analysis(const Scene& drawn) {
 }
 
 /// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run.
-Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
-                       std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
+Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
+                         std::chrono::steady_clock::time_point begin, Stopwatches& seconds) {
     const ResolvedConditions& conditions = begun.conditions;
     Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
     // the dissertation's method is one solution, from where parts are drawn
-    const std::optional<Scene> rest =
+    std::optional<Scene> rest =
         is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
     const Scene& scene = rest ? *rest : drawn;
     result.support_marks = support_marks(scene, conditions);
@@ -216,13 +238,17 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
+    if (scene.in_steps) result.solver.increments = out.solved.increments;
     if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
-        fill_failure(scene, out.solved, result);
+        fill_failure(scene, out, result);
     } else {
         if (!out.solved.solution.converged) {
             result.status = "failed";
             result.message = "the contact iterations did not converge";
+            if (has_friction(out))
+                result.message +=
+                    ": no state of sticking and slipping was found; the loads are near what friction holds, or beyond";
         }
         if (const std::string pressed = rigid_pair_failure(scene, out.candidates, out.solved); !pressed.empty()) {
             result.status = "failed";
@@ -242,14 +268,14 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
     result.timing.emplace_back("output", 0);
     result.timing.emplace_back("total", total);
     predict_next_level(result);
-    return std::move(result);
+    return {std::move(result), std::move(out), std::move(rest)};
 }
 
 Stopwatches fresh_stopwatches() {
     return {{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
 }
 
-Result analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
+Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds = fresh_stopwatches();
     Begun begun = begin_analysis(scene);
@@ -281,11 +307,12 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     }
     std::vector<CaseProblem> problems;
     for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
-    std::vector<Outcome> outcomes = solve_cases_adaptively(problems, options, seconds);
+    std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
     std::vector<CaseResult> results;
     for (std::size_t k = 0; k < scenes.size(); ++k)
-        results.push_back({scene.cases[k].name, scene.cases[k].factors,
-                           finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds)});
+        results.push_back(
+            {scene.cases[k].name, scene.cases[k].factors,
+             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds).result});
     return results;
 }
 
@@ -304,9 +331,13 @@ auto with_file_named(const Scene& scene, F analysis) {
 
 }  // namespace
 
-Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+Analyzed analyze_and_keep(const Scene& scene, const AnalyzeOptions& options) {
     refuse_cases(scene);
     return with_file_named(scene, [&] { return analyze_checked(scene, options); });
+}
+
+Result analyze(const Scene& scene, const AnalyzeOptions& options) {
+    return analyze_and_keep(scene, options).result;
 }
 
 std::vector<CaseResult> analyze_cases(const Scene& scene, const AnalyzeOptions& options) {

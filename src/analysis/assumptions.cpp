@@ -48,12 +48,10 @@ struct LargestChange {
 /// Where a part is looked at: all along its boundary, in its cut cells, and in the middle of the others.
 std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
     std::vector<std::pair<int, Vec2>> places = cut_cell_samples(g);
-    const geometry::Grid& grid = g.cells.grid;
     for (std::size_t c = 0; c < g.cells.cell_class.size(); ++c) {
         if (g.cells.cell_class[c] != geometry::CellClass::inner) continue;
         const int cell = static_cast<int>(c);
-        const std::size_t i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
-        places.emplace_back(cell, 0.5 * Vec2(grid.x[i] + grid.x[i + 1], grid.y[j] + grid.y[j + 1]));
+        places.emplace_back(cell, g.cells.grid.box(cell).center());
     }
     for (std::size_t k = 0; k < g.cells.pieces.size(); ++k) {
         const geometry::BoundaryPiece& piece = g.cells.pieces[k];

@@ -82,6 +82,21 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
+/// Friction's traction counts like the pressure, over its bound: the borders of slip like free ends, the rest by its change.
+void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure, ContactError& e) {
+    if (!now.shear || !before.shear) return;
+    const auto with_traction = [](ContactRecord record) {
+        record.coefficients = record.shear->coefficients;
+        record.runs.insert(record.runs.end(), record.shear->borders.begin(), record.shear->borders.end());
+        return record;
+    };
+    const PressureChange c = change_of(with_traction(now), with_traction(before));
+    const double bound = now.shear->bound * norm_of_pressure;
+    e.ends = std::max(e.ends, now.shear->border_error / bound);
+    e.inside = std::max(e.inside, missing * c.inside / bound);
+    e.pressure = std::max(e.pressure, std::hypot(e.ends, e.inside));
+}
+
 }  // namespace
 
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before,
@@ -97,8 +112,9 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         const PressureChange c = change_of(now.contacts[k], before.contacts[k]);
         if (!(c.norm > 0)) continue;
         const bool known = k < estimate_before.contacts.size();
-        const ContactError error = estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::nullopt,
+        ContactError error = estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::nullopt,
                                             k < theory.size() ? theory[k] : std::nullopt);
+        add_shear(now.contacts[k], before.contacts[k], c.norm, error);
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;
         e.contacts[k]->share_of_peak = c.peak;

@@ -6,6 +6,7 @@
 
 #include "src/base/index.hpp"
 #include "src/solution/contact_joints.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -61,6 +62,19 @@ RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& r
     return in;
 }
 
+/// On both bodies, where sticking and slipping meet within a run.
+std::array<std::vector<Vec2>, 2> borders_in(const Scene& scene, const SolvedAssembly& solved, std::size_t contact,
+                                            const ContactRun& run) {
+    std::array<std::vector<Vec2>, 2> places;
+    for (const StickBorder& border : stick_borders(solved, contact)) {
+        const geometry::FacingPair pair = pair_at(scene, solved.contacts[contact], border.s);
+        if (!pair.found || border.s <= run.begin || border.s >= run.end) continue;
+        places[0].push_back(pair.on1.x);
+        places[1].push_back(pair.on2.x);
+    }
+    return places;
+}
+
 }  // namespace
 
 WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candidates, double coarseness) {
@@ -103,6 +117,7 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const C
                 points[1].push_back(pair.on2.x);
             }
             const RunJoints joints = joints_in(all_joints, run);
+            const std::array<std::vector<Vec2>, 2> borders = borders_in(scene, solved, k, run);
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 const int part = contact.part[side];
@@ -111,6 +126,8 @@ WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const C
                     want(wanted, part, {points[side].front()}, end_size(run.at_begin, joints.at_begin, resolution[k]), growth);
                 if (run.at_end.kind != RunEnd::Kind::plain)
                     want(wanted, part, {points[side].back()}, end_size(run.at_end, joints.at_end, resolution[k]), growth);
+                for (const Vec2& border : borders[side])
+                    want(wanted, part, {border}, length * resolution[k].end_fraction, growth);
                 for (std::size_t i = 0; i < joints.inside.size(); ++i)
                     want(wanted, part, {joints.inside[i].x[side]}, joints.length[i] * resolution[k].corner_fraction, growth);
             }

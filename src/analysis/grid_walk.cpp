@@ -36,8 +36,9 @@ constexpr int max_passes = 7;  // on the same candidates
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
-/// Unknowns that end the path at the standard target, and as a multiple of the first grids'.
-constexpr double affordable_unknowns = 40000, affordable_growth = 12;
+/// Unknowns that end the path at the standard target, in all and for each contact (on cells that are small at contacts and
+/// nowhere else one takes about a third on both sides), and as a multiple of the first grids'.
+constexpr double affordable_unknowns = 40000, affordable_by_contact = 4000, affordable_growth = 12;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
 
@@ -92,6 +93,7 @@ public:
     const std::vector<Candidate>& candidates() const { return out_.candidates; }
     bool meets_others() const { return meets_others_; }
     std::size_t n_passes() const { return out_.passes.size(); }
+    const SolvedAssembly& last() const { return last_; }
     Outcome take_outcome() { return std::move(out_); }
 
     bool take(SolvedAssembly now) {
@@ -234,7 +236,8 @@ private:
 
     /// Finer grids would cost more than a user of this level would expect.
     bool too_dear() const {
-        const double affordable = std::max(affordable_unknowns * std::sqrt(standard_target / out_.target),
+        const double contacts = affordable_by_contact * static_cast<double>(out_.candidates.size());
+        const double affordable = std::max(std::max(affordable_unknowns, contacts) * std::sqrt(standard_target / out_.target),
                                            affordable_growth * out_.passes[comparable_from_].unknowns);
         return out_.passes.back().unknowns > affordable;
     }
@@ -245,6 +248,7 @@ private:
         const bool stuck = !is_solved(now);
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
+        if (scene_.in_steps) last_ = now;
     }
 
     /// Also where the grids were too coarse to see it.
@@ -353,6 +357,7 @@ private:
     Stopwatches& seconds_;
     int threads_;
     Outcome out_;
+    SolvedAssembly last_;  // of steps
     NextGrids next_;
     WantedSizes wanted_;
     WantedSizes raisers_;      // where stresses turned out to be worst
@@ -382,6 +387,9 @@ bool GridWalk::take(SolvedAssembly solved) {
 }
 bool GridWalk::meets_others() const {
     return path_->meets_others();
+}
+const SolvedAssembly& GridWalk::last() const {
+    return path_->last();
 }
 std::size_t GridWalk::n_passes() const {
     return path_->n_passes();

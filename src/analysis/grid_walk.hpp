@@ -39,6 +39,8 @@ public:
     /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.
     bool meets_others() const;
     std::size_t n_passes() const;
+    /// The last solution taken, as what follows it needs it: displacements, contacts with their pressures. Steps only.
+    const SolvedAssembly& last() const;
     /// What the walk ended with, after a last solution; once.
     Outcome take_outcome();
 

@@ -56,10 +56,7 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     result.displacement = found.displacement;
     result.von_mises = found.von_mises;
     if (found.element < 0 || grid.is_rigid) return result;
-    const geometry::Grid& lines = grid.cells.grid;
-    const int cell = grid.elements.cell_of(found.element);
-    const auto i = at(lines.column_of(cell)), j = at(lines.row_of(cell));
-    result.cell = std::max(lines.x[i + 1] - lines.x[i], lines.y[j + 1] - lines.y[j]);
+    result.cell = grid.cells.grid.box(grid.elements.cell_of(found.element)).size().maxCoeff();
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
         return (p.at - result.von_mises.at).norm() <= cells_from_corner * result.cell;

@@ -6,6 +6,7 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "src/solution/contact_measures.hpp"
+#include "src/solution/contact_states.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {
@@ -72,6 +73,20 @@ double force_of(const ContactRecord& c) {
     return force * c.thickness;
 }
 
+std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_t contact) {
+    const double coefficient = friction_of(solved, contact);
+    if (coefficient == 0) return std::nullopt;
+    ShearRecord record{solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])], std::min(1.0, coefficient),
+                       {}, 0};
+    double squares = 0;
+    for (const StickBorder& border : stick_borders(solved, contact)) {
+        record.borders.push_back({border.s, border.s, false, false, border.end, {}});
+        squares += border.end.error * border.end.error;
+    }
+    record.border_error = std::sqrt(squares);
+    return record;
+}
+
 }  // namespace
 
 PassRecord record_of(const SolvedAssembly& solved, double seconds) {
@@ -90,7 +105,8 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
                                   pressure_of(solved, k),
                                   solved.runs[k],
                                   c.face.thickness,
-                                  contact_force(solved, k).force};
+                                  contact_force(solved, k).force,
+                                  shear_record(solved, k)};
     }
     return record;
 }

@@ -8,6 +8,14 @@
 
 namespace abut {
 
+/// A contact's tangential traction under friction in one pass.
+struct ShearRecord {
+    Eigen::VectorXd coefficients;     ///< of the pressure's spline
+    double bound;                     ///< coefficient of friction, but no more than 1: what errors are relative to, of the pressure
+    std::vector<ContactRun> borders;  ///< between sticking and slipping, each as a stretch without length
+    double border_error;              ///< L2
+};
+
 /// A contact's pressure in one pass.
 struct ContactRecord {
     std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
@@ -16,6 +24,7 @@ struct ContactRecord {
     std::vector<ContactRun> runs;
     double thickness = 1;
     std::optional<Vec2> resultant{};  ///< force on the first part
+    std::optional<ShearRecord> shear{};
 };
 
 /// What is kept of one pass.

@@ -92,6 +92,9 @@ std::optional<PlacedScene> placed_at_rest(const Scene& scene, const SolvedAssemb
         part.part = geometry::transformed(part.part, p.c, p.s, p.shift);
         for (Probe& probe : placed.scene.output.probes)
             if (probe.part == part.name) probe.at = p.of(probe.at);
+        for (Load& load : placed.scene.loads)
+            if (load.kind == Load::Kind::preload && load.part == part.name)
+                load.across = {p.of(load.across[0]), p.of(load.across[1])};
         if (std::max(motion.translation.norm(), 0.5 * size * std::abs(motion.rotation)) > placed_fraction * size)
             placed.moved.push_back(words_of(part.name, motion, size));
     }

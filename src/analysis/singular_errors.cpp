@@ -20,48 +20,25 @@ constexpr double power = 1.1;
 /// Of the target: the rest is left for all that is not singular.
 constexpr double aimed_share = 0.5;
 
-/// Columns and rows of a space's cells, ends excluded.
-struct CellRange {
-    int columns[2], rows[2];
-
-    bool holds(int column, int row) const {
-        return columns[0] <= column && column < columns[1] && rows[0] <= row && row < rows[1];
-    }
-};
-
-int interval_of(const std::vector<double>& lines, double v) {
-    const auto after = std::upper_bound(lines.begin() + 1, lines.end() - 1, v);
-    return static_cast<int>(after - lines.begin()) - 1;
-}
-
-void cells_between(const std::vector<double>& lines, double low, double high, int (&range)[2]) {
-    range[0] = interval_of(lines, low);
-    range[1] = interval_of(lines, high) + 1;
-}
-
 void append_errors(const SolvedAssembly& solved, std::size_t k, const std::vector<SingularPlace>& places,
                    std::vector<SingularError>& errors) {
     const PartOnGrid& grid = solved.grids[k];
     const solver::SplineSpace& space = grid.input.space;
-    const std::vector<double>&x = space.x.breakpoints, &y = space.y.breakpoints;
     const std::size_t first = errors.size();
-    std::vector<CellRange> around;
+    std::vector<geometry::Box2> around;  // cells that overlap it
     for (const SingularPlace& place : places) {
         const Vec2 local = grid.frame.to_local(place.at);
-        const auto i = static_cast<std::size_t>(interval_of(x, local.x())),
-                   j = static_cast<std::size_t>(interval_of(y, local.y()));
-        const double cell = std::max(x[i + 1] - x[i], y[j + 1] - y[j]);
+        const double cell = space.cell_size(space.cell_at(local)).maxCoeff();
         errors.push_back({k, place.at, place.is_of_contact, cell, 0});
-        CellRange& range = around.emplace_back();
-        cells_between(x, local.x() - cell, local.x() + cell, range.columns);
-        cells_between(y, local.y() - cell, local.y() + cell, range.rows);
+        around.push_back({local - Vec2::Constant(cell), local + Vec2::Constant(cell)});
     }
     const solver::StressOf stress(grid.input, solved.solution.displacement[k]);
     for_all_cells(grid.input, [&](const solver::CellRule& cell) {
-        const int column = space.column_of(cell.element), row = space.row_of(cell.element);
+        const Vec2 low = space.low_corner(cell.element), high = low + space.cell_size(cell.element);
         double energy = -1;
         for (std::size_t p = 0; p < around.size(); ++p) {
-            if (!around[p].holds(column, row)) continue;
+            // half open: of what lies on a line the cell behind it
+            if (!((around[p].min.array() < high.array()).all() && (low.array() <= around[p].max.array()).all())) continue;
             if (energy < 0) energy = strain_energy(grid.input, stress, cell);
             errors[first + p].energy += places[p].missed_share * energy;
         }

@@ -4,6 +4,7 @@
 #include "geometry/curves/vec2.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "src/solution/contact_measures.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -25,6 +26,17 @@ double work(const ContactForce& unit, const PartOnGrid& g, const solver::RigidMo
     return unit.force.dot(translation) + motion.rotation * (unit.moment - geometry::cross(center, unit.force));
 }
 
+/// Friction lets a contact's force turn: a unit force across it, through the middle of the face.
+ContactForce across(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactForce force = contact_force(solved, contact);
+    const solver::Interface& face = solved.contacts[contact].face;
+    const Frame& frame = solved.grids[static_cast<std::size_t>(face.part[0])].frame;
+    Vec2 middle(0, 0);
+    for (const solver::InterfacePoint& p : face.points) middle += p.x[0] / static_cast<double>(face.points.size());
+    const Vec2 unit = geometry::left_of(force.force.normalized());
+    return {unit, geometry::cross(frame.to_global(middle), unit)};
+}
+
 }  // namespace
 
 std::vector<char> given_by_statics(const SolvedAssembly& solved) {
@@ -37,6 +49,7 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
         f.force /= size;
         f.moment /= size;
         lines.push_back({k, f});
+        if (friction_of(solved, k) > 0) lines.push_back({k, across(solved, k)});
     }
     std::vector<char> given(solved.contacts.size(), 0);
     Index equations = 0;
@@ -57,8 +70,12 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     Index rank = 0;
     while (rank < values.size() && values[rank] > rounding * values[0]) ++rank;
     const auto null = vectors.rightCols(balance.cols() - rank);
+    std::vector<char> is_given(lines.size());
     for (std::size_t j = 0; j < lines.size(); ++j)
-        given[lines[j].contact] = null.cols() == 0 || null.row(static_cast<Index>(j)).norm() < rounding;
+        is_given[j] = null.cols() == 0 || null.row(static_cast<Index>(j)).norm() < rounding;
+    for (const Line& line : lines) given[line.contact] = 1;
+    for (std::size_t j = 0; j < lines.size(); ++j)
+        if (!is_given[j]) given[lines[j].contact] = 0;
     return given;
 }
 

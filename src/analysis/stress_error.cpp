@@ -61,19 +61,19 @@ struct RuleOnLine {
     std::vector<solver::LocalValues> stress;
 };
 
-RuleOnLine rule_on_line(const solver::KnotVector& displacement, const solver::KnotVector& stress,
+RuleOnLine rule_on_line(const solver::SplineSpace& displacement, const solver::SplineSpace& stress, int axis,
                         const solver::LineRule& rule) {
     RuleOnLine line;
-    for (int k = 0; k < displacement.n_intervals(); ++k) {
-        const double begin = displacement.breakpoints[static_cast<std::size_t>(k)],
-                     length = displacement.breakpoints[static_cast<std::size_t>(k) + 1] - begin;
+    for (int k = 0; k < displacement.n_intervals(axis); ++k) {
+        const solver::IntervalKnots u = displacement.interval(axis, k), s = stress.interval(axis, k);
+        const double begin = u.low(), length = u.high() - begin;
         for (std::size_t i = 0; i < rule.points.size(); ++i) {
             line.at.push_back(begin + rule.points[i] * length);
             line.weight.push_back(rule.weights[i] * length);
             line.displacement.emplace_back();
-            evaluate(displacement, k, line.at.back(), line.displacement.back().value, line.displacement.back().slope);
+            evaluate(u, line.at.back(), line.displacement.back().value, line.displacement.back().slope);
             line.stress.emplace_back();
-            evaluate(stress, k, line.at.back(), line.stress.back());
+            evaluate(s, line.at.back(), line.stress.back());
         }
     }
     return line;
@@ -83,10 +83,10 @@ RuleOnLine rule_on_line(const solver::KnotVector& displacement, const solver::Kn
 void add_full_cells(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
                     std::vector<double>& errors) {
     const solver::SplineSpace& space = input.space;
-    const RuleOnLine x = rule_on_line(space.x, smoothed.space.x, input.line_rule),
-                     y = rule_on_line(space.y, smoothed.space.y, input.line_rule);
+    const RuleOnLine x = rule_on_line(space, smoothed.space, 0, input.line_rule),
+                     y = rule_on_line(space, smoothed.space, 1, input.line_rule);
     const std::size_t n = input.line_rule.points.size();
-    for (std::size_t cell = 0; cell < static_cast<std::size_t>(space.columns() * space.rows()); ++cell) {
+    for (std::size_t cell = 0; cell < static_cast<std::size_t>(space.n_cells()); ++cell) {
         if (space.fraction[cell] != 1) continue;
         const int element = static_cast<int>(cell);
         const solver::StressOf::OnElement raw_here(raw, element);

@@ -45,10 +45,8 @@ std::size_t count_of_share(const std::vector<CellError>& errors) {
 
 WantedSize smaller_cell(const PartOnGrid& grid, int element) {
     const solver::SplineSpace& space = grid.input.space;
-    const auto c = static_cast<std::size_t>(space.column_of(element)), r = static_cast<std::size_t>(space.row_of(element));
-    const Vec2 low(space.x.breakpoints[c], space.y.breakpoints[r]),
-        high(space.x.breakpoints[c + 1], space.y.breakpoints[r + 1]);
-    return {{grid.frame.to_global(0.5 * (low + high))}, refinement * (high - low).maxCoeff(), size_growth};
+    const Vec2 size = space.cell_size(element);
+    return {{grid.frame.to_global(space.low_corner(element) + 0.5 * size)}, refinement * size.maxCoeff(), size_growth};
 }
 
 }  // namespace

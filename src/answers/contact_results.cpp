@@ -10,6 +10,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/candidate_faces.hpp"
 #include "src/solution/contact_measures.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -77,6 +78,26 @@ const Eigen::VectorXd& shear_of(const SolvedAssembly& solved, std::size_t contac
     return solved.solution.pressure[at(solved.shear_of[contact])];
 }
 
+std::string word_of(FrictionState state) {
+    if (state == FrictionState::open) return "open";
+    return state == FrictionState::stick ? "stick" : "slip";
+}
+
+FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
+    FrictionResult friction;
+    friction.coefficient = friction_of(solved, k);
+    if (k < solved.dissipated.size()) friction.dissipated = solved.dissipated[k];
+    if (solved.runs[k].empty()) return friction;
+    const FrictionSums sums = friction_sums(solved, k);
+    friction.shear_force = sums.shear;
+    friction.normal_force = sums.normal;
+    friction.utilisation = std::abs(sums.shear) / (friction.coefficient * sums.normal);
+    friction.stick_length = sums.stick_length;
+    friction.slip_length = sums.slip_length;
+    friction.dissipated += sums.dissipated;
+    return friction;
+}
+
 void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t k, const Candidate& candidate,
                   ContactResult& result) {
     const ContactInterface& contact = solved.contacts[k];
@@ -87,7 +108,8 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
         const geometry::FacingPair pair = pair_at(scene, contact, s);
         if (!pair.found) continue;
         const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing;
-        const double gap = drawn + pair.normal.dot(second.displacement_at(pair.on2) - first.displacement_at(pair.on1));
+        const Vec2 apart = second.displacement_at(pair.on2) - first.displacement_at(pair.on1);
+        const double gap = drawn + pair.normal.dot(apart);
         const double p = is_open ? 0 : pressure_for(contact, pressure, s, gap);
         ContactProfile& profile = result.profile;
         profile.edge.push_back(first.edge_name(pair.on1.edge));
@@ -101,7 +123,11 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
         profile.pressure.push_back(p);
         profile.gap.push_back(gap);
         if (solved.shear_of[k] >= 0)
-            profile.shear.push_back(solver::pressure_at(contact.face.pressure, shear_of(solved, k), s));
+            profile.shear.push_back(is_open ? 0 : solver::pressure_at(contact.face.pressure, shear_of(solved, k), s));
+        if (friction_of(solved, k) > 0) {
+            profile.slip.push_back(geometry::left_of(pair.normal).dot(apart));
+            profile.state.push_back(is_open ? "open" : word_of(state_at(solved, k, s)));
+        }
         result.max_penetration = std::max(result.max_penetration, -gap);
         if (p > result.max_pressure.value || profile.s.size() == 1) result.max_pressure = {p, pair.on1.x};
     }
@@ -136,14 +162,14 @@ std::string interface_of(const Scene& scene, const Candidate& candidate, const s
     return geometry::interface_kind(a.part, edge_named(a, between[0]), b.part, edge_named(b, between[1]));
 }
 
-std::string status_of(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+}  // namespace
+
+std::string contact_status(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
     if (contact.face.bilateral) return "closed";
     if (runs.empty()) return "open";
     const bool whole = runs.size() == 1 && runs[0].from_start && runs[0].to_end;
     return whole && !contact.zone.begin_is_limit && !contact.zone.end_is_limit ? "closed" : "partial";
 }
-
-}  // namespace
 
 ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate,
                              std::size_t contact) {
@@ -158,12 +184,13 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         result.status = "open";
         return result;
     }
-    result.status = status_of(c, solved.runs[contact]);
+    result.status = contact_status(c, solved.runs[contact]);
     for (const ContactRun& run : solved.runs[contact]) {
         result.contact_length += run.end - run.begin;
         for (double s : {run.begin, run.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
     }
     if (c.face.bilateral) result.kind = "bonded";
+    if (friction_of(solved, contact) > 0) result.friction = friction_result(solved, contact);
     fill_profile(scene, solved, contact, candidate, result);
     name_edges(result.profile.edge, result.profile.pressure, result.edges[0], result.between[0]);
     name_edges(result.profile.edge2, result.profile.pressure, result.edges[1], result.between[1]);

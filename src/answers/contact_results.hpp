@@ -8,4 +8,7 @@ namespace abut {
 /// What one contact of a solved assembly does, on the model's own edges.
 ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate, std::size_t contact);
 
+/// The word for what these stretches under pressure make of a contact: "closed", "partial", "open".
+std::string contact_status(const ContactInterface& contact, const std::vector<ContactRun>& runs);
+
 }  // namespace abut

@@ -83,21 +83,27 @@ std::string name_of(solver::SupportMethod method) {
     return method == solver::SupportMethod::nitsche ? "nitsche" : "structure";
 }
 
+/// The tractions of one of the solver's interfaces on a part.
+void append_tractions(const SolvedAssembly& solved, std::size_t f, std::size_t part, std::vector<solver::TractionPoint>& to) {
+    const solver::Interface& face = solved.problem.interfaces[f];
+    for (std::size_t side = 0; side < 2; ++side) {
+        if (at(face.part[side]) != part) continue;
+        const double share = (side == 0 ? -1 : 1) * face.thickness / solved.grids[part].input.thickness;
+        for (const solver::InterfacePoint& p : face.points) {
+            const double traction = solver::pressure_at(face.pressure, solved.solution.pressure[f], p.s);
+            to.push_back({p.element[side], p.x[side], p.weight, share * traction * p.normal[side]});
+        }
+    }
+}
+
 /// Contact pressures and constraints as a load on a part's plain functions.
 Eigen::VectorXd plain_load(const SolvedAssembly& solved, std::size_t part) {
     const PartOnGrid& grid = solved.grids[part];
     std::vector<solver::TractionPoint> points;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         if (solved.interface_of[k] < 0) continue;
-        const solver::Interface& face = solved.contacts[k].face;
-        for (std::size_t side = 0; side < 2; ++side) {
-            if (at(face.part[side]) != part) continue;
-            for (const solver::InterfacePoint& p : face.points) {
-                const double pressure = solver::pressure_at(face.pressure, pressure_of(solved, k), p.s);
-                const double share = (side == 0 ? -1 : 1) * face.thickness / grid.input.thickness;
-                points.push_back({p.element[side], p.x[side], p.weight, share * pressure * p.normal[side]});
-            }
-        }
+        for (const int f : {solved.interface_of[k], solved.shear_of[k]})
+            if (f >= 0) append_tractions(solved, at(f), part, points);
     }
     return solver::boundary_load(grid.input, points);
 }

@@ -120,10 +120,9 @@ Nearest nearest(const std::vector<Chord>& chords, const Vec2& p) {
 class CellPatches {
 public:
     CellPatches(const PartOnGrid& grid, int cell, int least, double patch) : grid_(grid), cell_(cell) {
-        const geometry::Grid& lines = grid.cells.grid;
-        const auto i = at(lines.column_of(cell)), j = at(lines.row_of(cell));
-        low_ = {lines.x[i], lines.y[j]};
-        size_ = Vec2(lines.x[i + 1], lines.y[j + 1]) - low_;
+        const geometry::Box2 box = grid.cells.grid.box(cell);
+        low_ = box.min;
+        size_ = box.size();
         for (int axis : {0, 1})
             n_[at(axis)] = std::clamp(static_cast<int>(std::ceil(size_[axis] / patch)), least, most_patches);
     }
@@ -280,15 +279,13 @@ LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& dis
         r.element = element;
         r.local = local;
     };
-    const geometry::Grid& lines = grid.cells.grid;
     const int n = patches_per_side(grid.cells.cell_class.size());
     for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {
         if (grid.cells.cell_class[c] != CellClass::inner) continue;
         const int cell = static_cast<int>(c);
-        const auto i = at(lines.column_of(cell)), j = at(lines.row_of(cell));
-        const Vec2 low(lines.x[i], lines.y[j]), size = Vec2(lines.x[i + 1], lines.y[j + 1]) - low;
+        const geometry::Box2 box = grid.cells.grid.box(cell);
         for (int b = 0; b <= n; ++b)
-            for (int a = 0; a <= n; ++a) take(cell, low + size.cwiseProduct(Vec2(a, b)) / n);
+            for (int a = 0; a <= n; ++a) take(cell, box.min + box.size().cwiseProduct(Vec2(a, b)) / n);
     }
     for (const auto& [element, p] : cut_cell_samples(grid)) take(element, p);
     for (const geometry::Loop& loop : grid.local.loops) walk_along(grid, loop, take);

@@ -22,6 +22,9 @@ struct LargestOfPart {
 };
 LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress);
 
+/// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's pictures.
+inline constexpr double drawn_patch = 1.0 / 160;
+
 /// The fields that are drawn of a part. patch: sides of patches are no longer than this. Where the model (model_cells: cells of
 /// the grids of all parts) has few cells, they are divided into more. Fields are taken inside the part only: corners of patches
 /// beyond the boundary have what is extrapolated from the nearest point of it in their cell, linearly; patches without any of

@@ -17,11 +17,29 @@ void count_cells(const PartOnGrid& g, PartResult& part) {
                                                 : part.cells_outer);
 }
 
+/// Cells that were halved, and none of whose quarters was; their neighbours and all above them follow.
+std::vector<PartResult::Halved> halved_cells(const PartOnGrid& g) {
+    std::vector<PartResult::Halved> boxes;
+    const geometry::Grid& grid = g.cells.grid;
+    for (int node = 0; grid.tree && node < grid.tree->n_nodes(); ++node) {
+        if (grid.tree->is_leaf(node)) continue;
+        const int first = grid.tree->first_child(node);
+        bool is_last = true;
+        for (int k = 0; k < 4; ++k) is_last = is_last && grid.tree->is_leaf(first + k);
+        if (!is_last) continue;
+        const int low = grid.tree->leaf_of(first), high = grid.tree->leaf_of(first + 3);
+        boxes.push_back(
+            {grid.box(low).min + g.frame.shift, grid.box(high).max + g.frame.shift, grid.tree->cell(node).level + 1});
+    }
+    return boxes;
+}
+
 void fill_grid(const PartOnGrid& g, PartResult& part) {
     part.unknowns = 2 * g.input.space.n_functions;
     part.grid_angle = std::atan2(g.frame.s, g.frame.c);
     for (double v : g.cells.grid.x) part.grid_x.push_back(v + g.frame.shift.x());
     for (double v : g.cells.grid.y) part.grid_y.push_back(v + g.frame.shift.y());
+    part.halved = halved_cells(g);
     count_cells(g, part);
     part.quality = cut_quality(g);
 }

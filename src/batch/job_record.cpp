@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Status = JobRecord::Status;
 
-constexpr std::array<const char*, 6> words{"ok", "solved_but", "differs", "failed", "refused", "broken"};
+constexpr std::array<const char*, 6> state_words{"ok", "solved_but", "differs", "failed", "refused", "broken"};
 
 template <class T>
 Json or_null(const std::optional<T>& value) {
@@ -26,8 +26,8 @@ std::optional<T> value_in(const Json& json, const char* key) {
 }
 
 std::optional<Status> status_of(const std::string& word) {
-    for (std::size_t i = 0; i < words.size(); ++i)
-        if (word == words[i]) return static_cast<Status>(i);
+    for (std::size_t i = 0; i < state_words.size(); ++i)
+        if (word == state_words[i]) return static_cast<Status>(i);
     return std::nullopt;
 }
 
@@ -74,7 +74,7 @@ JobRecord record_of(const Json& j) {
 }  // namespace
 
 std::string status_word(Status status) {
-    return words[static_cast<std::size_t>(status)];
+    return state_words[static_cast<std::size_t>(status)];
 }
 
 bool ended_well(const JobRecord& record) {

@@ -34,10 +34,12 @@ Candidate candidate_of(const Scene& scene, int first, int second, RuledZone&& ru
     Candidate c{first, second, acting_zone(part_of(scene, first), part_of(scene, second), std::move(ruled.zone)), 0,
                 scene.contacts.overlap == "ignore"};
     c.rule = ruled.rule;
+    c.friction = scene.contacts.friction;
     if (c.rule >= 0) {
         const PairRule& rule = scene.contacts.pairs[static_cast<std::size_t>(c.rule)];
         c.closing = rule.interference;
         c.bonded = rule.kind == PairRule::Kind::bonded;
+        c.friction = c.bonded ? 0 : rule.friction.value_or(c.friction);
     }
     return c;
 }

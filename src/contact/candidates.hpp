@@ -34,6 +34,7 @@ struct Candidate {
     double closing = 0;       ///< interference
     bool no_overlap = false;  ///< drawn overlaps count as touching
     bool bonded = false;      ///< held together as drawn
+    double friction = 0;      ///< coefficient; infinite: rough
     int rule = -1;            ///< the scene's rule for this pair, if any
     bool shown = true;        ///< within the distance that `contacts` shows
     std::vector<ExpectedEnd> ends{};

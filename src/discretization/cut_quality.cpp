@@ -25,7 +25,7 @@ CutQuality cut_quality(const PartOnGrid& grid) {
     const solver::SplineSpace& space = grid.input.space;
     quality.split_cells = static_cast<int>(grid.elements.cell_of_extra.size());
     quality.extended = space.n_extended;
-    quality.taken_apart = static_cast<int>(space.tensor_of_extra.size());
+    quality.taken_apart = space.taken_apart();
     const int degree = std::max(space.x.degree, space.y.degree);
     const geometry::RuleCheck c = check_rules(grid.local, grid.cells, grid.elements, rules_in_use(grid), degree);
     quality.self_check = {c.area, c.centroid, c.divergence, c.points, c.negative_weights, c.outside_cell};

@@ -47,8 +47,7 @@ std::vector<Vec2> outline_of(const PartOnGrid& g, int element) {
         if (g.elements.of_contour[c] != element) continue;
         for (int i = 0; i <= outline_points; ++i) {
             const double t = piece.t0 + (piece.t1 - piece.t0) * i / outline_points;
-            const double right = g.cells.grid.x[static_cast<std::size_t>(g.cells.grid.column_of(piece.cell)) + 1];
-            points.push_back(piece.edge < 0 ? Vec2(right, t)
+            points.push_back(piece.edge < 0 ? Vec2(g.cells.grid.box(piece.cell).max.x(), t)
                                             : point(g.local.edges[static_cast<std::size_t>(piece.edge)].curve, t));
         }
     }
@@ -63,7 +62,8 @@ solver::SpaceInput space_input(const Scene& scene, const PartOnGrid& on_grid, st
             on_grid.elements.fraction,
             {on_grid.elements.cell_of_extra, on_grid.elements.neighbours},
             basis_of(scene),
-            [&on_grid](int element) { return outline_of(on_grid, element); }};
+            [&on_grid](int element) { return outline_of(on_grid, element); },
+            grid.tree};
 }
 
 }  // namespace
@@ -116,7 +116,6 @@ int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local) {
 }
 
 std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
-    const geometry::Grid& grid = on_grid.cells.grid;
     // as many as the fit has coefficients in a cell, so that even a quarter of one, alone, determines them
     const int degree = std::max(on_grid.input.space.x.degree, on_grid.input.space.y.degree);
     const geometry::GaussRule &line = geometry::gauss_rule(degree + 1), &along = geometry::gauss_rule(std::max(2, degree));
@@ -124,11 +123,10 @@ std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
     std::vector<std::pair<int, Vec2>> samples;
     for (std::size_t c = 0; c < on_grid.cells.cell_class.size(); ++c) {
         if (on_grid.cells.cell_class[c] != geometry::CellClass::boundary) continue;
-        const auto i = static_cast<std::size_t>(grid.column_of(static_cast<int>(c)));
-        const auto j = static_cast<std::size_t>(grid.row_of(static_cast<int>(c)));
+        const geometry::Box2 box = on_grid.cells.grid.box(static_cast<int>(c));
         for (double v : line.points)
             for (double u : line.points) {
-                const Vec2 p(grid.x[i] + u * (grid.x[i + 1] - grid.x[i]), grid.y[j] + v * (grid.y[j + 1] - grid.y[j]));
+                const Vec2 p = box.min + Vec2(u, v).cwiseProduct(box.size());
                 if (contains(pieces, p)) samples.emplace_back(element_in(on_grid, static_cast<int>(c), p), p);
             }
     }

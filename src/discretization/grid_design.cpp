@@ -116,15 +116,26 @@ struct NotResolved {
     double bulging, reentrant;
 };
 
-/// visit(box, radius, is_concave): a circle is one portion; other curves are halved until a portion turns so little that its
-/// mean radius of curvature is all there is to know.
+/// So many points of a portion of a curve for each radian that it turns, and its ends.
+constexpr double points_per_radian = 4;
+
+std::vector<Vec2> points_of(const geometry::Curve& curve, double t0, double t1, double turn) {
+    const int n = 1 + static_cast<int>(points_per_radian * turn);
+    std::vector<Vec2> points;
+    for (int k = 0; k <= n; ++k) points.push_back(point(curve, t0 + (t1 - t0) * k / n));
+    return points;
+}
+
+/// visit(box, radius, is_concave, t0, t1): a circle is one portion; other curves are halved until a portion turns so little
+/// that its mean radius of curvature is all there is to know.
 template <class Visit>
 void for_curved_portions(const geometry::Curve& curve, double t0, double t1, const NotResolved& least, const Visit& visit) {
-    if (const auto* arc = std::get_if<geometry::Arc>(&curve)) return visit(bounding_box(curve), arc->radius, arc->sweep < 0);
+    if (const auto* arc = std::get_if<geometry::Arc>(&curve))
+        return visit(bounding_box(curve), arc->radius, arc->sweep < 0, 0.0, 1.0);
     const double turn = turning(curve, t0, t1), size = length(curve, t0, t1);
     const bool concave = is_concave(curve, t0, t1);
     if (turn <= turn_of_feature) {
-        if (turn > 0) visit(bounding_box(trimmed(curve, t0, t1)), size / turn, concave);
+        if (turn > 0) visit(bounding_box(trimmed(curve, t0, t1)), size / turn, concave, t0, t1);
         return;
     }
     if (size <= (concave ? least.reentrant : least.bulging)) return;
@@ -158,23 +169,78 @@ std::vector<double> graded_lines(double low, double high, int axis, double large
     return lines;
 }
 
-std::vector<SizeFeature> shape_features(const Part& local, double coarseness) {
-    std::vector<SizeFeature> features;
-    for (int axis : {0, 1}) append_walls(features, local, axis, coarseness);
+namespace {
+
+double distance(const Box2& box, const Vec2& p) {
+    return (p - p.cwiseMax(box.min).cwiseMin(box.max)).norm();
+}
+
+double distance(const Box2& a, const Box2& b) {
+    return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(0).norm();
+}
+
+/// Does the segment from a to b meet a box?
+bool meets(const Box2& box, const Vec2& a, const Vec2& b) {
+    double from = 0, to = 1;
+    for (int axis : {0, 1}) {
+        const double d = b[axis] - a[axis], low = box.min[axis] - a[axis], high = box.max[axis] - a[axis];
+        if (d == 0) {
+            if (low > 0 || high < 0) return false;
+            continue;
+        }
+        from = std::max(from, std::min(low / d, high / d));
+        to = std::min(to, std::max(low / d, high / d));
+    }
+    return from <= to;
+}
+
+/// Exactly: points along the segment, however dense, let cells in that are too large beside it.
+double distance(const Box2& box, const Vec2& a, const Vec2& b) {
+    if (meets(box, a, b)) return 0;
+    double least = std::min(distance(box, a), distance(box, b));
+    const Vec2 along = b - a;
+    for (const Vec2& corner : {box.min, box.max, Vec2(box.min.x(), box.max.y()), Vec2(box.max.x(), box.min.y())}) {
+        const double squared = along.squaredNorm();
+        const double t = squared > 0 ? std::clamp((corner - a).dot(along) / squared, 0.0, 1.0) : 0.0;
+        least = std::min(least, (a + t * along - corner).norm());
+    }
+    return least;
+}
+
+}  // namespace
+
+bool is_too_large(const Box2& cell, const std::vector<SizeFeature>& features) {
+    const double side = cell.size().maxCoeff() * (1 - 1e-9);
+    return std::any_of(features.begin(), features.end(), [&](const SizeFeature& f) {
+        const double reach = (side - f.size) / f.growth;  // from which on it would do
+        if (reach <= 0 || distance(cell, f.box) >= reach) return false;
+        if (f.line.size() < 2) return true;
+        for (std::size_t k = 0; k + 1 < f.line.size(); ++k)
+            if (distance(cell, f.line[k], f.line[k + 1]) < reach) return true;
+        return false;
+    });
+}
+
+ShapeFeatures shape_features(const Part& local, double coarseness) {
+    ShapeFeatures features;
+    for (int axis : {0, 1}) append_walls(features.walls, local, axis, coarseness);
     const auto largest = largest_cells(local, coarseness);
     const NotResolved least{slot_floor * std::min(largest[0], largest[1]), sharp_fraction * bounding_box(local).diagonal()};
     for (const geometry::Loop& loop : local.loops)
         for (std::size_t i = 0; i < loop.edges.size(); ++i) {
             const geometry::Edge& edge = local.edges[static_cast<std::size_t>(loop.edges[i])];
             const geometry::Edge& next = local.edges[static_cast<std::size_t>(loop.edges[(i + 1) % loop.edges.size()])];
-            for_curved_portions(edge.curve, 0, 1, least, [&](const Box2& box, double radius, bool concave) {
-                features.push_back({box, coarseness * radius / (concave ? cells_per_fillet_radius : cells_per_radius)});
-            });
+            for_curved_portions(
+                edge.curve, 0, 1, least, [&](const Box2& box, double radius, bool concave, double t0, double t1) {
+                    features.places.push_back({box,
+                                               coarseness * radius / (concave ? cells_per_fillet_radius : cells_per_radius),
+                                               size_growth, points_of(edge.curve, t0, t1, turning(edge.curve, t0, t1))});
+                });
             const double turn = geometry::cross(geometry::unit_tangent(edge.curve, 1), geometry::unit_tangent(next.curve, 0));
             if (turn < -0.1) {
                 Box2 at;
                 at.extend(geometry::point(edge.curve, 1));
-                features.push_back({at, corner_fraction * std::min(largest[0], largest[1])});
+                features.places.push_back({at, corner_fraction * std::min(largest[0], largest[1])});
             }
         }
     return features;
@@ -185,9 +251,10 @@ double reentrant_radius(const Part& local, const Box2& near) {
     double smallest = std::numeric_limits<double>::infinity();
     for (const geometry::Edge& edge : local.edges)
         if (bounding_box(edge.curve).overlaps(near, 0))
-            for_curved_portions(edge.curve, 0, 1, {sharp, sharp}, [&](const Box2& box, double radius, bool concave) {
-                if (concave && box.overlaps(near, 0)) smallest = std::min(smallest, radius);
-            });
+            for_curved_portions(edge.curve, 0, 1, {sharp, sharp},
+                                [&](const Box2& box, double radius, bool concave, double, double) {
+                                    if (concave && box.overlaps(near, 0)) smallest = std::min(smallest, radius);
+                                });
     return smallest;
 }
 

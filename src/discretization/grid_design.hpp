@@ -17,6 +17,7 @@ struct SizeFeature {
     geometry::Box2 box;
     double size;
     double growth = size_growth;  ///< per distance
+    std::vector<Vec2> line{};     ///< from point to point inside the box; empty: all of the box
 };
 
 /// A size that is asked of the grids of a pass, in assembly coordinates.
@@ -31,9 +32,15 @@ using WantedSizes = std::vector<std::vector<WantedSize>>;
 /// x.
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);
 
-/// Sizes that the shape itself asks for: cells across every wall, cells along every arc, re-entrant corners.
-/// coarseness scales them all (1: standard).
-std::vector<SizeFeature> shape_features(const geometry::Part& local, double coarseness);
+/// Is a cell larger than features allow where they are nearest to it?
+bool is_too_large(const geometry::Box2& cell, const std::vector<SizeFeature>& features);
+
+/// Sizes that the shape itself asks for. coarseness scales them all (1: standard).
+struct ShapeFeatures {
+    std::vector<SizeFeature> walls;   ///< cells across every wall and slot: of whole columns or rows
+    std::vector<SizeFeature> places;  ///< cells along every arc, at re-entrant corners
+};
+ShapeFeatures shape_features(const geometry::Part& local, double coarseness);
 
 /// Smallest radius of curvature of the re-entrant boundary that passes the box; infinite where none does.
 double reentrant_radius(const geometry::Part& local, const geometry::Box2& near);

@@ -89,6 +89,8 @@ PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, c
     for (std::size_t i = 0; i < scene.loads.size(); ++i) {
         if (scene.loads[i].kind == Load::Kind::temperature)
             check_temperature(scene, scene.loads[i], on_grid, result);
+        else if (scene.loads[i].kind == Load::Kind::preload)
+            continue;  // shortens the part, after it is put together
         else if (is_edge_load(scene.loads[i]))
             add_edge_load(scene, scene.loads[i], conditions.loads[i], on_grid, result);
         else if (acts_on_volume_of(scene, scene.loads[i], on_grid.part))

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
+#include "geometry/cells/tree_grid.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
@@ -15,6 +18,11 @@ namespace {
 
 /// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
+
+/// A leaf of a tree costs about this times what a cell of a tensor grid does, from the tree to the factor (measured).
+constexpr double price_of_leaf = 2;
+/// Cells are halved no deeper: their size keeps half the digits.
+constexpr int deepest_level = 24;
 
 /// More cells than this in one part are a slip of the pen, not a wish.
 constexpr double most_cells = 4e6;
@@ -47,6 +55,31 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
     return grid;
 }
 
+/// Halves the cells of the scene's boxes.
+geometry::Grid with_boxes(const GridOptions& options, const geometry::Part& local, const Frame& frame, geometry::Grid base) {
+    if (options.refine.empty()) return base;
+    double cells = base.n_cells();
+    std::vector<char> halves(options.refine.size(), 0);
+    geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        bool wanted = false;
+        for (std::size_t k = 0; k < halves.size(); ++k) {
+            const GridOptions::Halved& h = options.refine[k];
+            if (level >= h.levels || !((cell.min.array() < (h.high - frame.shift).array()).all() &&
+                                       ((h.low - frame.shift).array() < cell.max.array()).all()))
+                continue;
+            wanted = true;
+            halves[k] = 1;
+        }
+        if (wanted) refuse_too_many(cells += 3, 1, options.where);
+        return wanted;
+    });
+    for (std::size_t k = 0; k < halves.size(); ++k)
+        if (!halves[k])
+            throw InputError(options.where + "/refine/" + std::to_string(k), "the box overlaps no cell of the part",
+                             "its corners are in assembly coordinates turned by -angle");
+    return tree;
+}
+
 /// One of the grids that the dissertation's search splits its one grid into, in the part's local frame.
 geometry::Grid search_grid_of(const Scene& scene, int part, const Frame& frame) {
     geometry::Grid grid = split_grid(search_grid(scene), part);
@@ -62,10 +95,90 @@ std::vector<SizeFeature> local_features(const std::vector<WantedSize>& wanted, c
     std::vector<SizeFeature> features;
     for (const WantedSize& w : wanted) {
         SizeFeature f{{}, w.size, w.growth};
-        for (const Vec2& p : w.points) f.box.extend(frame.to_local(p));
-        features.push_back(f);
+        for (const Vec2& p : w.points) f.line.push_back(frame.to_local(p));
+        for (const Vec2& p : f.line) f.box.extend(p);
+        features.push_back(std::move(f));
     }
     return features;
+}
+
+geometry::Grid tensor_grid(const geometry::Box2& box, const std::array<double, 2>& largest,
+                           const std::vector<SizeFeature>& features) {
+    return {graded_lines(box.min.x(), box.max.x(), 0, largest[0], features),
+            graded_lines(box.min.y(), box.max.y(), 1, largest[1], features)};
+}
+
+/// Cells that hold material.
+double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
+    const std::vector<geometry::CellClass> classes = cut_cells(local, grid).cell_class;
+    const auto empty = std::count(classes.begin(), classes.end(), geometry::CellClass::outer);
+    return static_cast<double>(static_cast<std::ptrdiff_t>(classes.size()) - empty);
+}
+
+/// The largest cells of a base whose walls want small ones along one axis: no more than so many times as long along the other,
+/// since what is halved stays as long as it is.
+constexpr double longest_of_base = 2;
+
+std::array<double, 2> largest_of_base(std::array<double, 2> largest, const std::vector<SizeFeature>& walls) {
+    std::array<double, 2> least = largest;
+    for (const SizeFeature& f : walls)
+        for (int axis : {0, 1})
+            if (std::isfinite(f.box.min[axis])) least[at(axis)] = std::min(least[at(axis)], f.size);
+    for (int axis : {0, 1}) largest[at(axis)] = std::min(largest[at(axis)], longest_of_base * least[at(1 - axis)]);
+    return largest;
+}
+
+/// What a grid costs, in cells of a tensor grid that hold material; too many cells cost too much.
+struct PricedGrid {
+    geometry::Grid grid;
+    double price;
+    bool too_deep = false;
+};
+
+PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most) {
+    const double each = grid.tree ? price_of_leaf : 1;
+    const double price = grid.n_cells() > most ? std::numeric_limits<double>::infinity() : each * n_filled(local, grid);
+    return {std::move(grid), price};
+}
+
+/// The base halved where places want smaller cells. A tree that grows to cost as much as it may is left unfinished.
+PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, const std::vector<SizeFeature>& places,
+                       double price, double most) {
+    double halved = 0;
+    bool too_deep = false;
+    geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
+        if (price_of_leaf * halved >= price || 3 * halved >= most || !is_too_large(cell, places)) return false;
+        too_deep = too_deep || level == deepest_level;
+        halved += level < deepest_level;
+        return level < deepest_level;
+    });
+    PricedGrid result = priced(local, std::move(tree), most);
+    if (price_of_leaf * halved >= price || 3 * halved >= most) result.price = std::numeric_limits<double>::infinity();
+    result.too_deep = too_deep;
+    return result;
+}
+
+/// The cheapest of three: a tensor grid of all wishes; one of the shape's own, or of its extent and walls only, with cells
+/// halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where they were asked for, and it may have
+/// as many as all parts.
+PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
+                         const std::vector<SizeFeature>& wanted, double budget, double budget_of_all) {
+    const geometry::Box2 box = bounding_box(local);
+    std::vector<SizeFeature> places = shape.places, own = shape.walls, all;
+    places.insert(places.end(), wanted.begin(), wanted.end());
+    own.insert(own.end(), shape.places.begin(), shape.places.end());
+    all = own;
+    all.insert(all.end(), wanted.begin(), wanted.end());
+    PricedGrid best = priced(local, tensor_grid(box, largest, all), budget);
+    const int n_tensor = best.grid.n_cells();
+    for (const bool is_of_shape : {true, false}) {
+        const geometry::Grid base =
+            is_of_shape ? tensor_grid(box, largest, own) : tensor_grid(box, largest_of_base(largest, shape.walls), shape.walls);
+        if (price_of_leaf * base.n_cells() >= n_tensor) continue;  // as it is it already costs as much
+        PricedGrid tree = halved_grid(local, base, is_of_shape ? wanted : places, best.price, budget_of_all);
+        if (tree.price < best.price) best = std::move(tree);
+    }
+    return best;
 }
 
 geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
@@ -76,28 +189,31 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
         refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size,
                         "/accuracy/cell_size");
     std::array<double, 2> largest = largest_cells(local, coarseness);
-    std::vector<SizeFeature> features;
+    ShapeFeatures shape;
+    std::vector<SizeFeature> more;
     if (scene.accuracy.cell_size)
         largest = {*scene.accuracy.cell_size, *scene.accuracy.cell_size};
     else
-        features = shape_features(local, coarseness);
-    if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) {
-        const auto more = local_features(wanted, frame);
-        features.insert(features.end(), more.begin(), more.end());
-    }
+        shape = shape_features(local, coarseness);
+    if (!scene.accuracy.cell_size || scene.accuracy.adapt.value_or(false)) more = local_features(wanted, frame);
     for (const Refinement& r : scene.accuracy.refine) {
         geometry::Box2 around;
         around.extend(Vec2(frame.to_local(r.near) - Vec2::Constant(r.radius)));
         around.extend(Vec2(frame.to_local(r.near) + Vec2::Constant(r.radius)));
-        features.push_back({around, r.cell_size});
+        more.push_back({around, r.cell_size});
     }
-    for (SizeFeature& f : features) f.size *= refinement;
+    for (double& h : largest) h *= refinement;
+    for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+        for (SizeFeature& f : *features) f.size *= refinement;
+    if (scene.accuracy.cell_size) return tensor_grid(box, largest, more);
     for (;;) {
-        geometry::Grid grid{graded_lines(box.min.x(), box.max.x(), 0, refinement * largest[0], features),
-                            graded_lines(box.min.y(), box.max.y(), 1, refinement * largest[1], features)};
-        if (static_cast<double>(grid.columns()) * grid.rows() <= budget || scene.accuracy.cell_size) return grid;
+        PricedGrid cheapest =
+            cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()));
+        limited = limited || cheapest.too_deep;
+        if (std::isfinite(cheapest.price)) return cheapest.grid;
         limited = true;
-        for (SizeFeature& f : features) f.size *= budget_coarsening;
+        for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+            for (SizeFeature& f : *features) f.size *= budget_coarsening;
         for (double& h : largest) h *= std::sqrt(budget_coarsening);
     }
 }
@@ -114,7 +230,8 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
     result.local = transformed(source.part, result.frame.c, -result.frame.s, -result.frame.shift);
     result.degree = {scene.accuracy.degree, scene.accuracy.degree};
     if (result.given) {
-        result.grid = explicit_grid(given->second, result.local, result.frame);
+        result.grid =
+            with_boxes(given->second, result.local, result.frame, explicit_grid(given->second, result.local, result.frame));
         result.degree = given->second.degree.value_or(result.degree);
         return result;
     }

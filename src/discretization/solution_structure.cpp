@@ -146,14 +146,14 @@ WeightField weight_of(const Scene& scene, const std::vector<HeldByWeight>& held,
 
 /// Gauss points of a full cell.
 solver::CellRule full_cell_rule(const geometry::Grid& grid, int cell, int n) {
-    const auto i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
+    const geometry::Box2 box = grid.box(cell);
     const geometry::GaussRule& line = geometry::gauss_rule(n);
-    const double hx = grid.x[i + 1] - grid.x[i], hy = grid.y[j + 1] - grid.y[j];
+    const Vec2 size = box.size();
     solver::CellRule rule{cell, {}, {}};
     for (std::size_t b = 0; b < line.points.size(); ++b)
         for (std::size_t a = 0; a < line.points.size(); ++a) {
-            rule.points.emplace_back(grid.x[i] + line.points[a] * hx, grid.y[j] + line.points[b] * hy);
-            rule.weights.push_back(line.weights[a] * line.weights[b] * hx * hy);
+            rule.points.emplace_back(box.min + Vec2(line.points[a], line.points[b]).cwiseProduct(size));
+            rule.weights.push_back(line.weights[a] * line.weights[b] * size.x() * size.y());
         }
     return rule;
 }
@@ -171,19 +171,8 @@ std::vector<Vec2> kinks_of(const std::vector<HeldByWeight>& held, const PartOnGr
 
 /// Which cells have a kink in them or next to them.
 std::vector<char> cells_at(const std::vector<Vec2>& kinks, const geometry::Grid& grid) {
-    std::vector<char> is_at(grid.x.size() * grid.y.size(), 0);
-    const auto range = [](const std::vector<double>& lines, double v) {
-        const auto k = std::upper_bound(lines.begin(), lines.end(), v) - lines.begin() - 1;  // interval of v
-        const auto last = static_cast<std::ptrdiff_t>(lines.size()) - 2;
-        return std::pair(std::clamp<std::ptrdiff_t>(k - 1, 0, last), std::clamp<std::ptrdiff_t>(k + 1, 0, last));
-    };
-    const auto columns = static_cast<std::ptrdiff_t>(grid.x.size()) - 1;
-    for (const Vec2& p : kinks) {
-        const auto [i0, i1] = range(grid.x, p.x());
-        const auto [j0, j1] = range(grid.y, p.y());
-        for (auto j = j0; j <= j1; ++j)
-            for (auto i = i0; i <= i1; ++i) is_at[static_cast<std::size_t>(j * columns + i)] = 1;
-    }
+    std::vector<char> is_at(at(grid.n_cells()), 0);
+    for (const Vec2& p : kinks) grid.for_cells_in(grid.box(grid.cell_at(p)), [&](int cell) { is_at[at(cell)] = 1; });
     return is_at;
 }
 

@@ -27,6 +27,11 @@ constexpr std::array<ClassColor, 3> class_colors{{{CellClass::outer, "#f0f0f0", 
 std::string cell_data(const PartCells& part, CellClass wanted, const View& view) {
     const geometry::Grid& grid = part.cells.grid;
     std::string data;
+    if (grid.tree) {
+        for (int cell = 0; cell < grid.n_cells(); ++cell)
+            if (part.cells.cell_class[static_cast<std::size_t>(cell)] == wanted) data += cell_outline(part, cell, view);
+        return data;
+    }
     const auto columns = static_cast<std::size_t>(grid.columns()), rows = static_cast<std::size_t>(grid.rows());
     for (std::size_t j = 0; j < rows; ++j)
         for (std::size_t i = 0; i < columns;) {
@@ -46,8 +51,9 @@ std::string cell_data(const PartCells& part, CellClass wanted, const View& view)
 }
 
 std::string counts_text(const ScenePart& part, const PartCells& cells) {
-    std::string text = part.name + ": " + std::to_string(cells.cells.grid.columns()) + " x " +
-                       std::to_string(cells.cells.grid.rows()) + " cells";
+    const geometry::Grid& grid = cells.cells.grid;
+    std::string text = part.name + ": " + std::to_string(grid.columns()) + " x " + std::to_string(grid.rows()) + " cells";
+    if (grid.tree) text += ", halved up to " + std::to_string(grid.tree->levels()) + " times";
     for (const CellClass c : {CellClass::inner, CellClass::boundary, CellClass::outer})
         for (const ClassColor& named : class_colors)
             if (named.cell_class == c)

@@ -72,8 +72,23 @@ Vec2 grid_point(const PartCells& part, std::size_t column, std::size_t row, cons
     return view(part.frame.to_global({part.cells.grid.x[column], part.cells.grid.y[row]}));
 }
 
+std::string cell_outline(const PartCells& part, int cell, const View& view) {
+    const Box2 box = part.cells.grid.box(cell);
+    std::string data;
+    for (const Vec2& corner : {box.min, Vec2(box.max.x(), box.min.y()), box.max, Vec2(box.min.x(), box.max.y())}) {
+        const Vec2 at = view(part.frame.to_global(corner));
+        data += (data.empty() ? "M" : "L") + coordinate_text(at.x()) + " " + coordinate_text(at.y());
+    }
+    return data + "Z";
+}
+
 std::string grid_line_data(const PartCells& part, bool with_material, const View& view) {
     std::string data;
+    if (part.cells.grid.tree) {
+        for (int cell = 0; cell < part.cells.grid.n_cells(); ++cell)
+            if ((part.cells.cell_class[at(cell)] != CellClass::outer) == with_material) data += cell_outline(part, cell, view);
+        return data;
+    }
     for (int i = 0; i <= part.cells.grid.columns(); ++i) append_line(data, part, 0, i, with_material, view);
     for (int j = 0; j <= part.cells.grid.rows(); ++j) append_line(data, part, 1, j, with_material, view);
     return data;

@@ -37,6 +37,8 @@ std::string candidates_svg(const Inspection& inspection, const Stages& stages);
 std::string pale_parts(const Scene& scene, const View& view);
 /// A crossing of a part's grid lines, in picture coordinates.
 Vec2 grid_point(const PartCells& part, std::size_t column, std::size_t row, const View& view);
+/// Path data of one cell's outline.
+std::string cell_outline(const PartCells& part, int cell, const View& view);
 /// Path data of the lines of a part's grid: the sides of cells that hold material, or those of the others.
 std::string grid_line_data(const PartCells& part, bool with_material, const View& view);
 /// The box of all parts and, where `grids` is set, of their grids.

@@ -60,7 +60,12 @@ std::vector<LoadMark> load_marks(const Scene& scene, const ResolvedConditions& c
         along_portions(scene, conditions.loads[i],
                        [&](const Vec2& x, const Vec2& n) { add(x, traction_at(load, spread, x, n)); });
         if (load.at) add(*load.at, {load.value[0].constant(), load.value[1].constant()});
-        if (is_edge_load(load) || load.kind == Load::Kind::temperature) continue;
+        if (load.kind == Load::Kind::preload) {
+            const Vec2 along = load.across[1] - load.across[0], n = geometry::left_of(along);
+            add(load.across[0] + 0.25 * along, n);
+            add(load.across[0] + 0.75 * along, -n);
+        }
+        if (is_edge_load(load) || load.kind == Load::Kind::temperature || load.kind == Load::Kind::preload) continue;
         for (std::size_t p = 0; p < scene.parts.size(); ++p)
             if (acts_on_volume_of(scene, load, static_cast<int>(p))) {
                 const Vec2 c = centroid(scene.parts[p].part);

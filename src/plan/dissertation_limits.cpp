@@ -18,7 +18,8 @@ void append_dissertation_problems(const Scene& scene, std::vector<Problem>& prob
         if (s.kind == Support::Kind::rigid) refuse(s.where, "parts held by their mean motion");
     }
     for (const Load& load : scene.loads)
-        if (load.kind == Load::Kind::temperature) refuse(load.where, "temperatures");
+        if (load.kind == Load::Kind::temperature || load.kind == Load::Kind::preload)
+            refuse(load.where, load.kind == Load::Kind::preload ? "preloads" : "temperatures");
     for (const PairRule& rule : scene.contacts.pairs)
         if (rule.kind == PairRule::Kind::bonded) refuse(rule.where, "bonded edges");
     for (std::size_t i = 0; i < scene.parts.size(); ++i)

@@ -21,7 +21,7 @@ public:
     Reach(const Scene& scene, const ResolvedConditions& conditions) : scene_(scene), conditions_(conditions) {}
 
     std::vector<std::string> parts(const std::string& effect) const {
-        if (effect == "contact" || effect == "bonding" || effect == "interference") return parts_of(pairs(effect));
+        if (effect == "contact" || effect == "friction" || effect == "bonding" || effect == "interference") return parts_of(pairs(effect));
         std::vector<std::string> names;
         for (std::size_t i = 0; i < scene_.parts.size(); ++i)
             if (concerns(effect, static_cast<int>(i))) names.push_back(scene_.parts[i].name);
@@ -31,6 +31,8 @@ public:
     Pairs pairs(const std::string& effect) const {
         if (effect == "contact") return named(searched());
         if (effect == "bonding") return named(ruled([](const PairRule& r) { return r.kind == PairRule::Kind::bonded; }));
+        if (effect == "friction" && scene_.contacts.friction > 0) return named(searched());
+        if (effect == "friction") return named(ruled([](const PairRule& r) { return r.friction.value_or(0) > 0; }));
         if (effect != "interference") return {};
         if (scene_.contacts.overlap == "press_fit") return named(searched());
         return named(ruled([](const PairRule& r) { return r.interference != 0; }));

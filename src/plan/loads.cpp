@@ -79,6 +79,8 @@ std::string effect_of(const Load& load) {
             return "spin";
         case Load::Kind::temperature:
             return "temperature";
+        case Load::Kind::preload:
+            return "preload";
         default:
             return "body force";
     }

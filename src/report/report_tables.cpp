@@ -95,6 +95,18 @@ std::string reaction_table(const Result& result, const ResultUnits& u) {
                                               rows));
 }
 
+std::string preload_table(const Result& result, const ResultUnits& u) {
+    if (result.preloads.empty()) return "";
+    Rows rows;
+    for (const PreloadResult& p : result.preloads)
+        rows.push_back({p.part, number_text(p.force, 5), number_text(p.shortening, 5), number_text(p.force_under_load, 5)});
+    return subsection("Tightened parts", html_table({{"part"},
+                                                     {heading("tightened to", u.force), true},
+                                                     {heading("shortened by", u.length), true},
+                                                     {heading("force across the cut under load", u.force), true}},
+                                                    rows));
+}
+
 std::string equilibrium_table(const Result& result, const ResultUnits& u) {
     const auto& e = result.equilibrium;
     const Rows rows{{pair_text(e.applied, 5), pair_text(e.reaction, 5), number_text(e.relative_residual, 2),
@@ -165,12 +177,19 @@ std::string smallest_step(const std::vector<double>& knots) {
     return step > 0 ? number_text(step, 3) : "–";
 }
 
+/// Columns and rows, and how often cells are halved.
+std::string grid_text(const PartResult& p) {
+    std::string text = std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1);
+    int levels = 0;
+    for (const PartResult::Halved& h : p.halved) levels = std::max(levels, h.levels);
+    return levels > 0 ? text + ", halved up to " + counted(static_cast<std::size_t>(levels), "time") : text;
+}
+
 std::string grid_table(const Result& result, const ResultUnits& u) {
     Rows rows;
     for (const PartResult& p : result.parts) {
         if (!p.solved || p.grid_x.size() < 2 || p.grid_y.size() < 2) continue;
-        rows.push_back({p.name, std::to_string(p.grid_x.size() - 1) + " × " + std::to_string(p.grid_y.size() - 1),
-                        smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y),
+        rows.push_back({p.name, grid_text(p), smallest_step(p.grid_x) + " × " + smallest_step(p.grid_y),
                         number_text(p.grid_angle * 180 / std::numbers::pi, 4), count_text(p.cells_inner),
                         count_text(p.cells_boundary), count_text(p.cells_outer), count_text(p.unknowns)});
     }
@@ -269,6 +288,7 @@ std::string tables_section(const Result& result) {
     std::string html = "<section class=\"tables\"><h2>Figures</h2>\n";
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
     html += reaction_table(result, units);
+    html += preload_table(result, units);
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);
     html += part_table(result, units) + probe_table(result, units);

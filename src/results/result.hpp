@@ -71,6 +71,12 @@ struct PartResult {
     std::optional<double> utilisation{};  ///< largest von Mises stress over the material's yield; unset: the yield is not known
     double grid_angle = 0;                ///< radians
     std::vector<double> grid_x, grid_y;   ///< grid lines in the grid's frame (assembly coordinates turned by -grid_angle)
+    /// A box whose cells are halved so many times, in the grid's frame as the lines are.
+    struct Halved {
+        Vec2 low, high;
+        int levels;
+    };
+    std::vector<Halved> halved{};  ///< the smallest boxes that tell all halved cells; empty: a tensor grid
     int cells_inner = 0, cells_boundary = 0, cells_outer = 0;
     CutQuality quality;
 };
@@ -97,7 +103,10 @@ struct PartField {
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
-    std::vector<double> shear;       ///< of bonded ones: tangential traction on the second part, along its normal turned left
+    /// Of bonded ones and those with friction: tangential traction on the second part, along the first's normal turned left.
+    std::vector<double> shear;
+    std::vector<double> slip;        ///< with friction: how far the second part has moved along that direction since drawn
+    std::vector<std::string> state;  ///< with friction: open, stick, slip
     std::vector<std::string> edge2;  ///< "part/edge" of the facing points on the second part
     std::vector<double> s2, x2, y2;
 };
@@ -113,6 +122,16 @@ struct ContactErrors {
 struct NextLevel {
     std::string accuracy;  ///< as --accuracy takes it
     double target = 0, seconds = 0;
+};
+
+/// What friction does in a contact.
+struct FrictionResult {
+    double coefficient = 0;                    ///< infinite: rough
+    double shear_force = 0;                    ///< integral of the tangential traction, total over the thickness
+    double normal_force = 0;                   ///< integral of the pressure
+    std::optional<double> utilisation;         ///< |shear force| / (coefficient normal force); unset where nothing presses
+    double stick_length = 0, slip_length = 0;  ///< on the middle curve
+    double dissipated = 0;                     ///< work against slip, of the step where there are steps
 };
 
 /// What one contact does.
@@ -131,6 +150,7 @@ struct ContactResult {
     std::optional<double> error_estimate;  ///< of the pressure
     std::optional<ContactErrors> errors;
     std::optional<FunctionalInterface> functional;
+    std::optional<FrictionResult> friction;  ///< unset: none
     ContactProfile profile;
 };
 
@@ -178,6 +198,15 @@ struct LoadMark {
     Vec2 direction;
 };  ///< for the picture: a point and the unit direction of the load there
 
+/// A part that was tightened across a cut before the other loads acted.
+struct PreloadResult {
+    std::string part;
+    std::array<Vec2, 2> across;   ///< the ends of the cut
+    double force = 0;             ///< that it was tightened to
+    double shortening = 0;        ///< how far the two sides of the cut were drawn together for that
+    double force_under_load = 0;  ///< across the cut under all loads, tension positive
+};
+
 /// One solution on the way to the last: grids follow the contacts.
 struct PassSummary {
     int unknowns = 0, multipliers = 0;
@@ -203,6 +232,7 @@ struct Result {
         bool converged = true;
         int groups = 0, contact_problems = 0;         ///< of parts that do not interact; those that have contact
         std::optional<double> assembled_condition{};  ///< by the dissertation's method: as its table 5.2 has it
+        std::optional<int> increments{};              ///< of the step, where there are steps
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)
@@ -232,6 +262,7 @@ struct Result {
     MobilityResult as_drawn;                   ///< with every contact that could close
     std::optional<MobilityResult> under_load;  ///< with the contacts that carry force
     std::vector<Reaction> reactions;
+    std::vector<PreloadResult> preloads;
     std::vector<ProbeResult> probes;
     std::vector<std::string> warnings;
     std::vector<std::string> notes{};  ///< Scene::notes

@@ -101,10 +101,20 @@ Json part(const PartResult& p) {
     return j;
 }
 
+Json preload(const PreloadResult& p) {
+    return {{"part", p.part},
+            {"across", Json::array({vector(p.across[0]), vector(p.across[1])})},
+            {"force", number(p.force)},
+            {"shortening", number(p.shortening)},
+            {"force_under_load", number(p.force_under_load)}};
+}
+
 Json profile(const ContactProfile& p) {
     Json json = {{"edge", names(p.edge)},           {"s", numbers(p.s)},    {"x", numbers(p.x)}, {"y", numbers(p.y)},
                  {"pressure", numbers(p.pressure)}, {"gap", numbers(p.gap)}};
     if (!p.shear.empty()) json["shear"] = numbers(p.shear);
+    if (!p.slip.empty()) json["slip"] = numbers(p.slip);
+    if (!p.state.empty()) json["state"] = names(p.state);
     return json;
 }
 
@@ -117,8 +127,18 @@ Json errors(const std::optional<ContactErrors>& e) {
             {"at_corner", e->at_corner}};
 }
 
+Json friction(const FrictionResult& f) {
+    return {{"coefficient", std::isinf(f.coefficient) ? Json("rough") : number(f.coefficient)},
+            {"shear_force", number(f.shear_force)},
+            {"normal_force", number(f.normal_force)},
+            {"utilisation", number(f.utilisation)},
+            {"stick_length", number(f.stick_length)},
+            {"slip_length", number(f.slip_length)},
+            {"dissipated", number(f.dissipated)}};
+}
+
 Json contact(const ContactResult& c) {
-    return {{"parts", Json::array({c.parts[0], c.parts[1]})},
+    Json j{{"parts", Json::array({c.parts[0], c.parts[1]})},
             {"between", Json::array({c.between[0], c.between[1]})},
             {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
             {"kind", c.kind},
@@ -135,6 +155,8 @@ Json contact(const ContactResult& c) {
             {"error_estimate", number(c.error_estimate)},
             {"errors", errors(c.errors)},
             {"profile", profile(c.profile)}};
+    if (c.friction) j["friction"] = friction(*c.friction);
+    return j;
 }
 
 Json accuracy(const Result& r) {
@@ -171,6 +193,7 @@ Json solver(const Result& r) {
            {"converged", r.solver.converged},
            {"groups", r.solver.groups},
            {"contact_problems", r.solver.contact_problems}};
+    if (r.solver.increments) j["increments"] = *r.solver.increments;
     if (r.solver.assembled_condition) j["assembled_condition"] = number(*r.solver.assembled_condition);
     return j;
 }
@@ -231,6 +254,7 @@ Json to_json(const Result& r, const ModelFacts& model) {
     j["mobility"] = {{"as_drawn", Json::parse(mobility_json(r.as_drawn))},
                      {"under_load", r.under_load ? Json::parse(mobility_json(*r.under_load)) : Json(nullptr)}};
     j["reactions"] = list_of(r.reactions, reaction);
+    if (!r.preloads.empty()) j["preloads"] = list_of(r.preloads, preload);
     j["probes"] = list_of(r.probes, probe);
     j["warnings"] = names(r.warnings);
     j["notes"] = names(r.notes);

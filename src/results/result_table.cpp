@@ -51,6 +51,15 @@ std::string reaction_rows(const Result& result, const ResultUnits& units) {
     return "\n" + aligned(rows);
 }
 
+std::string preload_rows(const Result& result, const ResultUnits& units) {
+    if (result.preloads.empty()) return "";
+    std::vector<Row> rows{{"tightened", heading("to", units.force), heading("shortened by", units.length),
+                           heading("carries under load", units.force)}};
+    for (const PreloadResult& p : result.preloads)
+        rows.push_back({p.part, number_text(p.force, 5), number_text(p.shortening, 4), number_text(p.force_under_load, 5)});
+    return "\n" + aligned(rows);
+}
+
 std::string summary(const Result& result) {
     std::string text;
     if (const PartResult* most = most_stressed(result))
@@ -87,6 +96,7 @@ std::string result_table(const Result& result) {
     if (failed) text += "FAILED: " + result.message + "\n";
     if (!failed || !result.contacts.empty()) text += contact_rows(result, units);
     text += reaction_rows(result, units);
+    if (!failed) text += preload_rows(result, units);
     if (!failed) text += summary(result);
     if (result.unknowns > 0) text += effort(result);
     for (const std::string& note : result.notes) text += "note: " + note + "\n";

@@ -26,6 +26,17 @@ Load scaled(Load load, double factor) {
 
 }  // namespace
 
+std::string case_word(const Scene& scene) {
+    return scene.in_steps ? "step" : "load case";
+}
+
+LoadCase between(const LoadCase& from, const LoadCase& to, double fraction) {
+    LoadCase c = to;
+    for (auto& [name, factor] : c.factors) factor *= fraction;
+    for (const auto& [name, factor] : from.factors) c.factors[name] += (1 - fraction) * factor;
+    return c;
+}
+
 Scene scene_of_case(const Scene& scene, const LoadCase& c) {
     Scene own = scene;
     own.cases.clear();
@@ -48,18 +59,21 @@ std::vector<Load> acting_loads(const Scene& scene) {
 }
 
 const LoadCase& case_named(const Scene& scene, const std::string& name) {
+    if (scene.in_steps)
+        throw InputError(scene.file + " /steps", "steps follow each other: none is answered alone", "leave the name out");
     std::vector<std::string> known;
     for (const LoadCase& c : scene.cases) {
         if (c.name == name) return c;
         known.push_back(c.name);
     }
-    throw InputError(scene.file + " /cases", "there is no load case '" + shortened(name) + "'",
+    throw InputError(scene.file + " /cases", "there is no " + case_word(scene) + " '" + shortened(name) + "'",
                      known.empty() ? "the scene has none" : nearest_name_hint(name, known));
 }
 
 void refuse_cases(const Scene& scene) {
     if (scene.cases.empty()) return;
-    throw InputError(scene.file + " /cases", "the scene has load cases: which one is meant is not said",
+    throw InputError(scene.file + (scene.in_steps ? " /steps" : " /cases"),
+                     "the scene has " + case_word(scene) + "s: which one is meant is not said",
                      "abut analyze answers all of them, or one with --case NAME");
 }
 

@@ -85,7 +85,14 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     result.weights = word_or(reading, accuracy, "weights", result.weights, {{"auto", "joined", "r_function", "blended"}, {}});
     refuse_beside_method(reading, accuracy, result);
     result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {{"auto", "cholmod"}, {}}) == "cholmod";
-    if (const JsonValue* grids = find_member(accuracy, "grids")) result.grids = read_grids(reading, *grids);
+    if (const JsonValue* grids = find_member(accuracy, "grids")) {
+        result.grids = read_grids(reading, *grids);
+        for (const auto& [part, grid] : result.grids)
+            if (result.method == "dissertation" && !grid.refine.empty())
+                report_problem(reading, *grids,
+                               "'refine' of the grid of " + part + " does not go with the dissertation's method",
+                               "it has tensor grids: give 'x' and 'y', or 'cells', alone");
+    }
     if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);
     return result;
 }

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "src/io/nearest_name.hpp"
+#include "src/scene/load_cases.hpp"
 
 namespace abut {
 
@@ -65,13 +66,14 @@ std::optional<LoadCase> read_case(SceneReading& reading, const JsonValue& value,
 }  // namespace
 
 void read_cases(SceneReading& reading, const JsonValue& cases, Scene& scene) {
-    if (!check_list(reading, cases, 1, "load cases")) return;
+    const std::string one = case_word(scene);
+    if (!check_list(reading, cases, 1, one + "s")) return;
     for (const JsonValue& item : cases.items) {
         std::optional<LoadCase> c = read_case(reading, item, scene);
         if (!c) continue;
         const std::vector<std::string> known = names_of_cases(scene);
         if (std::find(known.begin(), known.end(), c->name) != known.end())
-            report_problem(reading, item, "another case has the name '" + shortened(c->name) + "'", "give it one of its own");
+            report_problem(reading, item, "another " + one + " has the name '" + shortened(c->name) + "'", "give it one of its own");
         scene.cases.push_back(std::move(*c));
     }
     for (const std::string& name : names_of_loads(scene)) {
@@ -80,7 +82,7 @@ void read_cases(SceneReading& reading, const JsonValue& cases, Scene& scene) {
             return factor != c.factors.end() && factor->second != 0;
         };
         if (std::none_of(scene.cases.begin(), scene.cases.end(), takes))
-            scene.warnings.push_back("the load '" + name + "' acts in no load case");
+            scene.warnings.push_back("the load '" + name + "' acts in no " + one);
     }
 }
 
@@ -90,12 +92,12 @@ void check_cases_of_expectations(SceneReading& reading, const Scene& scene) {
         if (std::find(known.begin(), known.end(), e.in_case) != known.end() || (known.empty() && e.in_case.empty())) continue;
         const JsonValue& at = *find_pointer(reading.root, e.where);
         if (known.empty())
-            report_problem(reading, at, "the scene has no load cases", "leave \"case\" out");
+            report_problem(reading, at, "the scene has no " + case_word(scene) + "s", "leave \"case\" out");
         else if (e.in_case.empty())
-            report_problem(reading, at, "which load case has this answer is not said",
+            report_problem(reading, at, "which " + case_word(scene) + " has this answer is not said",
                            "give \"case\", one of " + listed(known));
         else
-            report_problem(reading, at, "there is no load case '" + shortened(e.in_case) + "'",
+            report_problem(reading, at, "there is no " + case_word(scene) + " '" + shortened(e.in_case) + "'",
                            nearest_name_hint(e.in_case, known));
     }
 }

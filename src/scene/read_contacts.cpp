@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/scene/read_contacts.hpp"
 
+#include <limits>
 #include <utility>
 
+#include "src/io/number_text.hpp"
 #include "src/scene/read_selection.hpp"
 
 namespace abut {
 
 namespace {
 
-std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value) {
+/// A coefficient of friction: a number >= 0, or "rough". A large one is possible, but more often a percentage.
+std::optional<double> read_friction(SceneReading& reading, const JsonValue& value, std::vector<std::string>& warnings) {
+    constexpr double plausible = 5;
+    if (value.kind == JsonValue::Kind::string && value.text == "rough") return std::numeric_limits<double>::infinity();
+    const std::optional<double> friction = read_number(reading, value, dimension::none);
+    if (!friction) return std::nullopt;
+    if (*friction < 0) {
+        report_problem(reading, value, "a coefficient of friction is not negative",
+                       "give a number from 0, or \"rough\" for faces that do not slip");
+        return std::nullopt;
+    }
+    if (*friction > plausible)
+        warnings.push_back(value.pointer + ": a coefficient of friction of " + number_text(*friction, 3) +
+                           " is more than any pair of materials has; \"rough\" is the word for faces that do not slip");
+    return friction;
+}
+
+std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value, std::vector<std::string>& warnings) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, value, {{"between", "kind", "interference"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {{"between", "kind", "interference", "friction"}, {}})) return std::nullopt;
     PairRule rule;
     rule.where = value.pointer;
     const JsonValue* between = required(reading, value, "between");
@@ -28,13 +47,15 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value)
     if (const JsonValue* interference = find_member(value, "interference"); interference && word == "bonded")
         report_problem(reading, *interference, "bonded edges are held together as they are drawn: they have no interference",
                        "take it away, or make the pair a contact");
+    if (const JsonValue* friction = find_member(value, "friction")) {
+        rule.friction = read_friction(reading, *friction, warnings);
+        if (word == "bonded" || word == "ignore")
+            report_problem(reading, *friction, "edges that are " + std::string(word == "bonded" ? "bonded" : "left alone") +
+                                                   " have no friction",
+                           "take it away, or make the pair a contact");
+    }
     if (reading.problems.size() > before) return std::nullopt;
     return rule;
-}
-
-void check_friction(SceneReading& reading, const JsonValue& value) {
-    const std::optional<double> friction = read_number(reading, value, dimension::none);
-    if (friction && *friction != 0) report_problem(reading, value, "'friction' is not supported yet", "only 0 is");
 }
 
 /// "penalty": the formulation's options; "auto", "mortar": none, and its keys do not belong there.
@@ -55,7 +76,7 @@ std::optional<PenaltyOptions> read_penalty(SceneReading& reading, const JsonValu
 
 }  // namespace
 
-ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts) {
+ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts, std::vector<std::string>& warnings) {
     ContactOptions options;
     const Words keys{{"detect", "search_distance", "formulation", "penalty", "penalty_length", "friction", "overlap", "pairs"},
                      {}};
@@ -65,16 +86,27 @@ ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts) {
     const bool automatic = distance && distance->kind == JsonValue::Kind::string && distance->text == "auto";
     if (distance && !automatic) options.search_distance = read_positive(reading, *distance, dimension::length);
     options.penalty = read_penalty(reading, contacts);
-    if (const JsonValue* friction = find_member(contacts, "friction")) check_friction(reading, *friction);
+    if (const JsonValue* friction = find_member(contacts, "friction"))
+        options.friction = read_friction(reading, *friction, warnings).value_or(0);
     options.overlap = member_or(reading, contacts, "overlap", options.overlap, [](SceneReading& r, const JsonValue& v) {
         return read_word(r, v, {{"report", "press_fit", "ignore"}, {}});
     });
     const JsonValue* pairs = find_member(contacts, "pairs");
-    if (!pairs || !check_list(reading, *pairs, 0, "pairs")) return options;
-    for (const JsonValue& item : pairs->items) {
-        if (auto rule = read_pair(reading, item)) options.pairs.push_back(std::move(*rule));
-    }
+    if (pairs && check_list(reading, *pairs, 0, "pairs"))
+        for (const JsonValue& item : pairs->items)
+            if (auto rule = read_pair(reading, item, warnings)) options.pairs.push_back(std::move(*rule));
     return options;
+}
+
+void refuse_friction_of_penalty(SceneReading& reading, const ContactOptions& options) {
+    if (!options.penalty) return;
+    const auto refuse = [&](const std::string& in) {
+        report_problem(reading, *find_pointer(reading.root, in + "/friction"), "penalty contact has no friction",
+                       "take the friction away, or the penalty formulation (accuracy.method dissertation has it, too)");
+    };
+    if (options.friction != 0) refuse("/contacts");
+    for (const PairRule& rule : options.pairs)
+        if (rule.friction.value_or(0) != 0) refuse(rule.where);
 }
 
 }  // namespace abut

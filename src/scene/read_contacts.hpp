@@ -5,7 +5,10 @@
 
 namespace abut {
 
-/// Reads the value of "contacts".
-ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts);
+/// Reads the value of "contacts". warnings: what is taken, but doubted, is added.
+ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts, std::vector<std::string>& warnings);
+
+/// Reports friction where contact is by penalty, which has none.
+void refuse_friction_of_penalty(SceneReading& reading, const ContactOptions& options);
 
 }  // namespace abut

@@ -9,6 +9,8 @@ namespace {
 
 /// More cells in one direction are taken for a slip of the pen.
 constexpr int most_cells = 100000;
+/// A thousandth of a cell of a thousandth of a part: deeper ones are taken for a slip of the pen, too.
+constexpr int most_levels = 20;
 
 std::vector<double> read_knots(SceneReading& reading, const JsonValue& value) {
     std::vector<double> knots;
@@ -50,10 +52,20 @@ void check_combination(SceneReading& reading, const JsonValue& value) {
     if (offset && !cells) report_problem(reading, *offset, "'offset' belongs to 'cells'", "move the knots instead");
 }
 
+std::optional<GridOptions::Halved> read_halved(SceneReading& reading, const JsonValue& value) {
+    if (!check_object(reading, value, {{"from", "to", "levels"}, {}})) return std::nullopt;
+    const auto a = required_member(reading, value, "from", read_vector, dimension::length),
+               b = required_member(reading, value, "to", read_vector, dimension::length);
+    const JsonValue* levels = find_member(value, "levels");
+    const auto n = levels ? read_integer(reading, *levels, 1, most_levels) : 1;
+    if (!a || !b || !n) return std::nullopt;
+    return GridOptions::Halved{a->cwiseMin(*b), a->cwiseMax(*b), *n};
+}
+
 GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
     GridOptions grid;
     grid.where = value.pointer;
-    if (!check_object(reading, value, {{"x", "y", "cells", "offset", "angle", "degree"}, {}})) return grid;
+    if (!check_object(reading, value, {{"x", "y", "cells", "offset", "angle", "degree", "refine"}, {}})) return grid;
     check_combination(reading, value);
     if (const JsonValue* x = find_member(value, "x")) grid.x = read_knots(reading, *x);
     if (const JsonValue* y = find_member(value, "y")) grid.y = read_knots(reading, *y);
@@ -63,6 +75,9 @@ GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
     grid.angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle) * std::numbers::pi / 180;
     if (const JsonValue* degree = find_member(value, "degree"))
         grid.degree = read_integers(reading, *degree, least_degree, most_degree);
+    if (const JsonValue* refine = find_member(value, "refine"); refine && check_list(reading, *refine, 0, "boxes"))
+        for (const JsonValue& item : refine->items)
+            if (const auto halved = read_halved(reading, item)) grid.refine.push_back(*halved);
     return grid;
 }
 

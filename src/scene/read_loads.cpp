@@ -42,6 +42,36 @@ void read_spin_numbers(SceneReading& reading, const JsonValue& value, Load& load
                            dimension::length);  // whether it has to be there: read_scene
 }
 
+/// A preload: checked here, its numbers are read by read_preload_numbers.
+std::optional<std::array<Expression, 2>> read_preload(SceneReading& reading, const JsonValue& value, const Dimension&) {
+    if (!check_object(reading, value, {{"across", "force"}, {}})) return std::nullopt;
+    return std::array<Expression, 2>{};
+}
+
+void read_preload_numbers(SceneReading& reading, const JsonValue& value, Load& load) {
+    const std::optional<double> force = required_member(reading, value, "force", read_number, dimension::force);
+    load.value[0] = Expression(force.value_or(0));
+    if (force && *force <= 0)
+        report_problem(reading, *find_member(value, "force"), "a preload is a force above 0",
+                       "give the force that the part is tightened to; a load with a name can be left out of a case");
+    const JsonValue* across = find_member(value, "across");
+    if (!across) {
+        report_problem(reading, value, "the key 'across' is missing",
+                       "give the two ends of a line across the part: [[x, y], [x, y]]");
+        return;
+    }
+    if (!check_list(reading, *across, 2, "points")) return;
+    if (across->items.size() != 2) {
+        report_problem(reading, *across, "a line across the part has two ends", "give [[x, y], [x, y]]");
+        return;
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+        load.across[k] = read_vector(reading, across->items[k], dimension::length).value_or(Vec2(0, 0));
+    if (load.across[0] == load.across[1])
+        report_problem(reading, *across, "the two ends of the line across the part are one point",
+                       "give two points, one on each side of it");
+}
+
 /// The part of a body force, where "*" stands for all parts.
 std::optional<std::string> read_part_or_all(SceneReading& reading, const JsonValue& value) {
     if (value.kind == JsonValue::Kind::string && value.text == "*") return value.text;
@@ -68,6 +98,7 @@ constexpr LoadKind load_kinds[] = {
     {"gravity", Load::Kind::gravity, read_total, dimension::acceleration, LoadKind::Acts::everywhere},
     {"spin", Load::Kind::spin, read_spin, dimension::angular_speed, LoadKind::Acts::on_part},
     {"temperature", Load::Kind::temperature, read_one, dimension::temperature, LoadKind::Acts::on_part},
+    {"preload", Load::Kind::preload, read_preload, dimension::force, LoadKind::Acts::on_part},
 };
 
 /// "force" and "moment" mean one thing with "on" and another with "part".
@@ -98,11 +129,12 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
 std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
     const Words keys{{"on", "pressure", "traction", "force", "at", "moment", "bearing", "part", "body_force", "gravity", "spin",
-                      "temperature", "name"},
+                      "temperature", "preload", "name"},
                      {}};
     if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
     const JsonValue* what = exactly_one(
-        reading, value, {"pressure", "traction", "force", "moment", "bearing", "body_force", "gravity", "spin", "temperature"});
+        reading, value,
+        {"pressure", "traction", "force", "moment", "bearing", "body_force", "gravity", "spin", "temperature", "preload"});
     if (!what) return std::nullopt;
     const LoadKind& kind = kind_of(what->key, find_member(value, "part") != nullptr);
     Load load;
@@ -111,6 +143,7 @@ std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     load.name = member_or(reading, value, "name", std::string(), read_text);
     load.value = kind.read(reading, *what, kind.dimension).value_or(std::array<Expression, 2>{});
     if (kind.kind == Load::Kind::spin && what->kind == JsonValue::Kind::object) read_spin_numbers(reading, *what, load);
+    if (kind.kind == Load::Kind::preload && what->kind == JsonValue::Kind::object) read_preload_numbers(reading, *what, load);
     read_target(reading, value, kind, load);
     if (const JsonValue* at = find_member(value, "at")) {
         if (kind.kind == Load::Kind::edge_force)

@@ -96,13 +96,20 @@ void read_sections(SceneReading& reading, Scene& scene) {
     const JsonValue& root = reading.root;
     if (const JsonValue* supports = find_member(root, "supports")) scene.supports = read_supports(reading, *supports);
     if (const JsonValue* loads = find_member(root, "loads")) scene.loads = read_loads(reading, *loads);
-    if (const JsonValue* cases = find_member(root, "cases")) read_cases(reading, *cases, scene);
-    if (const JsonValue* contacts = find_member(root, "contacts")) scene.contacts = read_contacts(reading, *contacts);
+    const JsonValue *cases = find_member(root, "cases"), *steps = find_member(root, "steps");
+    if (cases && steps)
+        report_problem(reading, *steps, "a scene has load cases or steps, not both",
+                       "cases do not know of each other; steps follow each other, and friction remembers");
+    scene.in_steps = steps && !cases;
+    if (cases || steps) read_cases(reading, cases ? *cases : *steps, scene);
+    if (const JsonValue* contacts = find_member(root, "contacts"))
+        scene.contacts = read_contacts(reading, *contacts, scene.warnings);
     if (const JsonValue* accuracy = find_member(root, "accuracy")) scene.accuracy = read_accuracy(reading, *accuracy);
     if (is_by_dissertation(scene)) {
         refuse_contact_keys(reading);
         take_dissertation_method(scene);
     }
+    refuse_friction_of_penalty(reading, scene.contacts);
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
     if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
     check_cases_of_expectations(reading, scene);
@@ -213,7 +220,7 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     scene.file = document.file;
     refuse_symmetry(reading);
     const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "cases", "contacts", "accuracy", "output", "expect"},
+                      "assembly", "supports", "loads", "cases", "steps", "contacts", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

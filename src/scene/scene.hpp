@@ -86,15 +86,17 @@ struct Load {
         body_force,
         gravity,
         spin,
-        temperature
+        temperature,
+        preload
     };
     Kind kind = Kind::pressure;
     Selection on;
-    std::string part;                 ///< part_force, part_moment, spin, temperature; body_force ("*": all)
-    std::array<Expression, 2> value;  ///< pressure, moments, temperature (rise): value[0]; the others x and y
+    std::string part;                 ///< part_force, part_moment, spin, temperature, preload; body_force ("*": all)
+    std::array<Expression, 2> value;  ///< pressure, moments, temperature (rise), preload (force): value[0]; the others x and y
     std::optional<Vec2> at;           ///< edge_force: a point of its line of action, if not through the middle of the edges
     Vec2 about{0, 0};                 ///< spin: the axis' place
     double omega = 0;                 ///< spin: angle per time
+    std::array<Vec2, 2> across{};     ///< preload: ends of the cut through the part
     std::string name{};               ///< load cases call it by that; may be empty, and the name of several
     std::string where;
 };
@@ -111,6 +113,7 @@ struct PairRule {
     std::array<Selector, 2> between;
     enum class Kind { contact, bonded, ignore } kind = Kind::contact;
     double interference = 0;
+    std::optional<double> friction{};  ///< coefficient, infinite: rough; unset: that of all contacts
     std::string where;
 };
 
@@ -137,16 +140,23 @@ struct ContactOptions {
     std::optional<double> search_distance;
     std::string overlap = "report";         ///< "report", "press_fit", "ignore"
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
+    double friction = 0;                    ///< coefficient, infinite: rough
     std::vector<PairRule> pairs;
 };
 
 /// The grid of one part as the scene gives it.
 struct GridOptions {
+    /// Cells that overlap a box, in the grid's own frame, are halved so many times, and those around it as neighbours need.
+    struct Halved {
+        Vec2 low, high;
+        int levels;
+    };
     std::vector<double> x, y;        ///< knots (grid lines), assembly coordinates turned by -angle; empty: cells
     std::array<int, 2> cells{0, 0};  ///< over the part's bounding box (in the grid's own frame)
     Vec2 offset{0, 0};               ///< moves the grid of `cells`, in the grid's own frame
     double angle = 0;                ///< radians
     std::optional<std::array<int, 2>> degree;
+    std::vector<Halved> refine;
     std::string where;
 };
 
@@ -216,6 +226,7 @@ struct Scene {
     std::vector<Support> supports;
     std::vector<Load> loads;
     std::vector<LoadCase> cases;  ///< empty: all loads act
+    bool in_steps = false;        ///< the cases follow each other, and friction remembers
     /// Of one case among others: the loads of all, since what is made of a part has to do for every case.
     std::vector<Load> loads_of_all_cases{};
     ContactOptions contacts;

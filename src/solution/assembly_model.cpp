@@ -12,6 +12,7 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/solution/part_systems.hpp"
+#include "src/solution/preload.hpp"
 
 namespace abut {
 
@@ -81,8 +82,26 @@ void bond(ContactInterface& contact) {
     for (solver::InterfacePoint& p : contact.face.points) p.gap = 0;
 }
 
-/// The same points held along the interface.
-ContactInterface turned_along(ContactInterface contact) {
+/// Moves the points of both bodies to the middle between them, so that tractions along the interface leave no couple. Splines
+/// are continued that far; across gaps of half a cell and more they are not.
+void meet_in_middle(ContactInterface& contact) {
+    constexpr double farthest = 0.5;  // of a knot interval
+    const std::vector<double>& knots = contact.face.pressure.breakpoints;
+    for (solver::InterfacePoint& p : contact.face.points) {
+        const auto k = static_cast<std::size_t>(interval_of(contact.face.pressure, p.s));
+        const double drawn = p.gap + contact.drawn.closing;
+        if (std::abs(drawn) > farthest * (knots[k + 1] - knots[k])) continue;
+        p.x[0] += 0.5 * drawn * p.normal[0];
+        p.x[1] -= 0.5 * drawn * p.normal[1];
+    }
+}
+
+/// The same points along the interface, where they are held, or by friction.
+ContactInterface along(ContactInterface contact, double friction) {
+    if (friction > 0) meet_in_middle(contact);
+    bond(contact);
+    contact.face.expected.clear();
+    if (friction > 0) contact.face.friction = friction;
     for (solver::InterfacePoint& p : contact.face.points)
         for (Vec2& n : p.normal) n = geometry::left_of(n);
     for (auto& pair : contact.own_normals)
@@ -113,6 +132,7 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
         if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
+        const bool has_friction = c.friction > 0 && !c.bonded;
         MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
         solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b});
         ContactInterface& contact = solved.contacts.back();
@@ -121,7 +141,8 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         if (closes(scene, c)) solved.uses["interference"].items += static_cast<long>(contact.face.points.size());
         if (c.bonded) bond(contact);
         solved.interface_of.back() = append_interface(contact, solved);
-        if (c.bonded) solved.shear_of.back() = append_interface(turned_along(contact), solved);
+        if (c.bonded || has_friction) solved.shear_of.back() = append_interface(along(contact, c.friction), solved);
+        if (has_friction) solved.uses["friction"].items += static_cast<long>(contact.face.points.size());
     }
 }
 
@@ -138,11 +159,9 @@ void note_contact_elements(SolvedAssembly& solved) {
 /// Of the loads: contact forces below are their rounding.
 constexpr double open_force_fraction = 1e-10;
 
-bool is_rounding(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
+bool is_rounding(const solver::Interface& face, const Eigen::VectorXd& pressure, double load_scale) {
     const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
-    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * solved.problem.load_scale;
+    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * load_scale;
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
@@ -164,25 +183,12 @@ std::vector<ContactRun> without_flicker(const std::vector<ContactRun>& runs, con
     return joined;
 }
 
-/// Bonded edges hold wherever they face each other.
-std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    if (!face.bilateral && is_rounding(solved, contact)) return {};
-    if (!face.bilateral) {
-        const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure_of(solved, contact));
-        if (face.penalty.empty()) return runs;
-        const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
-        return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
-    }
-    return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
-}
-
 /// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
 void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
-    long contact = 0, bonding = 0;
+    long contact = 0, bonding = 0, friction = 0;
     for (const solver::Interface& face : solved.problem.interfaces)
-        (face.bilateral ? bonding : contact) += solver::n_rows(face);
-    const auto rigid = static_cast<long>(solved.problem.constraints.size()), rows = contact + bonding + rigid;
+        (face.friction ? friction : face.bilateral ? bonding : contact) += solver::n_rows(face);
+    const auto rigid = static_cast<long>(solved.problem.constraints.size()), rows = contact + bonding + friction + rigid;
     const double on_rows = s.rows + s.condensation + s.contact;
     const auto add = [&](const std::string& effect, long n) {
         if (n == 0) return;
@@ -192,22 +198,37 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
     };
     add("contact", contact);
     add("bonding", bonding);
+    add("friction", friction);
     add("rigid supports", rigid);
     solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
 }
 
 /// Displacements, pressures and stretches of contact, on systems that are factorised.
-void solve_contacts(SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "solve");
+        tighten(scene, solved, threads);
+        if (!solved.failure.empty()) return;
         solved.solution = solve_groups(solved.problem, threads);
     }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
     if (!solved.solution.mechanism.empty()) return;
+    fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k);
+        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
+}
+
+/// Slips count from there.
+void begin_from(const PartDisplacements& before, SolvedAssembly& solved) {
+    solved.problem.before.clear();
+    for (const PartOnGrid& g : solved.grids) {
+        const Eigen::VectorXd& u = before[at(g.part)];
+        const Eigen::Index n = 2 * solved.problem.parts[solved.problem.before.size()].n();
+        ENSURE(u.size() == 0 || u.size() == n, "a state before is of the same grids");
+        solved.problem.before.push_back(u.size() == 0 ? Eigen::VectorXd::Zero(n) : u);
+    }
 }
 
 /// What cannot be put on a grid is told in `failure`.
@@ -252,8 +273,8 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
 }
 
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, Stopwatches& seconds,
-                          int threads) {
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, const PartDisplacements& before,
+                          Stopwatches& seconds, int threads) {
     SolvedAssembly solved;
     solved.failure = prepared.failure;
     solved.refined_for_walls = prepared.refined_for_walls;
@@ -270,7 +291,8 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
         make_interfaces(scene, candidates, solved);
         load_systems(scene, conditions, prepared, threads, solved);
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
-    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
+    if (solved.failure.empty() && !before.empty()) begin_from(before, solved);
+    if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
     return solved;
 }
 
@@ -280,7 +302,7 @@ SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditio
     SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
-    if (solved.failure.empty()) solve_contacts(solved, seconds, threads);
+    if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
     return solved;
 }
 
@@ -296,7 +318,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.own_normals.clear();
         make_interfaces(scene, candidates, solved);
     }
-    solve_contacts(solved, seconds, threads);
+    solve_contacts(scene, solved, seconds, threads);
 }
 
 double largest_condition(const SolvedAssembly& solved, int threads) {
@@ -307,6 +329,25 @@ double largest_condition(const SolvedAssembly& solved, int threads) {
         if (!system.body && system.failure.empty()) condition[at(i)] = condition_estimate(system);
     });
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
+}
+
+PartDisplacements displacements_of(const SolvedAssembly& solved) {
+    PartDisplacements displacements(solved.solver_part.size());
+    for (std::size_t i = 0; i < displacements.size(); ++i)
+        if (const int k = solved.solver_part[i]; k >= 0 && at(k) < solved.solution.displacement.size())
+            displacements[i] = solved.solution.displacement[at(k)];
+    return displacements;
+}
+
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                double load_scale) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
+    if (is_rounding(face, pressure, load_scale)) return {};
+    const std::vector<ContactRun> runs = contact_runs(face.pressure, pressure);
+    if (face.penalty.empty()) return runs;
+    const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
+    return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

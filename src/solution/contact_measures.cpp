@@ -24,26 +24,40 @@ double energy_rounding_of(const SolvedAssembly& s) {
 
 namespace {
 
-void add_force(const solver::Interface& face, const Eigen::VectorXd& pressure, const Frame& frame, ContactForce& total) {
-    for (const solver::InterfacePoint& p : face.points) {
-        const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
-        const Vec2 force = -f * frame.vector_to_global(p.normal[0]);
-        total.force += force;
-        total.moment += geometry::cross(frame.to_global(p.x[0]), force);
-    }
+void add_force(const Eigen::Vector3d& share, ContactForce& total) {
+    total.force += share.head<2>();
+    total.moment += share[2];
 }
 
 }  // namespace
+
+Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face) {
+    const solver::KnotVector& knots = face.pressure;
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, knots.n_functions());
+    for (const solver::InterfacePoint& p : face.points) {
+        const Vec2 direction = -first.frame.vector_to_global(p.normal[0]);
+        // moments of a ring's forces balance by themselves
+        const double lever = first.input.axis ? 0 : geometry::cross(first.frame.to_global(p.x[0]), direction);
+        const int interval = solver::interval_of(knots, p.s);
+        solver::LocalValues value;
+        solver::evaluate(knots, interval, p.s, value);
+        for (int k = 0; k <= knots.degree; ++k)
+            forces.col(knots.first[static_cast<std::size_t>(interval)] + k) +=
+                p.weight * face.thickness * value[static_cast<std::size_t>(k)] *
+                Eigen::Vector3d(direction.x(), direction.y(), lever);
+    }
+    return forces;
+}
 
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact) {
     ContactForce total;
     const ContactInterface& c = solved.contacts[contact];
     const PartOnGrid& grid = solved.grids[static_cast<std::size_t>(c.face.part[0])];
-    add_force(c.face, pressure_of(solved, contact), grid.frame, total);
+    add_force(forces_of_pressure(grid, c.face) * pressure_of(solved, contact), total);
     if (const int shear = solved.shear_of[contact]; shear >= 0)
-        add_force(solved.problem.interfaces[static_cast<std::size_t>(shear)],
-                  solved.solution.pressure[static_cast<std::size_t>(shear)], grid.frame, total);
-    if (grid.input.axis) total.moment = 0;  // moments of a ring's forces balance by themselves
+        add_force(forces_of_pressure(grid, solved.problem.interfaces[static_cast<std::size_t>(shear)]) *
+                      solved.solution.pressure[static_cast<std::size_t>(shear)],
+                  total);
     return total;
 }
 

@@ -64,11 +64,8 @@ std::vector<double> without_short_pieces(std::vector<double> places, double whol
 }
 
 double size_along(const PartOnGrid& g, const geometry::ChainPoint& p) {
-    const geometry::Grid& grid = g.cells.grid;
-    const int cell = piece_at(g.cells, p.edge, p.t).cell;
-    const auto i = at(grid.column_of(cell)), j = at(grid.row_of(cell));
-    const Vec2 t = g.frame.vector_to_local(p.tangent);
-    return 1 / Vec2(t.x() / (grid.x[i + 1] - grid.x[i]), t.y() / (grid.y[j + 1] - grid.y[j])).norm();
+    const Vec2 size = g.cells.grid.box(piece_at(g.cells, p.edge, p.t).cell).size();
+    return 1 / Vec2(g.frame.vector_to_local(p.tangent).cwiseQuotient(size)).norm();
 }
 
 double compliance(const Scene& scene, const PartOnGrid& g) {

@@ -7,6 +7,7 @@
 #include "solver/terms/dilatation.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/load_vector.hpp"
+#include "src/discretization/preload_cut.hpp"
 #include "src/discretization/rigid_part.hpp"
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
@@ -22,6 +23,7 @@ struct LoadedSystem {
     EffectUses uses{};
 };
 LoadedSystem make_rigid(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
+    pull_displacements(scene, g);  // which a rigid part has none of
     PartLoad load = load_vector(scene, conditions, g);
     LoadedSystem made{{}, load.scale, std::move(load.uses)};
     MeteredCall call(made.uses, "rigid parts");
@@ -35,6 +37,7 @@ LoadedSystem make_system(const Scene& scene, const ResolvedConditions& condition
     g.input.structure = make_structure(scene, conditions, g);
     if (g.input.structure) g.input.is_projected = false;  // they do not go together: a warning says so
     g.input.free_strain = free_strain(scene, g);
+    g.input.pulls = pull_displacements(scene, g);
     PartLoad load = load_vector(scene, conditions, g);
     return {solver::make_part_system(g.input, support_sets(scene, conditions, g), std::move(load.vector), g.center, g.size,
                                      spring_sets(scene, conditions, g), load.weighted),

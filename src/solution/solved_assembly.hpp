@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <array>
 #include <string>
 #include <vector>
 
@@ -10,21 +11,39 @@
 
 namespace abut {
 
+/// A cut across which a part is tightened.
+struct PreloadState {
+    int grid, pull;  ///< the part among the solved ones, and the cut among its own
+    std::array<Vec2, 2> across;
+    std::string where;            ///< the load's place in the scene
+    double force = 0;             ///< that it is tightened to
+    double shortening = 0;        ///< how far its sides were drawn together for that
+    double force_under_load = 0;  ///< across the cut, once all loads act
+};
+
 /// A solved pass.
 struct SolvedAssembly {
     std::vector<PartOnGrid> grids;           ///< of the parts that are solved
     std::vector<int> solver_part;            ///< by scene part: index into grids, or -1
     std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
     std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
-    std::vector<int> shear_of;  ///< by contact: index of the interface of a bonded one's tangential traction, or -1
+    std::vector<int> shear_of;  ///< by contact: index of the interface of its tangential traction (bonds, friction), or -1
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     ContactRuns runs;
+    std::vector<PreloadState> preloads;
     std::string failure;        ///< not empty: not solvable, and why
     int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;            ///< of the effects' code in this pass
+    int increments = 1;               ///< of the step that this is the end of
+    std::vector<double> dissipated{};  ///< by contact: work of friction in the step's increments before the last
     int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
+
+/// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever
+/// they face each other. load_scale: the largest single load; contact forces that are its rounding press nothing.
+std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                double load_scale);
 
 /// The coefficients of a contact's pressure spline.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);

@@ -25,6 +25,7 @@ GridOptions resized(const StudyGrid& grid, double size) {
     options.x = resized_lines(grid.x, size);
     options.y = resized_lines(grid.y, size);
     options.angle = grid.angle;
+    for (const PartResult::Halved& h : grid.halved) options.refine.push_back({h.low, h.high, h.levels});
     options.where = "/accuracy/grids/" + grid.part;
     return options;
 }
@@ -68,7 +69,10 @@ Scene scene_at(Scene scene, const StudyTask& task) {
         accuracy.cell_size = setting.size * task.equal_size;
         return scene;
     }
-    for (const StudyGrid& grid : *task.grids) accuracy.grids.emplace(grid.part, resized(grid, setting.size));
+    for (const StudyGrid& grid : *task.grids) {
+        GridOptions& options = accuracy.grids.emplace(grid.part, resized(grid, setting.size)).first->second;
+        if (setting.basis == basis_of_dissertation) options.refine.clear();  // it has tensor grids only
+    }
     return scene;
 }
 

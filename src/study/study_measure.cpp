@@ -145,7 +145,9 @@ StudyMeasured measured_here(const StudyTask& task) {
     if (m.run.status == StudyRun::Status::failed) return m;
     m.answer = answer_of(result);
     for (const PartResult& p : result.parts)
-        if (p.solved && !p.rigid) m.grids.push_back({p.name, p.grid_angle, p.grid_x, p.grid_y});
+        if (p.solved && !p.rigid)
+            m.grids.push_back(
+                {p.name, p.grid_angle, p.grid_x, p.grid_y, p.halved, p.cells_inner + p.cells_boundary + p.cells_outer});
     if (task.known)
         for (const Quantity& q : task.known->quantities) m.known_error.push_back(known_error(q, q.value({result})));
     return m;

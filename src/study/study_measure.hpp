@@ -29,6 +29,8 @@ struct StudyGrid {
     std::string part;
     double angle = 0;
     std::vector<double> x, y;
+    std::vector<PartResult::Halved> halved{};
+    int n_cells = 0;
 };
 
 /// A measured run with what later runs are compared with or made from.

@@ -92,7 +92,7 @@ double equal_cell_size(const Scene& scene, const std::vector<StudyGrid>& grids) 
         if (grid == grids.end()) continue;
         const auto size = bounding_box(p.part).size();
         area += size.x() * size.y();
-        cells += static_cast<double>((grid->x.size() - 1) * (grid->y.size() - 1));
+        cells += grid->n_cells;
     }
     return std::sqrt(area / cells);
 }

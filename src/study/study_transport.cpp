@@ -128,7 +128,10 @@ Json problem_json(const Problem& p) {
 }
 
 Json grid_json(const StudyGrid& g) {
-    return {{"part", g.part}, {"angle", g.angle}, {"x", numbers(g.x)}, {"y", numbers(g.y)}};
+    Json halved = Json::array();
+    for (const PartResult::Halved& h : g.halved) halved.push_back({h.low.x(), h.low.y(), h.high.x(), h.high.y(), h.levels});
+    return {{"part", g.part},    {"angle", g.angle}, {"x", numbers(g.x)},
+            {"y", numbers(g.y)}, {"halved", halved}, {"n_cells", g.n_cells}};
 }
 
 }  // namespace
@@ -152,7 +155,12 @@ StudyMeasured measured_from(const std::string& text) {
     for (const Json& p : json["problems"]) m.problems.push_back({p["where"], p["what"], p["hint"]});
     m.known_error = numbers_of(json["known_error"]);
     m.answer = answer_of(json["answer"]);
-    for (const Json& g : json["grids"]) m.grids.push_back({g["part"], g["angle"], numbers_of(g["x"]), numbers_of(g["y"])});
+    for (const Json& g : json["grids"]) {
+        m.grids.push_back({g["part"], g["angle"], numbers_of(g["x"]), numbers_of(g["y"]), {}, g["n_cells"]});
+        for (const Json& h : g["halved"])
+            m.grids.back().halved.push_back(
+                {{h[0].get<double>(), h[1].get<double>()}, {h[2].get<double>(), h[3].get<double>()}, h[4]});
+    }
     return m;
 }
 

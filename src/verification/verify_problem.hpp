@@ -21,7 +21,7 @@ struct VerifyRun {
     bool by_dissertation = false;                ///< by its method (dissertation_method.hpp), with that penalty
 };
 
-/// The answers of a problem's runs, in their order.
+/// The answers of a problem's runs, in their order; of a scene with cases or steps one of each.
 using Answers = std::vector<Result>;
 
 /// A number of a problem's answers, with its reference.
@@ -55,8 +55,10 @@ std::vector<VerifyProblem> hertz_problems();         ///< C1, C2, C4 with fillet
 std::vector<VerifyProblem> block_problems();         ///< C3, C4, C9, S-A, S-E
 std::vector<VerifyProblem> pin_problems();           ///< C6, C7, S-D
 std::vector<VerifyProblem> support_problems();       ///< what holds a part and what does not
+std::vector<VerifyProblem> preload_problems();       ///< H2: tightened bolts
 std::vector<VerifyProblem> spin_problems();          ///< E5
 std::vector<VerifyProblem> thermal_problems();       ///< E7, and interference by temperature
+std::vector<VerifyProblem> friction_problems();      ///< F: friction, at the limit of rest and between
 std::vector<VerifyProblem> axisymmetric_problems();  ///< R: cylinders, spheres, discs, press fits and Hertz around an axis
 
 }  // namespace abut

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
@@ -20,7 +22,7 @@ std::vector<VerifyProblem> all_problems() {
     for (const auto& group :
          {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(), corner_problems(),
           half_plane_problems(), spline_beam_problems(), hertz_problems(), block_problems(), pin_problems(), support_problems(),
-          spin_problems(), thermal_problems(), axisymmetric_problems()})
+           preload_problems(), spin_problems(), thermal_problems(), friction_problems(), axisymmetric_problems()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }
@@ -94,6 +96,14 @@ Result answer_of(const VerifyRun& run, const std::string& data_folder) {
     return analyze(scene_of_run(run, data_folder), {});
 }
 
+Answers answers_of(const VerifyRun& run, const std::string& data_folder) {
+    const Scene scene = scene_of_run(run, data_folder);
+    if (scene.cases.empty()) return {analyze(scene, {})};
+    Answers answers;
+    for (CaseResult& c : analyze_cases(scene, {})) answers.push_back(std::move(c.result));
+    return answers;
+}
+
 VerifyRow compared(const Quantity& quantity, double value) {
     VerifyRow row;
     row.quantity = quantity.what;
@@ -109,7 +119,10 @@ VerifyRow compared(const Quantity& quantity, double value) {
 std::vector<VerifyRow> verify(const VerifyProblem& problem, const std::string& data_folder) {
     const auto begin = std::chrono::steady_clock::now();
     Answers answers;
-    for (const VerifyRun& run : problem.runs) answers.push_back(answer_of(run, data_folder));
+    for (const VerifyRun& run : problem.runs) {
+        Answers own = answers_of(run, data_folder);
+        std::move(own.begin(), own.end(), std::back_inserter(answers));
+    }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const std::string failure = failure_of(problem, answers);
     std::vector<VerifyRow> rows;

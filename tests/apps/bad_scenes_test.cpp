@@ -62,8 +62,11 @@ std::vector<BadScene> bad_scenes() {
          {"/parts/0/geometry/circle/radius", "greater than 0"}},
         {"poisson", with(&S::material, R"({"E": 210000, "nu": 0.7})").text(), {"/materials/steel/nu", "0.5"}},
         {"key_of_a_later_version",
-         with(&S::more, R"(, "contacts": {"friction": 0.2})").text(),
-         {"/contacts/friction", "friction", "not supported yet"}},
+         with(&S::more, R"(, "output": {"formats": ["vtu"]})").text(),
+         {"/output/formats/0", "vtu", "not supported yet"}},
+        {"friction_below_zero",
+         with(&S::more, R"(, "contacts": {"friction": -0.2})").text(),
+         {"/contacts/friction", "not negative", "rough"}},
     };
 }
 

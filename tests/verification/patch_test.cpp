@@ -80,10 +80,15 @@ std::string scene_text(const Shape& shape, const std::string& analysis, const st
            R"(, "grids": {"part": )" + grid + R"(}}, "output": {"probes": [)" + probes + "]}}";
 }
 
-std::string grid_text(double offset, double angle) {
+std::string grid_text(double offset, double angle, const std::string& refine = "") {
     return R"({"cells": [7, 6], "offset": )" + test::pair_text(offset, 0.6 * offset) + R"(, "angle": )" + test::number(angle) +
-           "}";
+           refine + "}";
 }
+
+/// Boxes somewhere on the shapes, their borders anywhere in and along them.
+const std::string halved_boxes = R"(, "refine": [{"from": [0.2, 0.1], "to": [0.45, 0.2], "levels": 4},
+                                                 {"from": [0.6, 0.5], "to": [0.62, 2], "levels": 2},
+                                                 {"from": [-0.2, 0.3], "to": [0.1, 0.9], "levels": 1}])";
 
 std::string by_tractions(const Shape& shape) {
     std::string loads;
@@ -123,6 +128,23 @@ TEST(Patch, TractionsAndRigidHoldGiveTheExactField) {
                     const Result r =
                         test::answer(scene_text(shape, "plane_stress", by_tractions(shape), grid_text(offset, angle), degree));
                     expect_field(r, plane_stress_field, shape.centroid, 1e-9, what);
+                }
+}
+
+TEST(Patch, HalvedCellsGiveTheExactField) {
+    for (const auto& [name, shape] :
+         {std::pair{"square", square(plane_stress_field)}, {"L", ell(plane_stress_field)}, {"disc", disc(plane_stress_field)}})
+        for (int degree : {1, 2, 3, 4})
+            for (double offset : {0.0, 0.0713, 1e-4, 1e-8})
+                for (const std::string& conditions : {by_tractions(shape), by_displacements()}) {
+                    const std::string what =
+                        std::string(name) + " degree " + std::to_string(degree) + " offset " + test::number(offset);
+                    const std::string grid = grid_text(offset, 31, halved_boxes);
+                    const Result r = test::answer(scene_text(shape, "plane_stress", conditions, grid, degree));
+                    const bool held = conditions == by_displacements();
+                    expect_field(r, plane_stress_field, held ? Vec2(0, 0) : shape.centroid, held ? 1e-6 : 1e-9, what);
+                    EXPECT_GT(r.unknowns, test::answer(scene_text(shape, "plane_stress", conditions, grid_text(offset, 31), degree))
+                                              .unknowns);
                 }
 }
 

@@ -9,7 +9,8 @@ const height = 230;
 
 function csv({profile: p}) {
     const cell = words => /[",\n]/.test(words) ? `"${words.replaceAll('"', '""')}"` : words;
-    const lists = ['s', 'x', 'y', 'pressure', 'gap', ...(p.shear ? ['shear'] : [])];
+    const lists = ['s', 'x', 'y', 'pressure', 'gap', ...(p.slip ? ['shear', 'slip', 'state'] : [])];
+    // as contact_<k>.csv is written
     return ['edge,' + lists.join(','), ...p.s.map((_, i) => [cell(p.edges[p.edge[i]]), ...lists.map(l => p[l][i] ?? '')].join(','))].join('\n') + '\n';
 }
 
@@ -74,7 +75,7 @@ export class ContactPlot {
         if (!contact) return;
         const p = contact.profile, at = i ?? p.pressure.indexOf(Math.max(...p.pressure));
         this.reading.textContent = (i === null || i === undefined ? 'Largest: ' : '') + `${p.edges[p.edge[at]]}, s = ${withUnit(p.s[at], units.length)}, (${text(this.data.rounded(p.x[at]), 6)}, ${text(this.data.rounded(p.y[at]), 6)}): pressure ${withUnit(p.pressure[at], units.stress)}, gap ${withUnit(p.gap[at], units.length)}` +
-            (p.shear ? `, shear ${withUnit(p.shear[at], units.stress)}` : '');
+            (p.shear ? `, shear ${withUnit(p.shear[at], units.stress)}` : '') + (p.slip ? `, slip ${withUnit(p.slip[at], units.length)}, ${p.state[at]}` : '');
         if (!this.following) this.state.set('cursor', i === null || i === undefined ? null : {contact, i});
     }
 

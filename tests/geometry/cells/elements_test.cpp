@@ -44,11 +44,11 @@ double sum_error(const CutCells& cells, const Elements& elements) {
 std::vector<int> default_neighbours(const CutCells& cells, int cell) {
     const Grid& grid = cells.grid;
     std::vector<int> around;
-    for (int other : {cell - grid.columns(), cell - 1, cell + 1, cell + grid.columns()}) {
-        if (other < 0 || other >= n_cells(grid)) continue;
-        if (grid.row_of(other) != grid.row_of(cell) && grid.column_of(other) != grid.column_of(cell)) continue;
-        if (cells.fraction[static_cast<std::size_t>(other)] > 0) around.push_back(other);
-    }
+    for (const auto& [dx, dy] : {std::pair{0, -1}, {-1, 0}, {1, 0}, {0, 1}})
+        grid.for_cells_across(cell, dx, dy, [&](int other) {
+            if (cells.fraction[static_cast<std::size_t>(other)] > 0) around.push_back(other);
+        });
+    std::sort(around.begin(), around.end());
     return around;
 }
 
@@ -193,14 +193,14 @@ double area_tolerance(const Part& part) {
 }
 
 /// Each case has a seed of its own, so that one can be run alone.
-int run_cases(unsigned first, unsigned n) {
+int run_cases(unsigned first, unsigned n, bool trees = false) {
     int n_extra = 0;
     for (unsigned k = first; k < first + n; ++k) {
         Random random(k);
         SCOPED_TRACE("case " + std::to_string(k));
         const int kind = static_cast<int>(k % n_kinds);
         const Part part = kind < n_slotted_kinds ? slotted_part(kind, random) : random_part(kind - n_slotted_kinds, random);
-        const CutCells cells = cut_cells(part, random_grid(part, random));
+        const CutCells cells = cut_cells(part, trees ? random_tree(part, random) : random_grid(part, random));
         const Elements elements = find_elements(part, cells);
         n_extra += static_cast<int>(elements.cell_of_extra.size());
         EXPECT_EQ(elements.unclear, 0);
@@ -218,6 +218,14 @@ int run_cases(unsigned first, unsigned n) {
 
 TEST(Elements, AreTheComponentsOfCells) {
     EXPECT_GT(run_cases(0, 45), 50);
+}
+
+TEST(Elements, AreTheComponentsOfTheCellsOfTrees) {
+    EXPECT_GT(run_cases(0, 45, true), 50);
+}
+
+TEST(LongElements, AreTheComponentsOfTheCellsOfTrees) {
+    EXPECT_GT(run_cases(1000, 10000, true), 10000);
 }
 
 TEST(LongElements, AreTheComponentsOfCells) {

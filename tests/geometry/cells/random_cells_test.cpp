@@ -81,12 +81,12 @@ void check(const Part& part, const Grid& grid, int degree) {
 }
 
 /// Each case has a seed of its own, so that one can be run alone.
-void run_cases(unsigned first, unsigned n) {
+void run_cases(unsigned first, unsigned n, bool trees = false) {
     for (unsigned k = first; k < first + n; ++k) {
         Random random(k);
         SCOPED_TRACE("case " + std::to_string(k));
         const Part part = random_part(static_cast<int>(k % n_part_kinds), random);
-        const Grid grid = random_grid(part, random);
+        const Grid grid = trees ? random_tree(part, random) : random_grid(part, random);
         check(part, grid, 1 + static_cast<int>(k / n_part_kinds % 3));
         if (testing::Test::HasFailure()) return;
     }
@@ -94,6 +94,14 @@ void run_cases(unsigned first, unsigned n) {
 
 TEST(RandomCells, HoldWhatMustHoldOfAnyCells) {
     run_cases(0, 300);
+}
+
+TEST(RandomCells, HoldItOnTrees) {
+    run_cases(0, 300, true);
+}
+
+TEST(LongRandomCells, HoldItOnTrees) {
+    run_cases(1000, 10000, true);
 }
 
 TEST(LongRandomCells, HoldWhatMustHoldOfAnyCells) {

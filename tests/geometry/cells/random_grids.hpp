@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geometry/brep/monotone.hpp"
-#include "geometry/cells/cut_cells.hpp"
+#include "geometry/cells/tree_grid.hpp"
 
 namespace abut::geometry::test {
 
@@ -30,8 +30,7 @@ inline std::vector<Curve> closed(const Polygon& points) {
 }
 
 inline Box2 box_of(const Grid& grid, int cell) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
-    return {{grid.x[i], grid.y[j]}, {grid.x[i + 1], grid.y[j + 1]}};
+    return grid.box(cell);
 }
 
 inline double area_of(const Box2& b) {
@@ -39,7 +38,7 @@ inline double area_of(const Box2& b) {
 }
 
 inline int n_cells(const Grid& grid) {
-    return grid.columns() * grid.rows();
+    return grid.n_cells();
 }
 
 /// Coordinates where something happens: vertices, extreme points and knots, along one axis.
@@ -94,6 +93,17 @@ inline Grid random_grid(const Part& part, Random& random, const GridLimits& limi
     grid.x = random_lines(part, 0, random, limits);
     grid.y = random_lines(part, 1, random, limits);
     return grid;
+}
+
+/// A random grid with a tree: every third cell is halved, towards a point of the boundary more of them, at most five times.
+inline Grid random_tree(const Part& part, Random& random) {
+    const Grid base = random_grid(part, random, {0.1, 0.3});
+    const auto edge = std::uniform_int_distribution<std::size_t>(0, part.edges.size() - 1)(random);
+    const Vec2 place = point(part.edges[edge].curve, std::uniform_real_distribution<double>(0, 1)(random));
+    std::uniform_real_distribution<double> unit(0, 1);
+    return tree_grid(part, base, [&](const Box2& cell, int level) {
+        return level < 5 && (cell.overlaps({place, place}, 0) || unit(random) < (level < 2 ? 0.3 : 0.05));
+    });
 }
 
 /// Empty, or what is wrong with classes and fractions taken by themselves.

@@ -204,7 +204,6 @@ TEST(BadInput, entries_that_do_not_fit_together) {
 
 TEST(BadInput, what_is_not_supported_yet_is_refused_by_name) {
     for (const Case& c : std::vector<Case>{
-             {"\"pairs\"", "\"friction\": 0.1, \"pairs\"", "s.json:10 /contacts/friction: 'friction' is not supported yet"},
              {"[\"json\"]", "[\"vtu\"]", "s.json:12 /output/formats/0: 'vtu' is not supported yet"},
          }) {
         expect_one_problem(c);

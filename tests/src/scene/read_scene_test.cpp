@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/scene/load_cases.hpp"
 #include "src/scene/read_sketch.hpp"
 #include "src/scene/scene.hpp"
 #include "src/scene/selection.hpp"
@@ -387,6 +388,44 @@ TEST(ReadScene, contacts) {
     EXPECT_EQ(contacts.pairs[1].kind, PairRule::Kind::contact);
     EXPECT_EQ(contacts.pairs[1].interference, 0.01);
     EXPECT_FALSE(with_members(R"("contacts": {"search_distance": "auto"})").contacts.search_distance);
+    EXPECT_EQ(contacts.friction, 0);
+    EXPECT_FALSE(contacts.pairs[1].friction);
+}
+
+TEST(ReadScene, friction) {
+    const auto read = [](const std::string& contacts) { return with_members("\"contacts\": {" + contacts + "}"); };
+    const std::string between = R"("between": ["p/top", "p/bottom"])";
+    EXPECT_EQ(read(R"("friction": "3/10")").contacts.friction, 0.3);
+    EXPECT_TRUE(std::isinf(read(R"("friction": "rough")").contacts.friction));
+    const Scene of_pair = read(R"("friction": 0.1, "pairs": [{)" + between + R"(, "friction": 0}, {)" + between + "}]");
+    EXPECT_EQ(of_pair.contacts.pairs[0].friction, 0.0);
+    EXPECT_FALSE(of_pair.contacts.pairs[1].friction);
+    EXPECT_TRUE(of_pair.warnings.empty());
+    const Scene large = read(R"("friction": 5.1)");
+    ASSERT_EQ(large.warnings.size(), 1u);
+    EXPECT_NE(large.warnings[0].find("/contacts/friction: a coefficient of friction of 5.1"), std::string::npos);
+    for (const std::string& wrong :
+         {std::string(R"("friction": -0.1)"), R"("pairs": [{)" + between + R"(, "kind": "bonded", "friction": 0.1}])",
+          R"("pairs": [{)" + between + R"(, "kind": "ignore", "friction": 0.1}])",
+          std::string(R"("formulation": "penalty", "friction": 0.1)"),
+          R"("formulation": "penalty", "pairs": [{)" + between + R"(, "friction": 0.1}])"})
+        EXPECT_THROW(read(wrong), InputError) << wrong;
+    EXPECT_NO_THROW(read(R"("formulation": "penalty", "friction": 0)"));
+    EXPECT_THROW(with_members(R"("contacts": {"friction": 0.2}, "accuracy": {"method": "dissertation"})"), InputError);
+}
+
+TEST(ReadScene, steps) {
+    const std::string loads = R"("loads": [{"name": "pull", "on": "p/top", "pressure": 1}], )";
+    const Scene scene = with_members(loads + R"("steps": [{"name": "a", "loads": {"pull": 1}}, {"name": "b", "loads": {}}])");
+    EXPECT_TRUE(scene.in_steps);
+    ASSERT_EQ(scene.cases.size(), 2u);
+    const LoadCase middle = between(scene.cases[0], scene.cases[1], 0.25);
+    EXPECT_EQ(middle.factors.at("pull"), 0.75);
+    EXPECT_THROW(with_members(loads + R"("steps": [])"), InputError);
+    EXPECT_THROW(with_members(loads + R"("steps": [{"name": "a", "loads": {"push": 1}}])"), InputError);
+    EXPECT_THROW(with_members(loads + R"("steps": [{"name": "a", "loads": {}}], "cases": [{"name": "a", "loads": {}}])"),
+                 InputError);
+    EXPECT_THROW(case_named(scene, "b"), InputError) << "a step needs those before";
 }
 
 TEST(ReadScene, accuracy) {

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "solver/contact/friction_states.hpp"
+#include "solver/contact/rigid_settle.hpp"
+#include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/nonnegative.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double answer_residual = 1e-9;  // of the conditions: what pivots find, ties and all, is no answer above
+constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
+constexpr int friction_passes = 12, friction_reduced_passes = 7;
+/// Mechanisms: how much larger coefficients are looked at, and how closely.
+constexpr double largest_factor = 1000, factor_accuracy = 1e-5;
+
+VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
+    return qp.modes.transpose() * multipliers + qp.mode_load;
+}
+
+bool is_in_balance(const ContactQp& qp, const VectorXd& multipliers) {
+    constexpr double tolerance = 1e-10;  // relative to the loads
+    if (qp.modes.cols() == 0) return true;
+    return imbalance_of(qp, multipliers).cwiseAbs().maxCoeff() <= tolerance * force_scale(qp, multipliers);
+}
+
+Proximal no_term(Index n) {
+    return {MatrixXd::Zero(n, n), VectorXd::Zero(n)};
+}
+
+/// Positive definite however the rows lie: a trifle of the foundation's stiffness.
+Proximal first_term(const MatrixXd& stiffness) {
+    constexpr double fraction = 1e-6, least = 1e-6;
+    const Index n = stiffness.cols();
+    Proximal proximal = no_term(n);
+    if (n == 0) return proximal;
+    const double mean = stiffness.trace() / static_cast<double>(n);
+    proximal.stiffness = fraction * (stiffness + least * mean * MatrixXd::Identity(n, n));
+    return proximal;
+}
+
+void write_answer(const ShiftedQp& shifted, const VectorXd& settled, ContactState& state, ContactQpResult& result) {
+    result.gap = gap_of(shifted, state);
+    result.residual =
+        friction_residual(shifted.qp, {state.multipliers, result.gap, imbalance_of(shifted.qp, state.multipliers)});
+    result.multipliers = std::move(state.multipliers);
+    result.settled = settled;
+    result.motion = std::move(state.amplitudes);
+}
+
+/// The search without a proximal term; where it does not find the answer nothing is changed.
+bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResult& result) {
+    ContactState exact;
+    ActiveSet states = result.active;
+    if (search_states(shifted, no_term(shifted.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
+        !is_in_balance(shifted.qp, exact.multipliers))
+        return false;
+    state = std::move(exact);
+    result.active = std::move(states);
+    return true;
+}
+
+/// Does a state meet all conditions but for the rounding of ties?
+bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
+    const VectorXd imbalance = imbalance_of(shifted.qp, state.multipliers);
+    return friction_residual(shifted.qp, {state.multipliers, gap_of(shifted, state), imbalance}) <= answer_residual &&
+           is_in_balance(shifted.qp, state.multipliers);
+}
+
+bool pass_by_pass(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
+    Proximal proximal = first_term(stiffness);
+    const Index n = shifted.qp.modes.cols();
+    for (int pass = 0; pass < friction_passes; ++pass) {
+        if (search_states(shifted, proximal, result.active, state, result.iterations) != SetSearch::found) {
+            result.used_fallback = true;
+            std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
+            if (!states) return false;
+            result.active = std::move(*states);
+            if (!solve_states(shifted, proximal, result.active, state)) return false;
+        }
+        if (search_exactly(shifted, state, result)) return true;
+        ContactState exact;
+        if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
+            state = std::move(exact);
+            return true;
+        }
+        if (meets_conditions(shifted, state)) return true;
+        if (n == 0) return false;  // there is nothing that further passes could change
+        proximal.anchor = state.amplitudes;
+        if (pass + 1 < friction_reduced_passes) proximal.stiffness *= 0.1;
+    }
+    return false;
+}
+
+/// Forces within the cones of friction, all coefficients times a factor, that balance the loads as far as they can: by the
+/// cones' edges.
+NonnegativeResult balance_in_cones(const ContactQp& qp, double factor) {
+    std::vector<VectorXd> edges;
+    std::vector<char> bounded, is_friction(qp.unilateral.size(), 0);
+    const auto append = [&](const VectorXd& edge, char bound) {
+        edges.push_back(edge);
+        bounded.push_back(bound);
+    };
+    for (const FrictionRow& f : qp.friction) {
+        const VectorXd n = qp.modes.row(f.normal).transpose(), t = qp.modes.row(f.tangential).transpose();
+        is_friction[static_cast<std::size_t>(f.normal)] = is_friction[static_cast<std::size_t>(f.tangential)] = 1;
+        const bool is_rough = std::isinf(f.coefficient);
+        append(is_rough ? n : VectorXd(n + factor * f.coefficient * t), 1);
+        append(is_rough ? t : VectorXd(n - factor * f.coefficient * t), !is_rough);
+    }
+    for (std::size_t k = 0; k < is_friction.size(); ++k)
+        if (!is_friction[k]) append(qp.modes.row(static_cast<Index>(k)).transpose(), qp.unilateral[k]);
+    MatrixXd a(qp.modes.cols(), static_cast<Index>(edges.size()));
+    for (std::size_t k = 0; k < edges.size(); ++k) a.col(static_cast<Index>(k)) = edges[k];
+    return nonnegative_least_squares(a, -qp.mode_load, bounded);
+}
+
+bool can_balance(const ContactQp& qp, const NonnegativeResult& balance) {
+    return balance.residual.norm() <= cone_tolerance * qp.load_scale;
+}
+
+/// The residual is a motion that lifts off as it slides, at right angles to the cones' edges. What slides does not lift:
+/// without the share that opens pressed rows.
+VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
+    constexpr double notable = 1e-3;
+    const VectorXd motion = -balance.residual;
+    std::vector<Index> pressed;
+    for (std::size_t k = 0; k < qp.friction.size(); ++k)
+        if (balance.x[static_cast<Index>(2 * k)] != 0 || balance.x[static_cast<Index>(2 * k + 1)] != 0)
+            pressed.push_back(qp.friction[k].normal);
+    if (pressed.empty()) return motion;
+    const MatrixXd rows = qp.modes(pressed, Eigen::all);
+    const VectorXd sliding = motion - least_squares(rows, rows * motion);
+    return sliding.norm() > notable * motion.norm() && sliding.dot(qp.mode_load) > 0 ? sliding : motion;
+}
+
+/// By which factor coefficients would have to be larger to hold; 0: none does.
+double least_holding_factor(const ContactQp& qp) {
+    double low = 1, high = largest_factor;
+    if (!can_balance(qp, balance_in_cones(qp, high))) return 0;
+    while (high > (1 + factor_accuracy) * low) {
+        const double middle = std::sqrt(low * high);
+        (can_balance(qp, balance_in_cones(qp, middle)) ? high : low) = middle;
+    }
+    return high;
+}
+
+/// Is there a motion that no forces within the cones of friction can hold?
+bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
+    if (qp.modes.cols() == 0) return false;
+    const NonnegativeResult balance = balance_in_cones(qp, 1);
+    if (can_balance(qp, balance)) return false;
+    result.feasible = false;
+    result.mechanism = sliding_motion(qp, balance);
+    result.holding_factor = least_holding_factor(qp);
+    return true;
+}
+
+bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
+    result.active = states_of(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    if (!settled) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    ContactState state;
+    result.converged = search_exactly(near, state, result);
+    if (result.converged) write_answer(near, *settled, state, result);
+    return result.converged;
+}
+
+}  // namespace
+
+ContactQpResult solve_with_friction(const ContactQp& qp) {
+    ContactQpResult result;
+    result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
+    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
+    const Settled start = settle_rigidly(qp);
+    const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
+    ContactState state;
+    const auto stick_where_pressed = [&] {
+        VectorXd pressures = start.multipliers;
+        for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
+        result.active = states_of(qp, pressures);
+    };
+    stick_where_pressed();
+    result.converged = search_exactly(near, state, result);
+    if (!result.converged) {
+        if (finds_motion(qp, result)) return result;
+        stick_where_pressed();
+        result.converged = pass_by_pass(near, start.stiffness, state, result);
+    }
+    if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), closing_of(qp, start.multipliers)};
+    write_answer(near, start.amplitudes, state, result);
+    return result;
+}
+
+double friction_residual(const ContactQp& qp, const ContactConditions& c) {
+    std::vector<Index> rows;
+    std::vector<char> is_tangential(qp.unilateral.size(), 0);
+    for (const FrictionRow& f : qp.friction) is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
+    for (std::size_t k = 0; k < is_tangential.size(); ++k)
+        if (!is_tangential[k]) rows.push_back(static_cast<Index>(k));
+    const double largest = c.multipliers.size() > 0 ? c.multipliers.cwiseAbs().maxCoeff() : 0;
+    const VectorXd closing = closing_of(qp, c.multipliers);
+    const double length = closing.size() == 0 ? 0 : (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
+    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
+    const double force = force_scale(qp, c.multipliers);
+    double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0;
+    for (Index k : rows) {
+        const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);
+        worst = qp.unilateral[static_cast<std::size_t>(k)] ? std::max({worst, -l, -g, std::min(l, g)})
+                                                           : std::max(worst, std::abs(g));
+    }
+    for (const FrictionRow& f : qp.friction) {
+        const double pressure = std::max(0.0, scaled(c.multipliers[f.normal], largest));
+        const double bound = pressure > 0 ? f.coefficient * pressure : 0, t = scaled(c.multipliers[f.tangential], largest);
+        const double slip = scaled(c.gap[f.tangential], length);
+        const double left = pressure == 0 ? 0 : slip > 0 ? t + bound : bound - t;  // of the way to the slip's own bound
+        worst = std::max({worst, std::abs(t) - bound, std::min(std::abs(slip), left)});
+    }
+    return worst;
+}
+
+bool state_with_friction(const ContactQp& qp, const ActiveSet& states, ContactState& state) {
+    return solve_states({qp, qp.gap}, no_term(qp.modes.cols()), states, state);
+}
+
+}  // namespace abut::solver

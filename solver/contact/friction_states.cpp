@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/friction_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "solver/linear_algebra/complementarity.hpp"
+#include "solver/linear_algebra/dense.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int most_newton_steps = 40;
+constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
+constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
+constexpr double rough_coefficient = 100;  // of pivots, which need a number
+
+std::size_t of(Index row) {
+    return static_cast<std::size_t>(row);
+}
+
+double direction_of(char state) {
+    if (state == row_state::slips_forward) return 1;
+    return state == row_state::slips_backward ? -1 : 0;
+}
+
+/// Multipliers by the unknown ones: those of closed rows, and tractions that follow from pressures.
+struct Unknowns {
+    std::vector<Index> rows;    // closed
+    std::vector<Index> column;  // by row: its place among them, or -1
+    struct Slip {
+        Index tangential, column;
+        double factor;  // of the pressure
+    };
+    std::vector<Slip> slips{};
+};
+
+Unknowns unknowns_of(const ContactQp& qp, const ActiveSet& states) {
+    Unknowns u{{}, std::vector<Index>(states.size(), -1)};
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        if (states[k] != row_state::closed) continue;
+        u.column[k] = static_cast<Index>(u.rows.size());
+        u.rows.push_back(static_cast<Index>(k));
+    }
+    for (const FrictionRow& f : qp.friction)
+        if (const double way = direction_of(states[of(f.tangential)]); way != 0 && u.column[of(f.normal)] >= 0)
+            u.slips.push_back({f.tangential, u.column[of(f.normal)], -way * f.coefficient});
+    return u;
+}
+
+/// Forces by unit of length: what makes compliances and modes comparable.
+double force_unit(const ContactQp& qp) {
+    const double softest = qp.compliance.diagonal().maxCoeff();
+    return softest > 0 ? 1 / softest : 1;
+}
+
+/// Unknowns: closed multipliers over the force unit, amplitudes.
+MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unknowns& u, double unit) {
+    const ContactQp& qp = shifted.qp;
+    const Index m = static_cast<Index>(u.rows.size()), n = qp.modes.cols();
+    MatrixXd a(m + n, m + n);
+    for (Index j = 0; j < m; ++j) {
+        for (Index i = 0; i < m; ++i) a(i, j) = unit * qp.compliance(u.rows[of(i)], u.rows[of(j)]);
+        a.col(j).tail(n) = qp.modes.row(u.rows[of(j)]).transpose();
+    }
+    for (const Unknowns::Slip& s : u.slips) {
+        for (Index i = 0; i < m; ++i) a(i, s.column) += s.factor * unit * qp.compliance(u.rows[of(i)], s.tangential);
+        a.col(s.column).tail(n) += s.factor * qp.modes.row(s.tangential).transpose();
+    }
+    for (Index i = 0; i < m; ++i) a.row(i).tail(n) = qp.modes.row(u.rows[of(i)]);
+    a.bottomRightCorner(n, n) = -proximal.stiffness / unit;
+    return a;
+}
+
+std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
+    if (std::optional<VectorXd> x = solve_square(a, b)) return x;
+    VectorXd x = least_squares(a, b);
+    const double terms = (a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()).maxCoeff();
+    const bool is_consistent = (a * x - b).cwiseAbs().maxCoeff() <= consistent * terms;  // false of what is no number, too
+    return is_consistent ? std::optional(x) : std::nullopt;
+}
+
+/// The complementarity problem in z = (pressures, l_t + mu l_n, slip backward), bilateral rows and amplitudes eliminated.
+class Pivots {
+public:
+    Pivots(const ShiftedQp& shifted, const Proximal& proximal) : qp_(shifted.qp), unit_(force_unit(qp_)) {
+        const Cholesky stiffness(proximal.stiffness);
+        c_ = unit_ * qp_.compliance;
+        g_ = shifted.gap;
+        if (qp_.modes.cols() > 0) {
+            c_ += unit_ * qp_.modes * stiffness.solve_columns(qp_.modes.transpose());
+            g_ += qp_.modes * (proximal.anchor + stiffness.solve(qp_.mode_load));
+        }
+        sort_rows();
+        eliminate_bilateral();
+    }
+
+    std::optional<ActiveSet> states() const {
+        const Index u = static_cast<Index>(pressed_.size()), f = static_cast<Index>(qp_.friction.size()), n = u + 2 * f;
+        VectorXd mu(f);
+        for (Index k = 0; k < f; ++k) mu[k] = std::min(qp_.friction[of(k)].coefficient, rough_coefficient);
+        // the friction rows' pressures come first among the pressed ones
+        MatrixXd m = MatrixXd::Zero(n, n);
+        m.topLeftCorner(u + f, u + f) = c_;
+        m.topLeftCorner(u + f, f) -= c_.rightCols(f) * mu.asDiagonal();
+        for (Index k = 0; k < f; ++k) {
+            m(u + k, u + f + k) = 1;
+            m(u + f + k, k) = 2 * mu[k];
+            m(u + f + k, u + k) = -1;
+        }
+        VectorXd q = VectorXd::Zero(n);
+        q.head(u + f) = g_;
+        const std::optional<VectorXd> z = complementary(m, q);
+        if (!z) return std::nullopt;
+        const VectorXd w = m * *z + q;
+        ActiveSet states = bilateral_rows(qp_);
+        for (Index k = 0; k < u; ++k) states[of(pressed_[of(k)])] = (*z)[k] > 0;
+        for (Index k = 0; k < f; ++k) {
+            char& state = states[of(qp_.friction[of(k)].tangential)];
+            state = !((*z)[k] > 0)        ? row_state::open
+                    : (*z)[u + f + k] > 0 ? row_state::slips_backward
+                    : (*z)[u + k] > 0     ? row_state::closed
+                                          : row_state::slips_forward;
+            if (state != row_state::open && std::isinf(qp_.friction[of(k)].coefficient)) state = row_state::closed;
+        }
+        return states;
+    }
+
+private:
+    void sort_rows() {
+        std::vector<char> is_friction(qp_.unilateral.size(), 0);
+        for (const FrictionRow& f : qp_.friction) {
+            pressed_.push_back(f.normal);
+            is_friction[of(f.normal)] = is_friction[of(f.tangential)] = 1;
+        }
+        for (std::size_t k = 0; k < qp_.unilateral.size(); ++k)
+            if (!is_friction[k]) (qp_.unilateral[k] ? pressed_ : bilateral_).push_back(static_cast<Index>(k));
+    }
+
+    void eliminate_bilateral() {
+        std::vector<Index> kept = pressed_;
+        for (const FrictionRow& f : qp_.friction) kept.push_back(f.tangential);
+        MatrixXd c = c_(kept, kept);
+        VectorXd g = g_(kept);
+        if (!bilateral_.empty()) {
+            const PivotedCholesky held(c_(bilateral_, bilateral_));
+            const MatrixXd both = c_(kept, bilateral_);
+            c -= both * held.solve_columns(both.transpose());
+            g -= both * held.solve(g_(bilateral_));
+        }
+        c_ = std::move(c);
+        g_ = std::move(g);
+    }
+
+    const ContactQp& qp_;
+    double unit_;
+    MatrixXd c_;
+    VectorXd g_;
+    std::vector<Index> pressed_, bilateral_;
+};
+
+}  // namespace
+
+ActiveSet states_of(const ContactQp& qp, const VectorXd& multipliers) {
+    ActiveSet states = bilateral_rows(qp);
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (multipliers[static_cast<Index>(k)] > 0) states[k] = row_state::closed;
+    const double rounding = at_bound * (multipliers.size() > 0 ? multipliers.cwiseAbs().maxCoeff() : 0.0);
+    for (const FrictionRow& f : qp.friction) {
+        char& state = states[of(f.tangential)];
+        const double traction = multipliers[f.tangential], bound = f.coefficient * multipliers[f.normal];
+        state = states[of(f.normal)];
+        if (state == row_state::closed && std::abs(traction) >= bound - rounding)
+            state = traction < 0 ? row_state::slips_forward : row_state::slips_backward;
+    }
+    return states;
+}
+
+bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state) {
+    const ContactQp& qp = shifted.qp;
+    const Unknowns u = unknowns_of(qp, states);
+    const Index m = static_cast<Index>(u.rows.size()), n = qp.modes.cols();
+    const double unit = force_unit(qp);
+    VectorXd right(m + n);
+    right.head(m) = -shifted.gap(u.rows);
+    right.tail(n) = -(qp.mode_load + proximal.stiffness * proximal.anchor) / unit;
+    const std::optional<VectorXd> x = solved(matrix_of(shifted, proximal, u, unit), right);
+    if (!x) return false;
+    state.multipliers = VectorXd::Zero(shifted.gap.size());
+    state.multipliers(u.rows) = unit * x->head(m);
+    for (const Unknowns::Slip& s : u.slips) state.multipliers[s.tangential] = s.factor * unit * (*x)[s.column];
+    state.amplitudes = x->tail(n);
+    state.closing = closing_of(qp, state.multipliers);
+    return true;
+}
+
+ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& s) {
+    ActiveSet next = next_set(shifted, states, s);
+    const VectorXd gap = gap_of(shifted, s), rounding = gap_rounding(shifted, s);
+    const double trifle = at_bound * s.multipliers.cwiseAbs().maxCoeff();
+    for (const FrictionRow& f : shifted.qp.friction) {
+        const char before = states[of(f.tangential)];
+        char& state = next[of(f.tangential)];
+        const double traction = s.multipliers[f.tangential], bound = f.coefficient * s.multipliers[f.normal];
+        state = next[of(f.normal)];
+        if (state == row_state::open) continue;
+        if (before == row_state::closed && std::abs(traction) > bound + trifle)
+            state = traction < 0 ? row_state::slips_forward : row_state::slips_backward;
+        else if (const double way = direction_of(before); way != 0 && way * gap[f.tangential] >= -rounding[f.tangential])
+            state = before;
+    }
+    return next;
+}
+
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                        int& iterations) {
+    std::set<ActiveSet> seen;
+    for (int step = 0; step < most_newton_steps; ++step) {
+        if (!seen.insert(states).second) return SetSearch::repeated;
+        ++iterations;
+        if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;
+        ActiveSet next = next_states(shifted, states, state);
+        if (next == states) return SetSearch::found;
+        states = std::move(next);
+    }
+    return SetSearch::repeated;
+}
+
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal) {
+    return Pivots(shifted, proximal).states();
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sets of states of the contact problem with friction: the solution on one, the next one, and those that pivots find.
+#pragma once
+#include <optional>
+
+#include "solver/contact/friction.hpp"
+
+namespace abut::solver {
+
+/// The states that multipliers are at: what is pressed is closed, and sticks where its traction is below its bound.
+ActiveSet states_of(const ContactQp& qp, const Eigen::VectorXd& multipliers);
+
+/// The point where closed rows have no gap, open ones no multiplier, and slipping ones the traction that their pressure gives
+/// them. False: the rows ask for gaps that cannot be, or (redundant ones apart) leave a motion without its balance.
+bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state);
+
+/// The states after a step: rows of pressure as in next_set; what sticks beyond its bound slips, what would slip against its
+/// traction sticks, what closes sticks at first.
+ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& state);
+
+/// Semismooth Newton steps from `states`.
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                        int& iterations);
+
+/// The states of a solution under a proximal term that is positive definite, by Lemke's pivots; nothing where these end without
+/// one.
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal);
+
+}  // namespace abut::solver

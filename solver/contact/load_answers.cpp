@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/load_answers.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "solver/contact/condensation.hpp"
+#include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
+#include "src/base/ensure.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double carried_fraction = 1e-10;  // of the largest force: below, a row's is rounding
+
+/// The displacement (2n) that a load adds to any other: without what is prescribed.
+VectorXd response(const PartSystem& part, const VectorXd& load) {
+    VectorXd u = VectorXd::Zero(load.size());
+    if (part.body || load.size() == 0) return u;
+    VectorXd b(part.n_kept);
+    for (std::size_t i = 0; i < part.number.size(); ++i)
+        if (part.number[i] >= 0) b[part.number[i]] = load[static_cast<Index>(i)];
+    const VectorXd x = part.factor.solve(b);
+    for (std::size_t i = 0; i < part.number.size(); ++i)
+        if (part.number[i] >= 0) u[static_cast<Index>(i)] = x[part.number[i]];
+    return u;
+}
+
+void ensure_parts(const AssemblyProblem& problem, const std::vector<VectorXd>& by_part) {
+    ENSURE(by_part.size() == problem.parts.size(), "loads and measures have a vector for every part");
+    for (std::size_t i = 0; i < by_part.size(); ++i)
+        ENSURE(by_part[i].size() == 0 || by_part[i].size() == 2 * problem.parts[i].n(),
+               "loads and measures have two numbers for every function");
+}
+
+}  // namespace
+
+LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> loads,
+                         const std::vector<DisplacementMeasure>& measures, int threads)
+    : problem_(problem), loads_(std::move(loads)), rows_(assembly_rows(problem)), resistance_(candidate_resistance(problem)) {
+    for (const UnitLoad& load : loads_) ensure_parts(problem, load.on_part);
+    for (const DisplacementMeasure& measure : measures) ensure_parts(problem, measure);
+    qp_ = condense(problem.parts, rows_.rows, problem.load_scale, threads);
+    scale_rows(qp_, rows_.rows.weight);
+    qp_.foundation = rows_.foundation;
+    qp_.expected = rows_.expected;
+    qp_.friction = rows_.friction;
+    load_scale_ = qp_.load_scale;
+    gap_ = qp_.gap;
+    mode_load_ = qp_.mode_load;
+    modes_ = qp_.modes;
+    split_ = split_motions(problem, resistance_, modes_);
+    levers_ = modes_ * split_.balanced;
+    qp_.modes = modes_ * split_.resisted;
+    respond_to_loads(threads);
+    respond_to_measures(measures, threads);
+}
+
+void LoadAnswers::respond_to_loads(int threads) {
+    const auto n_loads = static_cast<Index>(loads_.size());
+    const std::vector<Index> offset = mode_offsets(problem_.parts);
+    gaps_ = MatrixXd::Zero(rows_.rows.n, n_loads);
+    mode_loads_ = MatrixXd::Zero(offset.back(), n_loads);
+    parallel_for(static_cast<int>(n_loads), threads, [&](int j) {
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+            const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i];
+            if (load.size() == 0) continue;
+            const PartSystem& part = problem_.parts[i];
+            gaps_.col(j) += rows_times(rows_.rows.by_part[i], response(part, load), rows_.rows.n);
+            mode_loads_.col(j).segment(offset[i], part.modes.cols()) = part.modes.transpose() * load;
+        }
+    });
+    gaps_ = rows_.rows.weight.cwiseInverse().asDiagonal() * gaps_;
+}
+
+void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& measures, int threads) {
+    const NeutralMeasure neutral = neutral_measure(problem_, split_.neutral);
+    neutral_gram_ = neutral.gram;
+    const auto n_asked = static_cast<Index>(measures.size()), n = n_asked + split_.neutral.cols();
+    const auto n_loads = static_cast<Index>(loads_.size());
+    const std::vector<Index> offset = mode_offsets(problem_.parts);
+    measure_ = VectorXd::Zero(n);
+    measures_of_loads_ = MatrixXd::Zero(n, n_loads);
+    measures_of_rows_ = MatrixXd::Zero(n, rows_.rows.n);
+    measures_of_modes_ = MatrixXd::Zero(n, offset.back());
+    if (n == 0) return;
+    std::vector<VectorXd> always(problem_.parts.size());
+    for (std::size_t i = 0; i < always.size(); ++i) always[i] = solve(problem_.parts[i], problem_.parts[i].load);
+    parallel_for(static_cast<int>(n), threads, [&](int k) {
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+            const PartSystem& part = problem_.parts[i];
+            const VectorXd weight =
+                k < n_asked ? measures[static_cast<std::size_t>(k)][i] : VectorXd(neutral.integrals[i].col(k - n_asked));
+            if (weight.size() == 0 || weight.isZero(0)) continue;
+            const VectorXd answer = response(part, weight);  // the stiffness is symmetric: weight' K^-1 f = answer' f
+            measure_[k] += weight.dot(always[i]);
+            for (Index j = 0; j < n_loads; ++j)
+                if (const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i]; load.size() > 0)
+                    measures_of_loads_(k, j) += answer.dot(load);
+            measures_of_rows_.row(k) += rows_times(rows_.rows.by_part[i], answer, rows_.rows.n);
+            measures_of_modes_.row(k).segment(offset[i], part.modes.cols()) += weight.transpose() * part.modes;
+        }
+    });
+}
+
+LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
+    ContactQp all = qp_;
+    all.modes = modes_;
+    all.mode_load = mode_load;
+    HeldAnswer held = solve_held(all, split_, levers_);
+    if (!held.result.feasible) return {held.result, held.held * held.result.mechanism};
+    if (levers_.cols() > 0)
+        if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))
+            held.result.multipliers = *forces;
+    return {held.result, held.held * held.result.amplitudes()};
+}
+
+LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
+    if (!rows_.friction.empty()) return search_anew(mode_load);
+    if (ContactQpResult result; factor_ && solve_from_neighbour(qp_, resisted_amplitudes_, *factor_, result)) {
+        const std::optional<VectorXd> forces =
+            levers_.cols() > 0 ? balanced(qp_, levers_, result.multipliers) : std::optional(result.multipliers);
+        if (forces) {
+            result.multipliers = *forces;
+            return {result, split_.resisted * result.amplitudes()};
+        }
+    }
+    return search_anew(mode_load);
+}
+
+LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
+    ENSURE(factors.size() == static_cast<Index>(loads_.size()), "every load has a factor");
+    LoadAnswer answer;
+    qp_.gap = gap_ + gaps_ * factors;
+    const VectorXd mode_load = mode_load_ + mode_loads_ * factors;
+    qp_.mode_load = split_.resisted.transpose() * mode_load;
+    qp_.load_scale = load_scale_;
+    for (std::size_t j = 0; j < loads_.size(); ++j)
+        qp_.load_scale = std::max(qp_.load_scale, std::abs(factors[static_cast<Index>(j)]) * loads_[j].scale);
+    AssemblySolution driven;
+    find_driven_neutral_motion(problem_, resistance_, split_.neutral, mode_load, qp_.load_scale, driven);
+    answer.mechanism = std::move(driven.mechanism);
+    if (!answer.mechanism.empty()) return answer;
+    const Found found = search(mode_load);
+    answer.iterations = found.result.iterations;
+    answer.converged = found.result.converged;
+    if (!found.result.feasible) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
+    if (!answer.mechanism.empty() || !answer.converged) return answer;
+    qp_.expected = found.result.multipliers;
+    // rows that carry nothing but rounding would come and go
+    const double carried = carried_fraction * qp_.expected.lpNorm<Eigen::Infinity>();
+    qp_.expected = (qp_.expected.array().abs() > carried).select(qp_.expected, 0.0);
+    resisted_amplitudes_ = split_.resisted.transpose() * found.amplitudes;
+    if (!factor_) factor_ = std::make_unique<ClosedFactor>(qp_.compliance, qp_.expected);
+    answer.multipliers = found.result.multipliers.cwiseQuotient(rows_.rows.weight);
+    answer.amplitudes = found.amplitudes;
+    AssemblySolution told;
+    split_multipliers(problem_, rows_, answer.multipliers, told);
+    answer.pressure = std::move(told.pressure);
+    answer.constraint_force = std::move(told.constraint_force);
+    answer.measured = measured(factors, answer);
+    return answer;
+}
+
+/// With the neutral motions of least displacement, which it takes into the answer's amplitudes.
+VectorXd LoadAnswers::measured(const VectorXd& factors, LoadAnswer& answer) const {
+    const Index n_neutral = split_.neutral.cols(), n_asked = measure_.size() - n_neutral;
+    VectorXd values = measure_ + measures_of_loads_ * factors + measures_of_rows_ * answer.multipliers +
+                      measures_of_modes_ * answer.amplitudes;
+    if (n_neutral == 0) return values;
+    const VectorXd least = split_.neutral * PivotedCholesky(neutral_gram_).solve(-values.tail(n_neutral));
+    answer.amplitudes += least;
+    return values.head(n_asked) + measures_of_modes_.topRows(n_asked) * least;
+}
+
+std::vector<VectorXd> LoadAnswers::displacements(const VectorXd& factors, const LoadAnswer& answer, int threads) const {
+    ENSURE(factors.size() == static_cast<Index>(loads_.size()) && answer.multipliers.size() == rows_.rows.n,
+           "an answer is of these rows, and every load has a factor");
+    const std::vector<Index> offset = mode_offsets(problem_.parts);
+    std::vector<VectorXd> displacement(problem_.parts.size());
+    parallel_for(static_cast<int>(displacement.size()), threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        const PartSystem& part = problem_.parts[i];
+        VectorXd load = part.load + transposed_times(rows_.rows.by_part[i], answer.multipliers, 2 * part.n());
+        for (std::size_t j = 0; j < loads_.size(); ++j)
+            if (loads_[j].on_part[i].size() > 0) load += factors[static_cast<Index>(j)] * loads_[j].on_part[i];
+        displacement[i] = solve(part, load) + part.modes * answer.amplitudes.segment(offset[i], part.modes.cols());
+    });
+    return displacement;
+}
+
+}  // namespace abut::solver

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/solution/contact_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/base/index.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
+constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
+constexpr double border_slack = 0.01;    // of a run: borders nearer to its end are part of that
+constexpr int samples = 400;             // along a contact
+
+const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
+    return solved.problem.interfaces[at(solved.shear_of[contact])];
+}
+
+double pressure_in(const SolvedAssembly& solved, std::size_t contact, double s) {
+    return solver::pressure_at(solved.contacts[contact].face.pressure, pressure_of(solved, contact), s);
+}
+
+double traction_in(const SolvedAssembly& solved, std::size_t contact, double s) {
+    return solver::pressure_at(solved.contacts[contact].face.pressure, solved.solution.pressure[at(solved.shear_of[contact])],
+                               s);
+}
+
+/// s at a fraction of a contact's length, in the middle of a sample.
+double sample_place(const SolvedAssembly& solved, std::size_t contact, int k) {
+    const std::vector<double>& s = solved.contacts[contact].face.pressure.breakpoints;
+    return s.front() + (s.back() - s.front()) * (k + 0.5) / samples;
+}
+
+/// What both sides of a contact moved by since the state before.
+std::array<Eigen::VectorXd, 2> moved_since(const SolvedAssembly& solved, const solver::Interface& face) {
+    std::array<Eigen::VectorXd, 2> moved;
+    for (std::size_t side = 0; side < 2; ++side) {
+        moved[side] = solved.solution.displacement[at(face.part[side])];
+        if (!solved.problem.before.empty()) moved[side] -= solved.problem.before[at(face.part[side])];
+    }
+    return moved;
+}
+
+double slip_at(const SolvedAssembly& solved, const solver::Interface& face, const std::array<Eigen::VectorXd, 2>& moved,
+               const solver::InterfacePoint& p) {
+    double slip = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+        const auto u =
+            solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
+        slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value);
+    }
+    return slip;
+}
+
+bool slips(FrictionState state) {
+    return state == FrictionState::slip_forward || state == FrictionState::slip_backward;
+}
+
+}  // namespace
+
+double friction_of(const SolvedAssembly& solved, std::size_t contact) {
+    return solved.shear_of[contact] < 0 ? 0 : along_face(solved, contact).friction.value_or(0);
+}
+
+FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double s) {
+    const double pressure = pressure_in(solved, contact, s), traction = traction_in(solved, contact, s);
+    if (!(pressure > under_pressure * pressure_of(solved, contact).maxCoeff())) return FrictionState::open;
+    if (std::abs(traction) < (1 - slip_fraction) * friction_of(solved, contact) * pressure) return FrictionState::stick;
+    return traction < 0 ? FrictionState::slip_forward : FrictionState::slip_backward;
+}
+
+std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact) {
+    std::vector<StickBorder> borders;
+    const double coefficient = friction_of(solved, contact);
+    if (coefficient == 0 || std::isinf(coefficient) || solved.runs[contact].empty()) return borders;
+    const auto is_within = [&](double s) {
+        return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
+            const double slack = border_slack * (run.end - run.begin);
+            return s > run.begin + std::max(run.at_begin.reach / error_reach, slack) &&
+                   s < run.end - std::max(run.at_end.reach / error_reach, slack);
+        });
+    };
+    const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
+    const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
+    for (const double way : {1.0, -1.0})
+        for (const ContactRun& run : contact_runs(solved.contacts[contact].face.pressure, bound + way * traction)) {
+            if (!run.from_start && is_within(run.begin)) borders.push_back({run.begin, -1, run.at_begin});
+            if (!run.to_end && is_within(run.end)) borders.push_back({run.end, 1, run.at_end});
+        }
+    std::sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
+    return borders;
+}
+
+FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
+    FrictionSums sums;
+    const solver::Interface& face = along_face(solved, contact);
+    const std::array<Eigen::VectorXd, 2> moved = moved_since(solved, face);
+    for (const solver::InterfacePoint& p : face.points) {
+        const double weight = p.weight * face.thickness, traction = traction_in(solved, contact, p.s);
+        sums.normal += weight * pressure_in(solved, contact, p.s);
+        sums.shear += weight * traction;
+        if (traction != 0) sums.dissipated -= weight * traction * slip_at(solved, face, moved, p);
+    }
+    const std::vector<double>& s = solved.contacts[contact].face.pressure.breakpoints;
+    const double length = (s.back() - s.front()) / samples;
+    for (int k = 0; k < samples; ++k) {
+        const FrictionState state = state_at(solved, contact, sample_place(solved, contact, k));
+        sums.stick_length += state == FrictionState::stick ? length : 0;
+        sums.slip_length += slips(state) ? length : 0;
+    }
+    return sums;
+}
+
+double changed_share(const SolvedAssembly& now, const SolvedAssembly& before) {
+    double changed = 0, closed = 0;
+    for (std::size_t k = 0; k < now.contacts.size(); ++k) {
+        if (friction_of(now, k) == 0) continue;
+        const bool is_known = k < before.shear_of.size() && friction_of(before, k) > 0;
+        const std::vector<double>& s = now.contacts[k].face.pressure.breakpoints;
+        const double length = (s.back() - s.front()) / samples;
+        for (int i = 0; i < samples; ++i) {
+            const FrictionState state = state_at(now, k, sample_place(now, k, i));
+            if (state == FrictionState::open) continue;
+            closed += length;
+            const FrictionState was = is_known ? state_at(before, k, sample_place(before, k, i)) : FrictionState::open;
+            changed += slips(state) && state != was ? length : 0;
+        }
+    }
+    return closed > 0 ? changed / closed : 0;
+}
+
+}  // namespace abut

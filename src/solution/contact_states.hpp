@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a contact with friction sticks, slips and is open.
+#pragma once
+#include "src/solution/solved_assembly.hpp"
+
+namespace abut {
+
+/// The coefficient of friction of a contact; infinite: rough; 0: none.
+double friction_of(const SolvedAssembly& solved, std::size_t contact);
+
+enum class FrictionState : char { open, stick, slip_forward, slip_backward };
+
+/// The state at a place s of the middle curve. Forward: the second part slips along the first's normal turned left.
+FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double s);
+
+/// A place within a contact where sticking and slipping meet: what is left of the traction to its bound ends there like the root
+/// of the distance, as the pressure does at a free end.
+struct StickBorder {
+    double s;     ///< on the middle curve
+    int outward;  ///< +1: it slips at larger s; -1: the other way
+    RunEnd end;   ///< how far into the sticking stretch the border's own error counts apart from the rest, and that error
+};
+/// The borders of a contact, ascending; none nearer to an end of contact than the knots there stand apart.
+std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact);
+
+/// What friction does in a contact.
+struct FrictionSums {
+    double normal = 0, shear = 0;              ///< integrals of pressure and of traction on the second part (force)
+    double stick_length = 0, slip_length = 0;  ///< on the middle curve
+    double dissipated = 0;                     ///< work against the slips since the state before
+};
+FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact);
+
+/// The share of the contacts' length that slips otherwise than in a state before, of what is closed; 0 where nothing is closed.
+double changed_share(const SolvedAssembly& now, const SolvedAssembly& before);
+
+}  // namespace abut

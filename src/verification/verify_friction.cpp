@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Coulomb friction: sheared cylinders (F1, F2), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to F8),
+// a shrink fit that carries a moment (F9), rough faces (F11), and what holds in every answer (F12).
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/io/number_text.hpp"
+#include "src/verification/verify_contact_answers.hpp"
+
+namespace abut {
+
+namespace verify_friction {
+
+constexpr double two_percent = 0.02, statics = 1e-9;
+
+/// Cattaneo and Mindlin; Mindlin and Deresiewicz [Johnson85, chapter 7]: a half width, p0 mu the bound in the middle; a traction
+/// of one slip zone all over, less those of inner zones that do not slip again.
+struct Sheared {
+    double a, bound;
+
+    double root(double half_width, double x) const {
+        const double inside = half_width * half_width - x * x;
+        return inside > 0 ? std::sqrt(inside) / a : 0;
+    }
+    /// share: Q over mu P.
+    double stick(double share) const { return a * std::sqrt(1 - share); }
+    double loaded(double share, double x) const { return bound * (root(a, x) - root(stick(share), x)); }
+    /// From the share at which it turned to another; loaded from `turned` onwards backwards.
+    double unloaded(double turned, double share, double x) const {
+        return bound * (-root(a, x) + 2 * root(stick((turned - share) / 2), x) - root(stick(turned), x));
+    }
+};
+
+constexpr Sheared cylinders{0.01, 0.3 * 500};
+
+const ContactResult& contact_of_step(const Answers& answers, std::size_t step) {
+    return answers.at(step).contacts.at(0);
+}
+
+/// Largest deviation of the traction over the profile, of its bound in the middle.
+template <class Theory>
+Quantity traction(const std::string& what, std::size_t step, Theory exact) {
+    return {what + ": shear, largest error over mu p0",
+            [=](const Answers& answers) {
+                const ContactProfile& p = contact_of_step(answers, step).profile;
+                double worst = 0;
+                for (std::size_t k = 0; k < p.x.size(); ++k) worst = std::max(worst, std::abs(p.shear[k] - exact(p.x[k])));
+                return worst / cylinders.bound;
+            },
+            0, two_percent, 1};
+}
+
+/// By how much the traction exceeds its bound anywhere, of the largest bound.
+double excess(const Answers& answers) {
+    double worst = 0;
+    for (const Result& answer : answers)
+        for (const ContactResult& c : answer.contacts)
+            for (std::size_t k = 0; k < c.profile.shear.size(); ++k)
+                worst = std::max(worst, std::abs(c.profile.shear[k]) - c.friction->coefficient * c.profile.pressure[k]);
+    return worst / (answers.at(0).contacts.at(0).friction->coefficient * peak(answers));
+}
+
+double imbalance(const Answers& answers) {
+    double worst = 0;
+    for (const Result& answer : answers)
+        worst = std::max({worst, answer.equilibrium.relative_residual, answer.equilibrium.relative_moment_residual});
+    return worst;
+}
+
+double least_dissipated(const Answers& answers) {
+    double least = 0;
+    for (const Result& answer : answers) least = std::min(least, answer.contacts.at(0).friction->dissipated);
+    return least;
+}
+
+/// Steps: pressed, sheared to `share` of the limit, released, sheared back, and there again.
+VerifyProblem sheared_cylinders(double share) {
+    const Sheared& theory = cylinders;
+    VerifyProblem problem{"F1-" + number_text(share, 2),
+                          "equal cylinders sheared by " + number_text(share, 2) + " of what makes them slip, and back",
+                          {{"verification/cattaneo.json", {{"share", share}}}},
+                          {}};
+    problem.quantities = {
+        {"stick zone over a", [](const Answers& a) { return contact_of_step(a, 1).friction->stick_length / 2 / cylinders.a; },
+         std::sqrt(1 - share), two_percent, 1},
+        traction("there", 1, [=](double x) { return theory.loaded(share, x); }),
+        traction("released", 2, [=](double x) { return theory.unloaded(share, 0, x); }),
+        traction("back", 3, [=](double x) { return -theory.loaded(share, x); }),
+        traction("there again", 4, [=](double x) { return theory.loaded(share, x); }),
+        {"shear force over the load",
+         [=](const Answers& a) { return contact_of_step(a, 1).friction->utilisation.value_or(0); }, share, 1e-6},
+        {"work of friction, there again over released and back",
+         [](const Answers& a) {
+             return contact_of_step(a, 4).friction->dissipated /
+                    (contact_of_step(a, 2).friction->dissipated + contact_of_step(a, 3).friction->dissipated);
+         },
+         1, two_percent},
+        {"shear beyond its bound", excess, 0, 1e-12, 1},
+        {"forces and moments without balance", imbalance, 0, statics, 1},
+        {"least work of friction in a step", least_dissipated, 0, 1e-12, 1}};
+    return problem;
+}
+
+double says(const Answers& answers, const std::string& words) {
+    return answers.at(0).message.find(words) != std::string::npos ? 1.0 : 0.0;
+}
+
+/// What rests, with the quantities asked of it, and what does not, whose motion is named.
+VerifyProblem rests(const std::string& name, const std::string& about, VerifyRun run, std::vector<Quantity> quantities) {
+    quantities.push_back({"forces and moments without balance", imbalance, 0, 1e-6, 1});
+    return {name, about, {std::move(run)}, std::move(quantities)};
+}
+VerifyProblem slides(const std::string& name, const std::string& about, VerifyRun run, const std::vector<std::string>& words) {
+    VerifyProblem problem{name, about, {std::move(run)}, {}};
+    problem.expects_failure = true;
+    for (const std::string& w : words)
+        problem.quantities.push_back({"says '" + w + "'", [=](const Answers& a) { return says(a, w); }, 1, 0.0});
+    return problem;
+}
+
+/// Beside the limit by a thousandth; a block of weight 0.8 on a slope of 1 : 2.
+std::vector<VerifyProblem> slopes() {
+    const std::string scene = "verification/friction_slope.json";
+    const auto shear = [](const Answers& a) { return std::abs(contact_of(a).friction->shear_force); };
+    return {rests("F5-rests", "a block on a slope, friction a thousandth more than it needs", {scene, {{"mu", 0.5005}}},
+                  {{"shear force", shear, 0.8 / std::sqrt(5.0), 1e-6}}),
+            slides("F5-slides", "the same with a thousandth less: no answer, the motion named", {scene, {{"mu", 0.4995}}},
+                   {"b slides along (-0.8944, -0.4472)", "friction of 0.5 would hold it"})};
+}
+
+/// Round ends of radius r roll on their faces: the lever of the wall's force is L sin t + r.
+std::vector<VerifyProblem> ladders() {
+    constexpr double L = 10, r = 0.5;
+    const double sine = 2 / std::sqrt(5.0), cosine = 1 / std::sqrt(5.0), needed = 0.5 * L * cosine / (L * sine + r);
+    const std::string scene = "verification/friction_ladder.json";
+    return {rests("F6-rests", "a ladder against a smooth wall, friction one hundredth more than it needs",
+                  {scene, {{"mu", 1.01 * needed}}},
+                  {{"utilisation of friction", [](const Answers& a) { return contact_of(a).friction->utilisation.value_or(0); },
+                    1 / 1.01, 0.01}}),
+            slides("F6-slides", "the same with one hundredth less", {scene, {{"mu", 0.99 * needed}}}, {"friction"})};
+}
+
+std::vector<VerifyProblem> limits() {
+    const std::string wedge = "verification/friction_wedge.json", groove = "verification/friction_groove.json";
+    const auto moment = [](const Answers& a) {
+        return std::abs(a[0].contacts.at(0).friction->shear_force) + std::abs(a[0].contacts.at(1).friction->shear_force);
+    };
+    constexpr double mu = 0.3, W = 0.1;
+    return {rests("F7-rests", "a wedge under a block, pushed by a thousandth less than lifts it", {wedge}, {}),
+            slides("F7-slides", "the same pushed by a thousandth more", {wedge, {{"share", 1.001}}}, {"wedge"}),
+            rests("F8-rests", "a cylinder in a groove, turned by a thousandth less than it bears", {groove},
+                  {{"shear forces", moment, 0.999 * std::numbers::sqrt2 * mu * W / (1 + mu * mu), 1e-3}}),
+            slides("F8-slides", "the same turned by a thousandth more", {groove, {{"share", 1.001}}}, {"friction"})};
+}
+
+VerifyProblem shrink_fit() {
+    constexpr double limit = 0.2 * 23.4375;
+    const auto shear_error = [](const Answers& a) {
+        std::vector<double> size;
+        for (double t : contact_of(a).profile.shear) size.push_back(std::abs(t));
+        return relative_error_norm(size, std::vector<double>(size.size(), 0.9 * limit));
+    };
+    return {"F9-moment",
+            "a shrink fit under nine tenths of the moment that it bears: it slips nowhere",
+            {{"verification/friction_shrink_fit.json"}},
+            {{"shear, L2 error", shear_error, 0, 0.01, 1},
+             {"length that slips", [](const Answers& a) { return contact_of(a).friction->slip_length; }, 0, 1e-9, 1}}};
+}
+
+VerifyProblem rough() {
+    const auto difference = [](const Answers& a) {
+        const Vec2 rough = a[0].probes.at(0).displacement, bonded = a[0].probes.at(1).displacement;
+        return (rough - bonded).norm() / bonded.norm();
+    };
+    return {"F11-rough",
+            "rough faces that press on each other all over, against bonded ones",
+            {{"verification/friction_rough.json"}},
+            {{"difference of displacements", difference, 0, 1e-9, 1}}};
+}
+
+}  // namespace verify_friction
+
+std::vector<VerifyProblem> friction_problems() {
+    using namespace verify_friction;
+    std::vector<VerifyProblem> problems{sheared_cylinders(0.2), sheared_cylinders(0.5), sheared_cylinders(0.9)};
+    for (const auto& group : {slopes(), ladders(), limits()}) problems.insert(problems.end(), group.begin(), group.end());
+    problems.push_back(shrink_fit());
+    problems.push_back(rough());
+    return problems;
+}
+
+}  // namespace abut

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction in whole analyses: a block that is pressed on another and pushed along it, until some of its face slips.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/analysis/analysis.hpp"
+#include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::friction_analysis_test {
+namespace {
+
+/// size: of everything, with the unit of length; force: likewise.
+struct Blocks {
+    std::string contacts = R"({"friction": 0.4})", more{};
+    double size = 1, force = 1, push = 25;
+    bool swapped = false;
+};
+
+std::string rectangle(const std::string& name, double size, double x0, double y0, double x1, double y1) {
+    const auto t = [&](double v) { return std::to_string(v * size); };
+    return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"rectangle": {"min": [)" + t(x0) + "," + t(y0) +
+           R"(], "max": [)" + t(x1) + "," + t(y1) + "]}}}";
+}
+
+Scene scene_of(const Blocks& b) {
+    const std::string base = rectangle("base", b.size, 0, 0, 4, 2), top = rectangle("top", b.size, 0.5, 2, 3.5, 4);
+    const double stress = b.force / (b.size * b.size);
+    return read_scene_text(R"({"abut": 1, "materials": {"m": {"E": )" + std::to_string(1e5 * stress) + R"(, "nu": 0.3}},
+        "parts": [)" + (b.swapped ? top + "," + base : base + "," + top) +
+                               R"(], "supports": [{"on": "base/bottom", "fix": ["x", "y"]}],
+        "loads": [{"name": "press", "on": "top/top", "traction": [0, )" + std::to_string(-100 * stress) + R"(]},
+                  {"name": "push", "on": "top/top", "traction": [)" + std::to_string(b.push * stress) + R"(, 0]}],
+        "accuracy": {"cell_size": )" + std::to_string(0.25 * b.size) + R"(}, "contacts": )" + b.contacts + b.more + "}",
+                           "blocks.json");
+}
+
+Result answer(const Blocks& b) {
+    return analyze(scene_of(b), {});
+}
+
+double beyond_bound(const ContactResult& c) {
+    double worst = 0;
+    for (std::size_t k = 0; k < c.profile.shear.size(); ++k)
+        worst = std::max(worst, std::abs(c.profile.shear[k]) - c.friction->coefficient * c.profile.pressure[k]);
+    return worst;
+}
+
+bool is_effect_on(const std::vector<Effect>& effects) {
+    return std::find_if(effects.begin(), effects.end(), [](const Effect& e) { return e.name == "friction"; })->on;
+}
+
+}  // namespace
+
+TEST(FrictionAnalysis, SlipsWhereItMustAndHoldsTheRest) {
+    const Result r = answer({});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    const ContactResult& c = r.contacts.at(0);
+    ASSERT_TRUE(c.friction);
+    EXPECT_NEAR(c.friction->shear_force, -3 * 25, 1e-7) << "on the second part, along the first's normal turned left";
+    EXPECT_NEAR(c.friction->normal_force, 3 * 100, 1e-7);
+    EXPECT_NEAR(*c.friction->utilisation, 25.0 / 40, 1e-9);
+    EXPECT_GT(c.friction->slip_length, 0.1);
+    EXPECT_GT(c.friction->stick_length, 0.1);
+    EXPECT_GT(c.friction->dissipated, 0);
+    EXPECT_LT(beyond_bound(c), 1e-9);
+    EXPECT_LT(r.equilibrium.relative_residual, 1e-9);
+    EXPECT_LT(r.equilibrium.relative_moment_residual, 1e-9);
+    EXPECT_LT((c.force - Vec2(3 * 25, -3 * 100)).norm(), 1e-6) << "on the base, shear included";
+    ASSERT_EQ(c.profile.slip.size(), c.profile.s.size());
+    ASSERT_EQ(c.profile.state.size(), c.profile.s.size());
+    const std::string csv = contact_csv(c);
+    EXPECT_EQ(csv.find("edge,s,x,y,pressure,gap,shear,slip,state\n"), 0U);
+    EXPECT_NE(csv.find(",slip\n"), std::string::npos);
+}
+
+TEST(FrictionAnalysis, OfNothingIsNoneToTheBit) {
+    const std::string held = R"(, "output": {"probes": [{"part": "top", "at": [1, 3]}]})";
+    const Blocks blocks{R"({})", held, 1, 1, 0};
+    Scene none = scene_of(blocks);
+    none.supports.push_back(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0}}, "parts": [)" +
+                                                rectangle("top", 1, 0, 0, 1, 1) +
+                                                R"(], "supports": [{"part": "top", "rigid": {"translation": [0, null]}}]})",
+                                            "support.json")
+                                .supports.at(0));
+    Scene zero = none;
+    zero.contacts.friction = 0;
+    const Result a = analyze(none, {}), b = analyze(zero, {});
+    ASSERT_EQ(a.status, "ok") << a.message;
+    EXPECT_EQ(a.contacts[0].profile.pressure, b.contacts[0].profile.pressure);
+    EXPECT_EQ(a.probes[0].displacement, b.probes[0].displacement);
+    EXPECT_FALSE(a.contacts[0].friction);
+    EXPECT_TRUE(a.contacts[0].profile.slip.empty());
+    EXPECT_EQ(contact_csv(a.contacts[0]).find("edge,s,x,y,pressure,gap\n"), 0U);
+    EXPECT_FALSE(is_effect_on(a.effects));
+    zero.contacts.friction = 0.1;
+    EXPECT_TRUE(is_effect_on(plan_effects(zero)));
+    zero.contacts.detect = false;
+    EXPECT_FALSE(is_effect_on(plan_effects(zero))) << "no pair can touch";
+}
+
+TEST(FrictionAnalysis, KnowsNoUnitsAndNoOrderOfParts) {
+    const Result r = answer({}), other_units = answer({R"({"friction": 0.4})", {}, 1000, 64});
+    const ContactResult &a = r.contacts.at(0), &b = other_units.contacts.at(0);
+    EXPECT_NEAR(b.friction->shear_force / 64, a.friction->shear_force, 1e-7);
+    EXPECT_NEAR(b.friction->slip_length / 1000, a.friction->slip_length, 1e-6);
+    EXPECT_NEAR(b.friction->dissipated / 64000, a.friction->dissipated, 1e-6 * a.friction->dissipated);
+    Blocks swapped;
+    swapped.swapped = true;
+    const Result exchanged = answer(swapped);
+    const ContactResult& c = exchanged.contacts.at(0);
+    EXPECT_NEAR(c.friction->shear_force, a.friction->shear_force, 1e-7) << "both the other part and the other direction";
+    EXPECT_NEAR(c.friction->slip_length, a.friction->slip_length, 1e-6);
+    EXPECT_NEAR(c.friction->dissipated, a.friction->dissipated, 1e-6 * a.friction->dissipated);
+}
+
+TEST(FrictionAnalysis, HoldsNoMoreThanItCan) {
+    const Result r = answer({R"({"friction": 0.24})"});
+    EXPECT_EQ(r.status, "failed");
+    EXPECT_NE(r.message.find("top slides along (1, 0)"), std::string::npos) << r.message;
+    EXPECT_NE(r.message.find("A coefficient of friction of 0.25 would hold it, 0.24 does not"), std::string::npos) << r.message;
+    EXPECT_EQ(answer({R"({"friction": 0.26})"}).status, "ok");
+    EXPECT_EQ(answer({R"({"pairs": [{"between": ["top/bottom", "base/top"], "friction": "rough"}]})"}).status, "ok");
+}
+
+TEST(FrictionAnalysis, RemembersFromStepToStep) {
+    Blocks blocks;
+    blocks.more = R"(, "steps": [{"name": "press", "loads": {"press": 1}}, {"name": "push", "loads": {"press": 1, "push": 1}},
+        {"name": "let go", "loads": {"press": 1}}, {"name": "lift", "loads": {"press": 0.5}}])";
+    const std::vector<CaseResult> steps = analyze_cases(scene_of(blocks), {});
+    ASSERT_EQ(steps.size(), 4U);
+    const auto friction = [&](std::size_t k) { return *steps[k].result.contacts.at(0).friction; };
+    for (const CaseResult& step : steps) {
+        ASSERT_EQ(step.result.status, "ok") << step.name << ": " << step.result.message;
+        EXPECT_GE(step.result.contacts.at(0).friction->dissipated, 0) << step.name;
+        EXPECT_LT(beyond_bound(step.result.contacts.at(0)), 1e-9) << step.name;
+        EXPECT_TRUE(step.result.solver.increments) << step.name;
+    }
+    EXPECT_NEAR(friction(1).shear_force, -75, 1e-7);
+    EXPECT_NEAR(friction(2).shear_force, 0, 1e-7);
+    const auto largest = [&](std::size_t k) {
+        double most = 0;
+        const ContactProfile& p = steps[k].result.contacts.at(0).profile;
+        for (std::size_t i = 0; i < p.shear.size(); ++i) most = std::max(most, std::abs(p.shear[i] - p.shear[p.shear.size() - 1 - i]));
+        return most;
+    };
+    EXPECT_LT(largest(0), 0.6 * largest(2)) << "pushed and let go it is not what it was";
+}
+
+}  // namespace abut::friction_analysis_test

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tightened parts, from the scene to the answer. Closed forms: verify's H2.
+#include <gtest/gtest.h>
+
+#include "geometry/brep/input_error.hpp"
+#include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::preload_test {
+namespace {
+
+constexpr double F0 = 1000, kb = 20000, kp = 30000;
+
+/// Two bolts between rigid plates that two bars hold apart; turned by `turn` degrees about the origin. gap:
+/// that the bars lack; along: how far their means are moved along the bolts.
+std::string scene(const std::string& loads, double gap = 0, double turn = 0, const std::string& along = "0") {
+    const auto rect = [&](double x0, double y0, double x1, double y1) {
+        return R"({"place": {"of": {"rectangle": {"min": [)" + std::to_string(x0) + ", " + std::to_string(y0) +
+               R"(], "max": [)" + std::to_string(x1) + ", " + std::to_string(y1) + R"(]}}, "rotate": )" + std::to_string(turn) +
+               "}}";
+    };
+    const auto part = [](const std::string& name, const std::string& material, const std::string& geometry) {
+        return R"({"name": ")" + name + R"(", "material": ")" + material + R"(", "geometry": )" + geometry + "}";
+    };
+    return R"({"abut": 1, "materials": {"bolt": {"E": 2e5, "nu": 0}, "bar": {"E": 1e5, "nu": 0}}, "parts": [)" +
+           part("below", "rigid", rect(-40, -10, 40, 0)) + ", " + part("above", "rigid", rect(-40, 100, 40, 110)) + ", " +
+           part("a", "bolt", rect(-10, 0, -5, 100)) + ", " + part("b", "bolt", rect(5, 0, 10, 100)) + ", " +
+           part("left", "bar", rect(-30, 0, -15, 100 - gap)) + ", " + part("right", "bar", rect(15, 0, 30, 100 - gap)) +
+           R"(], "contacts": {"pairs": [{"between": ["a/*", "below/*"], "kind": "bonded"},
+               {"between": ["a/*", "above/*"], "kind": "bonded"}, {"between": ["b/*", "below/*"], "kind": "bonded"},
+               {"between": ["b/*", "above/*"], "kind": "bonded"}]},
+             "supports": [{"on": "below/bottom", "fix": ["x", "y"]},
+               {"part": "left", "rigid": {"translation": [0, )" +
+           along + R"(], "rotation": 0}},
+               {"part": "right", "rigid": {"translation": [0, )" +
+           along + R"(], "rotation": 0}}],
+             "loads": [)" +
+           loads + "]}";
+}
+
+std::string preload(const std::string& part, const std::string& across, double force) {
+    return R"({"part": ")" + part + R"(", "preload": {"across": )" + across + R"(, "force": )" + std::to_string(force) + "}}";
+}
+
+std::string message_of(const std::string& text) {
+    try {
+        const Result r = analyze(read_scene_text(text, "s.json"), {});
+        return r.status + ": " + r.message;
+    } catch (const InputError& error) { return error.problems().front().what; }
+}
+
+/// One bolt's bar in a frame of its own: shortened, held at both ends.
+TEST(Preload, HeldBarCarriesWhatItIsTightenedTo) {
+    const std::string text = R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}},
+      "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+      "supports": [{"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "fix": ["x"]}],
+      "loads": [)" + preload("bar", "[[4, -1], [4.5, 2]]", 3) +
+                             R"(], "output": {"probes": [{"part": "bar", "at": [8, 0.5]}]}})";
+    const Result r = analyze(read_scene_text(text, "s.json"), {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.preloads.size(), 1u);
+    EXPECT_NEAR(r.preloads[0].force_under_load, 3, 1e-8);
+}
+
+TEST(Preload, StressIsUniformAwayFromTheCutAndInIt) {
+    for (double x : {2.0, 4.0, 5.1, 8.0}) {
+        const std::string text = R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}},
+      "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+      "supports": [{"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "fix": ["x"]}],
+      "loads": [)" + preload("bar", "[[4, -1], [4, 2]]", 3) +
+                                 R"(], "output": {"probes": [{"part": "bar", "at": [)" + std::to_string(x) + R"(, 0.5]}]}})";
+        const Result r = analyze(read_scene_text(text, "s.json"), {});
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_NEAR(r.probes.at(0).stress.xx, 3, 1e-7) << x;
+        EXPECT_NEAR(r.preloads[0].shortening, 3.0 * 10 / 1000, 1e-9);
+    }
+}
+
+TEST(Preload, WhatDoesNotPartThePartIsRefused) {
+    const auto ring = [](const std::string& across) {
+        return R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}},
+          "parts": [{"name": "ring", "material": "m", "geometry": {"difference": [{"circle": {"center": [0, 0], "radius": 2}},
+            {"circle": {"center": [0, 0], "radius": 1}}]}}],
+          "supports": [{"on": "ring/*", "fix": ["x", "y"]}], "loads": [)" +
+               preload("ring", across, 1) + "]}";
+    };
+    EXPECT_NE(message_of(ring("[[0.5, 0], [2.5, 0]]")).find("it does not part it in two"), std::string::npos);
+    EXPECT_NE(message_of(ring("[[1.5, 0], [2.5, 0]]")).find("it does not part it in two"), std::string::npos);
+    EXPECT_NE(message_of(ring("[[3, 0], [4, 0]]")).find("it does not part it in two"), std::string::npos);
+    EXPECT_NE(message_of(ring("[[0, 0], [0, 0]]")).find("are one point"), std::string::npos);
+    EXPECT_NE(message_of(ring("[[0, 0]]")).find("points"), std::string::npos);
+    EXPECT_NE(message_of(scene(preload("above", "[[0, 90], [0, 120]]", 1))).find("it is rigid"), std::string::npos);
+    EXPECT_NE(message_of(scene(preload("a", "[[-12, 50], [-4, 50]]", -1))).find("a force above 0"), std::string::npos);
+    EXPECT_NE(message_of(scene(R"({"part": "a", "preload": {"across": [[0, 0], [1, 1]]}})")).find("force"), std::string::npos);
+}
+
+/// A part that nothing meets at its far end.
+TEST(Preload, WhatNothingPressesBackOnCannotBeTightened) {
+    const std::string text = R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}},
+      "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+      "supports": [{"on": "bar/left", "fix": ["x", "y"]}], "loads": [)" +
+                             preload("bar", "[[4, -1], [4, 2]]", 3) + "]}";
+    EXPECT_NE(message_of(text).find("nothing presses back"), std::string::npos) << message_of(text);
+}
+
+struct TwoBolts : testing::TestWithParam<std::tuple<double, double>> {};
+
+/// Bolts of half the width each, tightened one after the other's mind: forces are reached together, whatever gap is closed
+/// on the way and however the assembly is turned.
+TEST_P(TwoBolts, ReachTheirForcesTogether) {
+    const auto [gap, turn] = GetParam();
+    const double c = std::cos(turn * 3.14159265358979323846 / 180), s = std::sin(turn * 3.14159265358979323846 / 180);
+    const auto point = [&](double x, double y) {
+        return "[" + std::to_string(c * x - s * y) + ", " + std::to_string(s * x + c * y) + "]";
+    };
+    const auto across = [&](double x0, double x1, double y) { return "[" + point(x0, y) + ", " + point(x1, y) + "]"; };
+    const Result r = analyze(
+        read_scene_text(scene(preload("a", across(-12, -4, 50), 600) + ", " + preload("b", across(4, 12, 30), 400), gap, turn),
+                        "s.json"),
+        {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.preloads.size(), 2u);
+    EXPECT_NEAR(r.preloads[0].force_under_load, 600, 1e-5);
+    EXPECT_NEAR(r.preloads[1].force_under_load, 400, 1e-5);
+}
+INSTANTIATE_TEST_SUITE_P(Gaps, TwoBolts, testing::Combine(testing::Values(0.0, 0.03), testing::Values(0.0, 17.0)));
+
+/// With a preload that is no load of the case the part is as it was drawn.
+TEST(Preload, TakesPartInLoadCases) {
+    std::string text = scene(R"({"name": "tight", "part": "a", "preload": {"across": [[-12, 50], [-4, 50]], "force": 500}},
+      {"name": "tight", "part": "b", "preload": {"across": [[4, 50], [12, 50]], "force": 500}},
+      {"name": "pull", "part": "above", "force": [0, 500]})",
+                             0, 0, "null");
+    text.back() = ',';
+    text += R"("cases": [{"name": "tightened", "loads": {"tight": 1}}, {"name": "loaded", "loads": {"tight": 1, "pull": 1}},
+      {"name": "slack", "loads": {"pull": 1}}]})";
+    const std::vector<CaseResult> cases = analyze_cases(read_scene_text(text, "s.json"), {});
+    ASSERT_EQ(cases.size(), 3u);
+    const auto force = [&](std::size_t k) {
+        double sum = 0;
+        for (const PreloadResult& p : cases[k].result.preloads) sum += p.force_under_load;
+        return sum;
+    };
+    EXPECT_NEAR(force(0), F0, 1e-5);
+    EXPECT_NEAR(force(1), F0 + 500 * kb / (kb + kp), 1e-4);
+    EXPECT_NEAR(force(2), 500, 1e-5);
+}
+
+TEST(NoPreload, IsNotInTheAnswer) {
+    const Result r = analyze(read_scene_text(scene(R"({"part": "above", "force": [0, -500]})"), "s.json"), {});
+    EXPECT_TRUE(r.preloads.empty());
+    EXPECT_EQ(result_json(r).find("preloads"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace abut::preload_test
