@@ -86,13 +86,17 @@ void fill_largest(const LargestStress& largest, const Material& material, PartRe
 bool fill_fields(const Scene& scene, const Outcome& out, int threads, Result& result) {
     const SolvedAssembly& solved = out.solved;
     geometry::Box2 model;
-    for (const PartOnGrid& g : solved.grids) model.extend(bounding_box(scene.parts[at(g.part)].part));
+    std::size_t cells = 0;
+    for (const PartOnGrid& g : solved.grids) {
+        model.extend(bounding_box(scene.parts[at(g.part)].part));
+        cells += g.cells.cell_class.size();
+    }
     solver::parallel_for(static_cast<int>(solved.grids.size()), threads, [&](int k) {
         if (!out.stress[at(k)].failure.empty()) return;
         const auto i = at(solved.grids[at(k)].part);
         fill_largest(out.largest[at(k)], scene.materials[at(scene.parts[i].material)], result.parts[i]);
         result.fields[i] = part_field(solved.grids[at(k)], solved.solution.displacement[at(k)], out.stress[at(k)],
-                                      drawn_patch * model.diagonal());
+                                      drawn_patch * model.diagonal(), cells);
     });
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         if (out.stress[k].failure.empty()) continue;

@@ -293,10 +293,10 @@ LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& dis
 }
 
 PartField part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
-                     double patch) {
+                     double patch, std::size_t model_cells) {
     PartField field;
     FieldSampler sample(grid, displacement, stress);
-    const int least = patches_per_side(grid.cells.cell_class.size());
+    const int least = patches_per_side(std::max(grid.cells.cell_class.size(), model_cells));
     for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {
         if (grid.cells.cell_class[c] == CellClass::outer) continue;
         const CellPatches patches(grid, static_cast<int>(c), least, patch);

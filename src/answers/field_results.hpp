@@ -25,10 +25,11 @@ LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& dis
 /// Sides of the patches that fields are drawn by, of the diagonal of all that is solved: a few pixels of a report's pictures.
 inline constexpr double drawn_patch = 1.0 / 160;
 
-/// The fields that are drawn of a part. patch: sides of patches are no longer than this, but for those of few cells, which are
-/// divided into more. Fields are taken inside the part only: corners of patches beyond the boundary have what is extrapolated
-/// from the nearest point of it in their cell, linearly; patches without any of the part are left out.
+/// The fields that are drawn of a part. patch: sides of patches are no longer than this. Where the model (model_cells: cells of
+/// the grids of all parts) has few cells, they are divided into more. Fields are taken inside the part only: corners of patches
+/// beyond the boundary have what is extrapolated from the nearest point of it in their cell, linearly; patches without any of
+/// the part are left out.
 PartField part_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
-                     double patch);
+                     double patch, std::size_t model_cells = 0);
 
 }  // namespace abut

@@ -72,9 +72,13 @@ LoadWords words_of(Load::Kind kind, const ResultUnits& units) {
             return {"spin", 1, ""};
         case Load::Kind::temperature:
             return {"temperature", 1, ""};
-        default:
-            return {"force", 2, units.force};
+        case Load::Kind::preload:
+            return {"preload", 1, units.force};
+        case Load::Kind::edge_force:
+        case Load::Kind::part_force:
+            break;
     }
+    return {"force", 2, units.force};
 }
 
 LoadFacts load_facts(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions, const ResultUnits& units) {

@@ -82,6 +82,10 @@ PageJson profile_json(const ContactProfile& p) {
                {"pressure", rounded_list(p.pressure)},
                {"gap", rounded_list(p.gap)}};
     if (!p.shear.empty()) j["shear"] = rounded_list(p.shear);
+    if (!p.slip.empty()) {
+        j["slip"] = rounded_list(p.slip);
+        j["state"] = p.state;
+    }
     return j;
 }
 

@@ -91,13 +91,15 @@ std::string part_legend(const Result& result) {
     return html + "</ul>\n";
 }
 
-/// What most readers look for first, beside the picture.
+/// What most readers look for first, beside the picture: the strongest contacts.
 std::string contact_list(const Result& result) {
     if (result.contacts.empty()) return "";
     const ResultUnits units = result_units(result);
     std::vector<std::vector<std::string>> rows;
+    const std::vector<bool> listed = pictured_contacts(result);
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
+        if (!listed[k]) continue;
         rows.push_back({contact_number(k), c.parts[0] + " – " + c.parts[1], c.kind == "contact" ? c.status : c.kind,
                         number_text(c.force.norm(), 4), number_text(c.max_pressure.value, 4)});
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <numeric>
 
 #include "src/io/escape_xml.hpp"
 #include "src/report/report_sections.hpp"
@@ -9,8 +10,7 @@ namespace abut::report {
 
 namespace {
 
-constexpr std::size_t most_printed = 8;    ///< the pictures of the strongest go to paper, the others stay on the screen
-constexpr std::size_t most_closeups = 24;  ///< beyond it the page would grow too large; tables and csv files have all contacts
+constexpr std::size_t most_pictured = 8;  ///< beyond it paper and page would grow too large; tables and csv files have all
 
 std::string title(const ContactResult& c, std::size_t k) {
     std::string words = c.between[0] + " – " + c.between[1];
@@ -29,19 +29,26 @@ std::string sentence(const ContactResult& c, const ResultUnits& units, double si
 
 }  // namespace
 
+std::vector<bool> pictured_contacts(const Result& result) {
+    std::vector<std::size_t> order(result.contacts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return result.contacts[a].max_pressure.value > result.contacts[b].max_pressure.value;
+    });
+    std::vector<bool> pictured(order.size(), false);
+    for (std::size_t i = 0; i < std::min(order.size(), most_pictured); ++i) pictured[order[i]] = true;
+    return pictured;
+}
+
 std::string contacts_section(const Result& result) {
     if (result.contacts.empty()) return "";
     const ResultUnits units = result_units(result);
-    std::vector<double> pressures;
-    for (const ContactResult& c : result.contacts) pressures.push_back(c.max_pressure.value);
-    std::sort(pressures.rbegin(), pressures.rend());
-    const double least_printed = pressures.size() > most_printed ? pressures[most_printed - 1] : 0;
+    const std::vector<bool> pictured = pictured_contacts(result);
     std::string html = "<section><h2>Contacts</h2>\n";
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        html += (c.max_pressure.value < least_printed ? "<article class=\"weak\">" : "<article>") + title(c, k) +
-                sentence(c, units, model_size(result));
-        const std::string pictures = contact_curves(result, k) + (k < most_closeups ? contact_closeup(result, k) : "");
+        html += (pictured[k] ? "<article>" : "<article class=\"weak\">") + title(c, k) + sentence(c, units, model_size(result));
+        const std::string pictures = pictured[k] ? contact_curves(result, k) + contact_closeup(result, k) : "";
         html += (pictures.empty() ? "" : "<div class=\"row\">" + pictures + "</div>\n") + "</article>\n";
     }
     return html + "</section>\n";

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What was analysed: file, units, materials, loads, supports.
+#include <algorithm>
+
 #include "src/io/build_id.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
@@ -65,13 +67,20 @@ std::string materials_table(const ModelFacts& model, const ResultUnits& u) {
 
 std::string made_of_table(const ModelFacts& model, const ResultUnits& u) {
     const bool is_plane = model.analysis != "axisymmetric";
+    const auto thickness = [&](const PartFacts& p) {
+        return !is_plane ? "full circle" : p.default_thickness ? "1 (none was given)" : fact_number(p.thickness);
+    };
+    // parts alike share a row
     FactRows rows;
-    for (const PartFacts& p : model.parts)
-        rows.push_back({p.name, p.material,
-                        !is_plane             ? "full circle"
-                        : p.default_thickness ? "1 (none was given)"
-                                              : fact_number(p.thickness)});
-    return html_table({{"part"}, {"material"}, {heading("thickness", is_plane ? u.length : ""), true}}, rows);
+    for (const PartFacts& p : model.parts) {
+        const auto alike = std::find_if(rows.begin(), rows.end(),
+                                        [&](const auto& row) { return row[1] == p.material && row[2] == thickness(p); });
+        if (alike == rows.end())
+            rows.push_back({p.name, p.material, thickness(p)});
+        else
+            (*alike)[0] += ", " + p.name;
+    }
+    return html_table({{"parts"}, {"material"}, {heading("thickness", is_plane ? u.length : ""), true}}, rows);
 }
 
 std::string conditions_table(const ModelFacts& model) {

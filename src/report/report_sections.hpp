@@ -2,6 +2,7 @@
 // The sections of the report. Each is a piece of HTML made from the result alone; ids of clip paths are unique in the page.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "src/report/svg.hpp"
 #include "src/results/model_facts.hpp"
@@ -26,7 +27,9 @@ std::string warnings_box(const Result& result);
 
 std::string assembly_section(const Result& result);
 std::string fields_section(const Result& result);
-/// The pressure curves and close-up of every contact.
+/// Which contacts have pictures: the strongest, by their largest pressure.
+std::vector<bool> pictured_contacts(const Result& result);
+/// The contacts in words, and the pressure curves and close-ups of those that have pictures.
 std::string contacts_section(const Result& result);
 std::string tables_section(const Result& result);
 /// The errors aimed at and reached (report_accuracy.cpp); empty without an estimate.

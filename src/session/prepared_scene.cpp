@@ -323,13 +323,17 @@ std::vector<PartField> PreparedScene::fields() const {
     s.solved().solution.displacement = s.answers->displacements(s.last_factors, s.last, s.threads);
     const std::vector<solver::StressField> stress = stress_fields(s.solved(), s.threads);
     geometry::Box2 model;
-    for (const PartOnGrid& g : s.solved().grids) model.extend(bounding_box(part_of(s.at_rest(), g.part)));
+    std::size_t cells = 0;
+    for (const PartOnGrid& g : s.solved().grids) {
+        model.extend(bounding_box(part_of(s.at_rest(), g.part)));
+        cells += g.cells.cell_class.size();
+    }
     std::vector<PartField> fields(s.scene.parts.size());
     solver::parallel_for(static_cast<int>(stress.size()), s.threads, [&](int k) {
         const PartOnGrid& g = s.solved().grids[at(k)];
         if (stress[at(k)].failure.empty())
             fields[at(g.part)] =
-                part_field(g, s.solved().solution.displacement[at(k)], stress[at(k)], drawn_patch * model.diagonal());
+                part_field(g, s.solved().solution.displacement[at(k)], stress[at(k)], drawn_patch * model.diagonal(), cells);
     });
     return fields;
 }

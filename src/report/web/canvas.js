@@ -5,7 +5,7 @@ import {zoom, zoomIdentity} from 'd3-zoom';
 import {Scale} from './colors.js';
 import {isInside} from './data.js';
 import {sampleAt, colored, rasterize} from './raster.js';
-import {drawCells, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
+import {contactColor, gapColor, shearColor, drawCells, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
 
 const margin = 56;          // pixels around the model
 const slowFrame = 45;       // milliseconds: while things move, frames that take longer are drawn coarser
@@ -26,7 +26,7 @@ export class Canvas {
     }
 
     resize() {
-        const box = this.element.getBoundingClientRect(), kept = this.width ? this.view() : null;
+        const box = this.element.getBoundingClientRect(), kept = this.width && !this.isFitted ? this.view() : null;
         if (!box.width || !box.height) return;
         this.ratio = Math.min(window.devicePixelRatio || 1, 2);
         this.width = box.width;
@@ -53,6 +53,11 @@ export class Canvas {
     point(px, py) {
         const p = this.place;
         return [(px - p.x) / p.scale, (p.y - py) / p.scale];
+    }
+
+    /// Does the picture show everything, as large as it can?
+    get isFitted() {
+        return this.transform.k === 1 && this.transform.x === 0 && this.transform.y === 0;
     }
 
     /// The middle of the picture and its width, in the model's units.
@@ -125,7 +130,9 @@ export class Canvas {
         data.parts.forEach((part, i) => this.paintPart(part, this.paths[i], place, coarseness));
         if (state.has('cells')) drawCells(this);
         drawContacts(this);
-        if (state.has('fans')) drawFans(this);
+        if (state.has('fans')) drawFans(this, 'pressure', contactColor);
+        if (state.has('shear')) drawFans(this, 'shear', shearColor);
+        if (state.has('gap')) drawFans(this, 'gap', gapColor);
         if (state.has('supports')) drawSupports(this);
         if (state.has('loads')) drawLoads(this);
         if (state.has('resultants')) drawResultants(this);

@@ -111,8 +111,12 @@ function prepareContact(contact, parts) {
             contact.nx[i] *= -1;
             contact.ny[i] *= -1;
         }
+    // Arc length on one edge, in either direction; from its beginning on where the contact runs over several, or over the edge's start.
+    const falls = n > 1 && p.s[n - 1] < p.s[0], isMonotone = p.s.every((s, i) => i === 0 || (falls ? s <= p.s[i - 1] : s >= p.s[i - 1]));
+    contact.hasArc = p.edges.length === 1 && isMonotone;
+    contact.falls = contact.hasArc && falls;
     contact.along = p.s.slice();
-    if (p.edges.length > 1)
+    if (!contact.hasArc)
         for (let i = 0, s = 0; i < n; ++i) contact.along[i] = s += i ? Math.hypot(p.x[i] - p.x[i - 1], p.y[i] - p.y[i - 1]) : 0;
     contact.peak = Math.max(0, ...p.pressure.map(Math.abs));
     contact.isOpen = contact.status === 'open';
@@ -127,6 +131,9 @@ export function unpack(text) {
     });
     data.box = joinedBox(data.parts.map(p => p.box));
     data.size = Math.hypot(data.box.x1 - data.box.x0, data.box.y1 - data.box.y0);
+    // A hundred-thousandth of the model: finer places tell a reader nothing.
+    const step = 10 ** Math.floor(Math.log10(1e-5 * data.size));
+    data.rounded = v => Math.round(v / step) * step;
     data.largestDisplacement = Math.max(0, ...data.parts.map(p => p.max_displacement.value ?? 0));
     return data;
 }

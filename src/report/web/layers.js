@@ -4,7 +4,8 @@ import {text, ticks, withUnit} from './colors.js';
 import {valueAt} from './quantities.js';
 import {sampleAt} from './raster.js';
 
-const contactColor = '#d3102b', openColor = '#f08300', pickColor = '#e8590c';
+export const contactColor = '#d3102b', shearColor = '#7b2fbf', gapColor = '#1864ab';
+const openColor = '#f08300', pickColor = '#e8590c';
 const fanShare = 0.045, fanMost = 110;  // the largest pressure: of the model's size, and in pixels
 const arrowLength = 64;
 
@@ -101,7 +102,8 @@ export function cellClasses(part) {
         }
     });
     // Points of the boundary stand where it crosses grid lines, so that what is between two of them is in one cell.
-    const onLine = (lines, k, v) => Math.min(Math.abs(v - lines[k]), Math.abs(v - lines[k + 1])) < 1e-6 * (lines[k + 1] - lines[k]);
+    // What runs along a line belongs to no cell; places are known to a step.
+    const onLine = (lines, k, v) => Math.min(Math.abs(v - lines[k]), Math.abs(v - lines[k + 1])) < 2 * part.field.step;
     for (const [from, to] of part.ranges)
         for (let i = from, j = to - 1; i < to; j = i++) {
             const a = turned(j), b = turned(i), mx = (a[0] + b[0]) / 2, my = (a[1] + b[1]) / 2;
@@ -198,23 +200,25 @@ function drawNumber(canvas, contact) {
     canvas.labels.push({x: px - radius, y: py - radius, w: 2 * radius, h: 2 * radius});
 }
 
-/// The pressure over the edge of the first part; the picked contact to a scale of its own.
-export function drawFans(canvas) {
-    const c = canvas.context, {state, data} = canvas;
-    const largest = Math.max(0, ...data.contacts.map(k => k.peak));
+/// The pressure (shear, gap) over the edge of the first part, to one scale for all contacts; the picked contact to its own.
+export function drawFans(canvas, key, color) {
+    const c = canvas.context, {state, data} = canvas, peakOf = contact => (contact.profile[key] ?? []).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
+    const largest = Math.max(0, ...data.contacts.map(peakOf));
     for (const contact of data.contacts) {
-        if (!(contact.peak > 0)) continue;
-        const p = contact.profile, n = p.x.length, height = Math.min(fanMost, fanShare * data.size * canvas.place.scale) / (state.contact === contact.index ? contact.peak : largest);
+        const values = contact.profile[key], peak = peakOf(contact);
+        // an open contact's gap says little beside those of closed ones
+        if (!(peak > 0) || (key === 'gap' && contact.isOpen && state.contact !== contact.index)) continue;
+        const n = values.length, height = Math.min(fanMost, fanShare * data.size * canvas.place.scale) / (state.contact === contact.index ? peak : largest);
         const tip = i => {
-            const [x, y] = canvas.profilePixel(contact, i), h = p.pressure[i] * height;
+            const [x, y] = canvas.profilePixel(contact, i), h = values[i] * height;
             return [x + h * contact.nx[i], y - h * contact.ny[i]];
         };
         const spacing = Math.max(1, Math.round(n / 45));
-        c.strokeStyle = contactColor;
+        c.strokeStyle = color;
         for (let from = 0; from < n; ++from) {
-            if (!p.pressure[from]) continue;
+            if (!values[from]) continue;
             let to = from;
-            while (to + 1 < n && p.pressure[to + 1]) ++to;
+            while (to + 1 < n && values[to + 1]) ++to;
             const a = Math.max(0, from - 1), b = Math.min(n - 1, to + 1);
             c.beginPath();
             for (let i = a; i <= b; ++i) c.lineTo(...tip(i));
@@ -368,7 +372,10 @@ export function drawExtremes(canvas) {
         if (x < 0 || y < 0 || x > canvas.width || y > canvas.height) continue;
         ring(canvas.context, x, y, 5, canvas.ink, canvas.paper);
         const corner = quantity.key === 'vm' && word === 'max ' && end.part.at_corner ? ' at a corner' : '';
-        label(canvas, word + withUnit(end.value, unit) + corner, x, y, {bold: true});
+        // Samples have sixteen bits: what is smaller than their step is not known.
+        const from = quantity.unit === 'length' ? 0 : 2, step = Math.max(...end.part.field.scale.slice(from, from + (from ? 4 : 2))) / 32767;
+        const isNothing = quantity.key !== 'w' && word === 'min ' && Math.abs(end.value) < 2 * step;
+        label(canvas, word + (isNothing ? '≈ ' + withUnit(0, unit) : withUnit(end.value, unit)) + corner, x, y, {bold: true});
     }
 }
 

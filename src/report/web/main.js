@@ -88,7 +88,7 @@ function toolbar(state, canvas) {
 /// What is under the pointer, in words.
 function reading(hit, near, data) {
     const {units} = data, row = (name, words) => element('tr', {}, element('th', {}, name), element('td', {}, words));
-    const lines = [row('x, y', `${text(hit.x, 5)}, ${text(hit.y, 5)} ${units.length}`)];
+    const lines = [row('x, y', `${text(data.rounded(hit.x), 6)}, ${text(data.rounded(hit.y), 6)} ${units.length}`)];
     if (hit.value) {
         const [ux, uy, xx, yy, xy, zz] = hit.value, of = key => valueAt(quantities.find(q => q.key === key), hit.part, hit.value, 0);
         lines.push(row('u', `${text(ux)}, ${text(uy)} ${units.length}; |u| ${text(of('u'))}`), row('von Mises', withUnit(of('vm'), units.stress)),
@@ -175,7 +175,7 @@ function start(data, root) {
     const save = () => {
         clearTimeout(saving);
         saving = setTimeout(() => {
-            const t = canvas.transform, address = state.address(canvas.view(), t.k === 1 && t.x === 0 && t.y === 0);
+            const address = state.address(canvas.view(), canvas.isFitted);
             if (address !== location.hash.slice(1)) history.replaceState(null, '', address ? '#' + address : location.pathname + location.search);
         }, 300);
     };
@@ -190,6 +190,7 @@ function start(data, root) {
     canvas.resize();
     take();
     addEventListener('hashchange', take);
+    canvas.paint();  // what a browser cannot do shows here
     window.abutReport = {data, state, canvas};
 }
 

@@ -3,12 +3,14 @@
 import uPlot from 'uplot';
 import {text, withUnit} from './colors.js';
 import {copy, element} from './dom.js';
+import {contactColor, shearColor} from './layers.js';
 
 const height = 230;
 
 function csv({profile: p}) {
     const cell = words => /[",\n]/.test(words) ? `"${words.replaceAll('"', '""')}"` : words;
-    const lists = ['s', 'x', 'y', 'pressure', 'gap', ...(p.shear ? ['shear'] : [])];
+    const lists = ['s', 'x', 'y', 'pressure', 'gap', ...(p.slip ? ['shear', 'slip', 'state'] : [])];
+    // as contact_<k>.csv is written
     return ['edge,' + lists.join(','), ...p.s.map((_, i) => [cell(p.edges[p.edge[i]]), ...lists.map(l => p[l][i] ?? '')].join(','))].join('\n') + '\n';
 }
 
@@ -42,7 +44,9 @@ export class ContactPlot {
         this.heading.replaceChildren(element('span', {class: 'disc' + (contact.isOpen ? ' open' : '')}, String(contact.index + 1)), ` ${contact.between[0]} – ${contact.between[1]}`);
         const axis = {stroke: ink, grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1}, font: '11px system-ui', labelFont: '12px system-ui', values: (u, list) => list.map(v => v === null ? '' : text(v, 5))};
         const name = (words, unit) => words + (unit ? ` [${unit}]` : '');
-        const abscissa = p.edges.length > 1 ? 'length along ' + p.edges.join(', ') : 's on ' + p.edges[0];
+        const abscissa = contact.hasArc ? 's on ' + p.edges[0] : 'length along ' + p.edges.join(', ');
+        // uPlot takes ascending abscissas
+        const ascending = list => contact.falls ? list.slice().reverse() : list;
         // Gaps that are nothing beside the displacements are not drawn as if they were something.
         const least = 0.02 * this.data.largestDisplacement || 1e-6 * this.data.size;
         const tension = p.pressure.some(v => v < 0) || p.shear;
@@ -50,14 +54,19 @@ export class ContactPlot {
             width: this.box.clientWidth || 600, height, legend: {show: false}, scales: {x: {time: false}, pressure: {range: (u, low, high) => [tension ? 1.08 * Math.min(low, 0) : 0, 1.08 * Math.max(high, 0) || 1]},
                 gap: {range: (u, low, high) => [low < -0.1 * least ? low : 0, Math.max(1.08 * high, least)]}},
             cursor: {y: false, points: {size: 8}, drag: {x: true, y: false}},
-            series: [{}, {scale: 'pressure', stroke: '#d3102b', width: 2, fill: '#d3102b1c', points: {show: false}},
+            series: [{}, {scale: 'pressure', stroke: contactColor, width: 2, fill: '#d3102b1c', points: {show: false}},
                 {scale: 'gap', stroke: gapColor, width: 1.5, dash: [6, 3], points: {show: false}},
-                ...(p.shear ? [{scale: 'pressure', stroke: '#7b2fbf', width: 1.5, points: {show: false}}] : [])],
+                ...(p.shear ? [{scale: 'pressure', stroke: shearColor, width: 1.5, points: {show: false}}] : [])],
             axes: [{...axis, label: name(abscissa, units.length), size: 34, labelSize: 20}, {...axis, scale: 'pressure', label: name(p.shear ? 'pressure, shear' : 'pressure', units.stress), size: 56, labelSize: 18},
                 {...axis, scale: 'gap', side: 1, label: name('gap', units.length), grid: {show: false}, size: 62, labelSize: 18, stroke: gapColor}],
-            hooks: {setCursor: [chart => this.read(chart.cursor.idx)]},
-        }, [contact.along, p.pressure, p.gap, ...(p.shear ? [p.shear] : [])], this.box);
+            hooks: {setCursor: [chart => this.read(this.turned(chart.cursor.idx))]},
+        }, [contact.along, p.pressure, p.gap, ...(p.shear ? [p.shear] : [])].map(ascending), this.box);
         this.read(null);
+    }
+
+    /// Between points of the profile and of the chart.
+    turned(i) {
+        return i !== null && i !== undefined && this.shown.falls ? this.shown.along.length - 1 - i : i;
     }
 
     /// Says what is at a point of the curves, and shows the place in the canvas.
@@ -65,8 +74,8 @@ export class ContactPlot {
         const contact = this.shown, {units} = this.data;
         if (!contact) return;
         const p = contact.profile, at = i ?? p.pressure.indexOf(Math.max(...p.pressure));
-        this.reading.textContent = (i === null || i === undefined ? 'Largest: ' : '') + `${p.edges[p.edge[at]]}, s = ${withUnit(p.s[at], units.length)}, (${text(p.x[at], 5)}, ${text(p.y[at], 5)}): pressure ${withUnit(p.pressure[at], units.stress)}, gap ${withUnit(p.gap[at], units.length)}` +
-            (p.shear ? `, shear ${withUnit(p.shear[at], units.stress)}` : '');
+        this.reading.textContent = (i === null || i === undefined ? 'Largest: ' : '') + `${p.edges[p.edge[at]]}, s = ${withUnit(p.s[at], units.length)}, (${text(this.data.rounded(p.x[at]), 6)}, ${text(this.data.rounded(p.y[at]), 6)}): pressure ${withUnit(p.pressure[at], units.stress)}, gap ${withUnit(p.gap[at], units.length)}` +
+            (p.shear ? `, shear ${withUnit(p.shear[at], units.stress)}` : '') + (p.slip ? `, slip ${withUnit(p.slip[at], units.length)}, ${p.state[at]}` : '');
         if (!this.following) this.state.set('cursor', i === null || i === undefined ? null : {contact, i});
     }
 
@@ -74,7 +83,7 @@ export class ContactPlot {
     follow() {
         const {cursor} = this.state;
         if (!this.chart || (cursor && cursor.contact !== this.shown)) return;
-        if (cursor && this.chart.cursor.idx === cursor.i) return;
+        if (cursor && this.turned(this.chart.cursor.idx) === cursor.i) return;
         this.following = true;
         this.chart.setCursor(cursor ? {left: this.chart.valToPos(this.shown.along[cursor.i], 'x'), top: 10} : {left: -10, top: -10});
         this.following = false;

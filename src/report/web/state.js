@@ -4,7 +4,7 @@ import {automaticRange, extremes, quantities, quantityOf} from './quantities.js'
 
 export const layers = [
     ['field', 'Field'], ['outlines', 'Outlines'], ['undeformed', 'Undeformed shape'], ['colors', 'Parts by colour'], ['names', 'Names'],
-    ['contacts', 'Contacts'], ['fans', 'Pressure'], ['resultants', 'Resultants'], ['supports', 'Supports'], ['loads', 'Loads'],
+    ['contacts', 'Contacts'], ['fans', 'Pressure'], ['shear', 'Shear'], ['gap', 'Gap'], ['resultants', 'Resultants'], ['supports', 'Supports'], ['loads', 'Loads'],
     ['extremes', 'Maximum, minimum'], ['cells', 'Grid cells'],
 ];
 const shownAtFirst = ['field', 'outlines', 'contacts', 'fans', 'supports', 'loads', 'extremes'];

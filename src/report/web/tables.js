@@ -24,7 +24,6 @@ export function contactPanel(data, state, canvas) {
     ];
     const decorate = (contact, row) => {
         const pick = () => state.set('contact', state.contact === contact.index ? -1 : contact.index);
-        row.dataset.contact = contact.index;
         row.setAttribute('data-contact', contact.index);
         row.tabIndex = 0;
         row.title = [contact.interface, 'length ' + withUnit(contact.length, units.length), 'double click: zoom there',

@@ -90,7 +90,7 @@ TEST(Report, UnitsFollowTheScene) {
     r.force_unit = "kgf";
     EXPECT_TRUE(has(report_html(r), "max pressure [kgf/mm²]"));
     r.force_unit = r.length_unit = "";
-    const std::string page = report_html(r);
+    const std::string page = without_scripts(report_html(r));
     EXPECT_TRUE(has(page, ">max pressure<"));
     EXPECT_FALSE(has(page, "[]"));
 }
@@ -101,7 +101,7 @@ TEST(Report, FailureIsRedAndCompleteWithoutFields) {
     r.message = "part pin moves <freely>";
     r.fields.clear();
     r.contacts.clear();
-    const std::string page = report_html(r);
+    const std::string page = without_scripts(report_html(r));
     EXPECT_EQ(fault(page), "");
     EXPECT_TRUE(has(page, "verdict failed"));
     EXPECT_TRUE(has(page, "Failed: part pin moves &lt;freely&gt;"));
@@ -170,6 +170,20 @@ TEST(Report, ManyPartsAndContactsAreAllThere) {
     EXPECT_LT(page.size(), 3'000'000u);
     EXPECT_EQ(count(page, "<article>"), 8);
     for (int i = 0; i < 12; ++i) EXPECT_TRUE(has(page, "<b>ball" + std::to_string(i) + "</b>")) << i;
+}
+
+TEST(Report, OnlyTheStrongestContactsHavePictures) {
+    Result r = bracket();
+    const ContactResult contact = r.contacts[0];
+    for (int i = 1; i <= 11; ++i) {
+        r.contacts.push_back(contact);
+        r.contacts.back().max_pressure.value += i % 4;
+    }
+    const std::string page = without_scripts(report_html(r));
+    EXPECT_EQ(fault(page), "");
+    EXPECT_EQ(count(page, "<article>"), 8);
+    EXPECT_EQ(count(page, "<article class=\"weak\">"), 4);
+    EXPECT_EQ(count(page, "Close-up"), 8);
 }
 
 TEST(Report, CapsTheScaleOnlyForASingularPeakAndSaysSo) {
