@@ -21,7 +21,7 @@ namespace abut::solver {
 struct InterfacePoint {
     double s;       ///< arc length along the interface's middle curve
     double weight;  ///< arc length
-    double gap;     ///< drawn, positive open
+    double gap;     ///< drawn, positive open; of friction it is no slip, but what its tractions act midway of
     std::array<int, 2> element;
     std::array<Vec2, 2> x;       ///< in each body's frame
     std::array<Vec2, 2> normal;  ///< the direction from body 0 towards body 1, in each body's frame

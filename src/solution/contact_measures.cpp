@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/contact/traction_arm.hpp"
+
 namespace abut {
 
 double energy_of(const SolvedAssembly& s) {
@@ -29,7 +31,7 @@ void add_force(const solver::Interface& face, const Eigen::VectorXd& pressure, c
         const double f = p.weight * face.thickness * solver::pressure_at(face.pressure, pressure, p.s);
         const Vec2 force = -f * frame.vector_to_global(p.normal[0]);
         total.force += force;
-        total.moment += geometry::cross(frame.to_global(p.x[0]), force);
+        total.moment += geometry::cross(frame.to_global(p.x[0] + solver::traction_arm(face, p, 0)), force);
     }
 }
 
