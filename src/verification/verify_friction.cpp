@@ -38,15 +38,20 @@ const ContactResult& contact_of_step(const Answers& answers, std::size_t step) {
     return answers.at(step).contacts.at(0);
 }
 
-/// Largest deviation of the traction over the profile, of its bound in the middle.
+/// Deviation of the traction over the profile in the mean square, of its bound's.
 template <class Theory>
 Quantity traction(const std::string& what, std::size_t step, Theory exact) {
-    return {what + ": shear, largest error over mu p0",
+    return {what + ": shear, L2 error over that of mu p",
             [=](const Answers& answers) {
                 const ContactProfile& p = contact_of_step(answers, step).profile;
-                double worst = 0;
-                for (std::size_t k = 0; k < p.x.size(); ++k) worst = std::max(worst, std::abs(p.shear[k] - exact(p.x[k])));
-                return worst / cylinders.bound;
+                double difference = 0, bound = 0;
+                for (std::size_t k = 0; k + 1 < p.x.size(); ++k) {
+                    const double x = 0.5 * (p.x[k] + p.x[k + 1]), length = std::abs(p.x[k + 1] - p.x[k]);
+                    const double shear = 0.5 * (p.shear[k] + p.shear[k + 1]) - exact(x);
+                    difference += length * shear * shear;
+                    bound += length * std::pow(cylinders.bound * cylinders.root(cylinders.a, x), 2);
+                }
+                return std::sqrt(difference / bound);
             },
             0, two_percent, 1};
 }
