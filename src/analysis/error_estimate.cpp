@@ -82,7 +82,8 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
-/// Friction's traction counts like the pressure, over its bound: the borders of slip like free ends, the rest by its change.
+/// Friction's traction counts like the pressure, over its bound: the borders of slip like free ends, and its change everywhere,
+/// ends included: a coarse grid sees no slip where there is little, and no border.
 void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure, ContactError& e) {
     if (!now.shear || !before.shear) return;
     const auto with_traction = [](ContactRecord record) {
@@ -93,7 +94,7 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     const PressureChange c = change_of(with_traction(now), with_traction(before));
     const double bound = now.shear->bound * norm_of_pressure;
     e.ends = std::max(e.ends, now.shear->border_error / bound);
-    e.inside = std::max(e.inside, missing * c.inside / bound);
+    e.inside = std::max(e.inside, missing * c.difference / bound);
     e.pressure = std::max(e.pressure, std::hypot(e.ends, e.inside));
 }
 

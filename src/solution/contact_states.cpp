@@ -103,13 +103,17 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         sums.shear += weight * traction;
         if (traction != 0) sums.dissipated -= weight * traction * slip_at(solved, face, moved, p);
     }
-    for (const ContactRun& run : solved.runs[contact])
-        for (int k = 0; k < samples; ++k) {
-            const FrictionState state = state_at(solved, contact, sample_place(run, k));
-            const double length = (run.end - run.begin) / samples;
-            sums.stick_length += state == FrictionState::stick ? length : 0;
-            sums.slip_length += slips(state) ? length : 0;
+    const std::vector<StickBorder> borders = stick_borders(solved, contact);
+    for (const ContactRun& run : solved.runs[contact]) {
+        std::vector<double> cuts{run.begin};
+        for (const StickBorder& border : borders)
+            if (border.s > run.begin && border.s < run.end) cuts.push_back(border.s);
+        cuts.push_back(run.end);
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const bool is_slip = slips(state_at(solved, contact, 0.5 * (cuts[k] + cuts[k + 1])));
+            (is_slip ? sums.slip_length : sums.stick_length) += cuts[k + 1] - cuts[k];
         }
+    }
     return sums;
 }
 
