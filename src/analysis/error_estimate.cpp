@@ -82,8 +82,8 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
-/// Friction's traction counts like the pressure, over its bound: the borders of slip like free ends, and its change everywhere,
-/// ends included: a coarse grid sees no slip where there is little, and no border.
+/// Friction's traction counts like the pressure, over its bound: the borders of slip, whose places are less certain than ends of
+/// contact and ask for no cells as small, with the rest's change.
 void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure, ContactError& e) {
     if (!now.shear || !before.shear) return;
     const auto with_traction = [](ContactRecord record) {
@@ -93,8 +93,7 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     };
     const PressureChange c = change_of(with_traction(now), with_traction(before));
     const double bound = now.shear->bound * norm_of_pressure;
-    e.ends = std::max(e.ends, now.shear->border_error / bound);
-    e.inside = std::max(e.inside, missing * c.difference / bound);
+    e.inside = std::max(e.inside, std::hypot(now.shear->border_error, missing * c.inside) / bound);
     e.pressure = std::max(e.pressure, std::hypot(e.ends, e.inside));
 }
 
