@@ -47,8 +47,8 @@ struct PartInput {
     /// The place x of the axis of revolution (ring.hpp): the weights of all rules and points carry the radius, thickness is 2
     /// pi.
     std::optional<double> axis{};
-    /// Displacements (2n) that draw the two sides of a cut together by a unit (pull.hpp), by cut. Not with a structure nor with a
-    /// projected volume strain.
+    /// Displacements (2n) that draw the two sides of a cut together by a unit (pull.hpp), by cut. Not with a structure nor with
+    /// a projected volume strain.
     std::vector<Eigen::VectorXd> pulls{};
     /// The displacement (2n) that leaves no stress: that of the pulls, as far as they are shortened. Empty: none.
     Eigen::VectorXd stress_free{};

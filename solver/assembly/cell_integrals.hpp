@@ -25,8 +25,8 @@ struct LineIntegrals {
     Eigen::MatrixXd mass, stiffness, mixed;
 };
 
-/// The line integrals of every interval along an axis of a space; intervals whose integrals are those of the one before but for the
-/// rounding of the grid lines share them, so that whole rows of equal cells are integrated once.
+/// The line integrals of every interval along an axis of a space; intervals whose integrals are those of the one before but for
+/// the rounding of the grid lines share them, so that whole rows of equal cells are integrated once.
 struct IntervalIntegrals {
     std::vector<LineIntegrals> integrals;
     std::vector<int> of_interval;

@@ -17,6 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_newton_steps = 40;
+constexpr int single_steps_a_row = 1;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
@@ -218,16 +219,65 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
     return next;
 }
 
+namespace {
+
+/// By how much each row is beyond its state, forces over the largest, lengths over the largest closing.
+VectorXd beyond_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& s) {
+    const VectorXd gap = gap_of(shifted, s);
+    const double force = s.multipliers.cwiseAbs().maxCoeff(), length = s.closing.cwiseAbs().maxCoeff();
+    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : value; };
+    VectorXd beyond = VectorXd::Zero(gap.size());
+    for (Index k = 0; k < gap.size(); ++k)
+        if (shifted.qp.unilateral[of(k)])
+            beyond[k] = states[of(k)] ? -scaled(s.multipliers[k], force) : -scaled(gap[k], length);
+    for (const FrictionRow& f : shifted.qp.friction) {
+        const double excess = std::abs(s.multipliers[f.tangential]) - f.coefficient * s.multipliers[f.normal];
+        beyond[f.tangential] =
+            states[of(f.tangential)] == row_state::closed ? scaled(excess, force) : scaled(std::abs(gap[f.tangential]), length);
+    }
+    return beyond;
+}
+
+/// The set with the one row changed that is farthest beyond its state, a pressure's with its traction.
+ActiveSet worst_changed(const ShiftedQp& shifted, const ActiveSet& states, const ActiveSet& next, const ContactState& state) {
+    const VectorXd beyond = beyond_states(shifted, states, state);
+    std::vector<Index> normal_of(states.size(), -1), traction_of(states.size(), -1);
+    for (const FrictionRow& f : shifted.qp.friction) {
+        normal_of[of(f.tangential)] = f.normal;
+        traction_of[of(f.normal)] = f.tangential;
+    }
+    Index worst = -1;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const bool follows = normal_of[k] >= 0 && states[of(normal_of[k])] != next[of(normal_of[k])];
+        const auto row = static_cast<Index>(k);
+        if (states[k] != next[k] && !follows && (worst < 0 || beyond[row] > beyond[worst])) worst = row;
+    }
+    ActiveSet changed = states;
+    if (worst < 0) return changed;
+    changed[of(worst)] = next[of(worst)];
+    if (traction_of[of(worst)] >= 0) changed[of(traction_of[of(worst)])] = next[of(traction_of[of(worst)])];
+    return changed;
+}
+
+}  // namespace
+
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations) {
     std::set<ActiveSet> seen;
-    for (int step = 0; step < most_newton_steps; ++step) {
-        if (!seen.insert(states).second) return SetSearch::repeated;
+    bool one_by_one = false;
+    int left = most_newton_steps;
+    for (; left > 0; --left) {
+        if (!seen.insert(states).second) {
+            if (one_by_one) return SetSearch::repeated;
+            one_by_one = true;
+            seen = {states};
+            left = single_steps_a_row * static_cast<int>(states.size());
+        }
         ++iterations;
         if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;
         ActiveSet next = next_states(shifted, states, state);
         if (next == states) return SetSearch::found;
-        states = std::move(next);
+        states = one_by_one ? worst_changed(shifted, states, next, state) : std::move(next);
     }
     return SetSearch::repeated;
 }

@@ -18,7 +18,8 @@ bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const Acti
 /// traction sticks, what closes sticks at first.
 ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& state);
 
-/// Semismooth Newton steps from `states`.
+/// Semismooth Newton steps from `states`. Where a set comes back, steps that change the row alone that is worst; the steps left
+/// are then some for each row.
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/contact/traction_arm.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -74,9 +75,9 @@ PointRows penalty_row(const Interface& face, std::size_t point, int first_row) {
 }
 
 /// Gaps and weights of a point's rows.
-void add_gap(Rows& rows, const InterfacePoint& p, const PointRows& of) {
+void add_gap(Rows& rows, double gap, const PointRows& of) {
     for (std::size_t k = 0; k < of.n; ++k) {
-        rows.gap0[of.row[k]] += of.share[k] * p.gap;
+        rows.gap0[of.row[k]] += of.share[k] * gap;
         rows.weight[of.row[k]] += of.share[k];
     }
 }
@@ -87,15 +88,18 @@ Vec2 opening_direction(const InterfacePoint& p, std::size_t side) {
 
 /// One side's entries of a point, on a body with a solution structure.
 void add_structured(Rows& rows, const PartInput& input, std::size_t part, const InterfacePoint& p, std::size_t side,
-                    const PointRows& of) {
+                    const Vec2& arm, const PointRows& of) {
     const DisplacementBasis b = displacement_basis(input, p.element[side], p.x[side]);
     const Vec2 along = opening_direction(p, side);
+    const Vec2 data = b.data.value + b.data.gradient * arm;
     for (std::size_t k = 0; k < of.n; ++k) {
-        rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
+        rows.gap0[of.row[k]] += of.share[k] * along.dot(data);
         for (std::size_t i = 0; i < b.x.functions.size(); ++i)
-            for (int c = 0; c < 2; ++c)
-                rows.by_part[part].push_back(
-                    {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
+            for (int c = 0; c < 2; ++c) {
+                const auto f = static_cast<Index>(i);
+                const double value = b.of(c).value[f] + arm.x() * b.of(c).dx[f] + arm.y() * b.of(c).dy[f];
+                rows.by_part[part].push_back({of.row[k], 2 * b.x.functions[i] + c, of.share[k] * value * along[c]});
+            }
     }
 }
 
@@ -108,15 +112,23 @@ public:
     RunOfPoints& operator=(const RunOfPoints&) = delete;
     ~RunOfPoints() { close(); }
 
-    void add(int element, const Vec2& x, const Vec2& along, const PointRows& of) {
+    void add(int element, const Vec2& x, const Vec2& arm, const Vec2& along, const PointRows& of) {
         if (element != element_ || !is_same(of)) open(element, of);
-        LocalValues vx, vy;
-        evaluate(space_.along_x(element), x.x(), vx);
-        evaluate(space_.along_y(element), x.y(), vy);
+        LocalValues vx, vy, dx, dy;
+        const bool has_arm = !arm.isZero(0);
+        if (has_arm) {
+            evaluate(space_.along_x(element), x.x(), vx, dx);
+            evaluate(space_.along_y(element), x.y(), vy, dy);
+        } else {
+            evaluate(space_.along_x(element), x.x(), vx);
+            evaluate(space_.along_y(element), x.y(), vy);
+        }
         Index k = 0;
         for (Index b = 0; b <= space_.y.degree; ++b)
             for (Index a = 0; a <= space_.x.degree; ++a, ++k) {
-                const double value = vx[static_cast<std::size_t>(a)] * vy[static_cast<std::size_t>(b)];
+                const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+                double value = vx[i] * vy[j];
+                if (has_arm) value += arm.x() * dx[i] * vy[j] + arm.y() * vx[i] * dy[j];
                 for (std::size_t r = 0; r < of.n; ++r)
                     for (Index c = 0; c < 2; ++c) sums_(2 * static_cast<Index>(r) + c, k) += of.share[r] * value * along[c];
             }
@@ -160,10 +172,11 @@ void add_side(Rows& rows, const std::vector<PartSystem>& parts, const Interface&
     RunOfPoints run(input.space, rows.by_part[part]);
     for (std::size_t q = 0; q < face.points.size(); ++q) {
         const InterfacePoint& p = face.points[q];
+        const Vec2 arm = traction_arm(face, p, side);
         if (input.structure)
-            add_structured(rows, input, part, p, side, of[q]);
+            add_structured(rows, input, part, p, side, arm, of[q]);
         else
-            run.add(p.element[side], p.x[side], opening_direction(p, side), of[q]);
+            run.add(p.element[side], p.x[side], arm, opening_direction(p, side), of[q]);
     }
 }
 
@@ -172,7 +185,7 @@ void add_interface(Rows& rows, const std::vector<PartSystem>& parts, const Inter
     std::vector<PointRows> of;
     for (std::size_t q = 0; q < face.points.size(); ++q) {
         of.push_back(rows_of(face, q, first_row));
-        add_gap(rows, face.points[q], of.back());
+        add_gap(rows, face.friction ? 0 : face.points[q].gap, of.back());
     }
     for (std::size_t side = 0; side < 2; ++side) add_side(rows, parts, face, side, of);
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/contact/condensation.hpp"
+#include "solver/contact/traction_arm.hpp"
 #include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
@@ -69,7 +70,7 @@ WrenchProducts wrench_products(const AssemblyProblem& problem, std::size_t face,
     for (std::size_t q = 0; q < f.points.size(); ++q) {
         const std::array<Vec2, 2> outward = normals(q);
         const auto wrench = [&](std::size_t side) {
-            const Vec2 &n = outward[side], &x = f.points[q].x[side], &c = center[side];
+            const Vec2 &n = outward[side], &c = center[side], x = f.points[q].x[side] + traction_arm(f, f.points[q], side);
             return Wrench{n.x(), n.y(), (x.x() - c.x()) * n.y() - (x.y() - c.y()) * n.x()};
         };
         const double weight = f.points[q].weight;

@@ -182,7 +182,8 @@ std::vector<RefinedCoefficient> refinement(const KnotVector& coarse, const KnotV
         // any interval of the function will do: the middle of one holds no coarse knot
         const auto on = static_cast<std::size_t>(support(fine, j).begin);
         const int from = interval_of(coarse, 0.5 * (fine.breakpoints[on] + fine.breakpoints[on + 1]));
-        rows.push_back({coarse.first[static_cast<std::size_t>(from)], blossom(coarse.interval(from), fine.knots.data() + j + 1)});
+        rows.push_back(
+            {coarse.first[static_cast<std::size_t>(from)], blossom(coarse.interval(from), fine.knots.data() + j + 1)});
     }
     return rows;
 }

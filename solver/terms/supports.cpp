@@ -220,8 +220,8 @@ std::optional<std::vector<int>> functions_on_side_of_tree(const SplineSpace& spa
         if (!is_along(space, e, side)) continue;
         const double low = space.low_corner(e)[axis], high = low + space.cell_size(e)[axis];
         const double sum = covered(low, high, stretches);
-        if (sum > rounding && std::binary_search(space.splits.cell_of_extra.begin(), space.splits.cell_of_extra.end(),
-                                                 space.cell_of(e)))
+        if (sum > rounding &&
+            std::binary_search(space.splits.cell_of_extra.begin(), space.splits.cell_of_extra.end(), space.cell_of(e)))
             return std::nullopt;
         if (sum > rounding) append_functions_along(space, e, side, dropped);
         if (sum < high - low - rounding) append_functions_along(space, e, side, elsewhere);

@@ -8,7 +8,6 @@
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/scene/dissertation_method.hpp"
-#include "src/solution/contact_states.hpp"
 #include "src/solution/table.hpp"
 
 namespace abut {
@@ -86,7 +85,6 @@ std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, 
         if (!run.from_start) append(run.begin, -1);
         if (!run.to_end) append(run.end, 1);
     }
-    for (const StickBorder& border : stick_borders(s, contact)) append(border.s, border.outward);
     return ends;
 }
 
@@ -96,7 +94,6 @@ double spacing_at(const SolvedAssembly& s, std::size_t contact) {
     for (const ContactRun& run : s.runs[contact])
         for (const RunEnd& end : {run.at_begin, run.at_end})
             if (end.kind == RunEnd::Kind::free) spacing = std::min(spacing, end.reach / error_reach);
-    for (const StickBorder& border : stick_borders(s, contact)) spacing = std::min(spacing, border.end.reach / error_reach);
     return spacing;
 }
 

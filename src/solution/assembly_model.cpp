@@ -82,24 +82,12 @@ void bond(ContactInterface& contact) {
     for (solver::InterfacePoint& p : contact.face.points) p.gap = 0;
 }
 
-/// Moves the points of both bodies to the middle between them, so that tractions along the interface leave no couple. Splines
-/// are continued that far; across gaps of half a cell and more they are not.
-void meet_in_middle(ContactInterface& contact) {
-    constexpr double farthest = 0.5;  // of a knot interval
-    const std::vector<double>& knots = contact.face.pressure.breakpoints;
-    for (solver::InterfacePoint& p : contact.face.points) {
-        const auto k = static_cast<std::size_t>(interval_of(contact.face.pressure, p.s));
-        const double drawn = p.gap + contact.drawn.closing;
-        if (std::abs(drawn) > farthest * (knots[k + 1] - knots[k])) continue;
-        p.x[0] += 0.5 * drawn * p.normal[0];
-        p.x[1] -= 0.5 * drawn * p.normal[1];
-    }
-}
-
 /// The same points along the interface, where they are held, or by friction.
 ContactInterface along(ContactInterface contact, double friction) {
-    if (friction > 0) meet_in_middle(contact);
+    const std::vector<solver::InterfacePoint> drawn = contact.face.points;
     bond(contact);
+    if (friction > 0)  // the gap as drawn, which tractions act midway of
+        for (std::size_t q = 0; q < drawn.size(); ++q) contact.face.points[q].gap = drawn[q].gap + contact.drawn.closing;
     contact.face.expected.clear();
     if (friction > 0) contact.face.friction = friction;
     for (solver::InterfacePoint& p : contact.face.points)

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver/contact/traction_arm.hpp"
+
 namespace abut {
 
 double energy_of(const SolvedAssembly& s) {
@@ -37,7 +39,8 @@ Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Inter
     for (const solver::InterfacePoint& p : face.points) {
         const Vec2 direction = -first.frame.vector_to_global(p.normal[0]);
         // moments of a ring's forces balance by themselves
-        const double lever = first.input.axis ? 0 : geometry::cross(first.frame.to_global(p.x[0]), direction);
+        const double lever =
+            first.input.axis ? 0 : geometry::cross(first.frame.to_global(p.x[0] + solver::traction_arm(face, p, 0)), direction);
         const int interval = solver::interval_of(knots, p.s);
         solver::LocalValues value;
         solver::evaluate(knots, interval, p.s, value);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/contact/traction_arm.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -28,10 +29,9 @@ double traction_in(const SolvedAssembly& solved, std::size_t contact, double s) 
                                s);
 }
 
-/// s at a fraction of a contact's length, in the middle of a sample.
-double sample_place(const SolvedAssembly& solved, std::size_t contact, int k) {
-    const std::vector<double>& s = solved.contacts[contact].face.pressure.breakpoints;
-    return s.front() + (s.back() - s.front()) * (k + 0.5) / samples;
+/// A place along a stretch of contact, in the middle of a sample.
+double sample_place(const ContactRun& run, int k) {
+    return run.begin + (run.end - run.begin) * (k + 0.5) / samples;
 }
 
 /// What both sides of a contact moved by since the state before.
@@ -50,7 +50,7 @@ double slip_at(const SolvedAssembly& solved, const solver::Interface& face, cons
     for (std::size_t side = 0; side < 2; ++side) {
         const auto u =
             solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
-        slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value);
+        slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value + u.gradient * solver::traction_arm(face, p, side));
     }
     return slip;
 }
@@ -104,12 +104,16 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         sums.shear += weight * traction;
         if (traction != 0) sums.dissipated -= weight * traction * slip_at(solved, face, moved, p);
     }
-    const std::vector<double>& s = solved.contacts[contact].face.pressure.breakpoints;
-    const double length = (s.back() - s.front()) / samples;
-    for (int k = 0; k < samples; ++k) {
-        const FrictionState state = state_at(solved, contact, sample_place(solved, contact, k));
-        sums.stick_length += state == FrictionState::stick ? length : 0;
-        sums.slip_length += slips(state) ? length : 0;
+    const std::vector<StickBorder> borders = stick_borders(solved, contact);
+    for (const ContactRun& run : solved.runs[contact]) {
+        std::vector<double> cuts{run.begin};
+        for (const StickBorder& border : borders)
+            if (border.s > run.begin && border.s < run.end) cuts.push_back(border.s);
+        cuts.push_back(run.end);
+        for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+            const bool is_slip = slips(state_at(solved, contact, 0.5 * (cuts[k] + cuts[k + 1])));
+            (is_slip ? sums.slip_length : sums.stick_length) += cuts[k + 1] - cuts[k];
+        }
     }
     return sums;
 }
@@ -119,15 +123,13 @@ double changed_share(const SolvedAssembly& now, const SolvedAssembly& before) {
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         if (friction_of(now, k) == 0) continue;
         const bool is_known = k < before.shear_of.size() && friction_of(before, k) > 0;
-        const std::vector<double>& s = now.contacts[k].face.pressure.breakpoints;
-        const double length = (s.back() - s.front()) / samples;
-        for (int i = 0; i < samples; ++i) {
-            const FrictionState state = state_at(now, k, sample_place(now, k, i));
-            if (state == FrictionState::open) continue;
-            closed += length;
-            const FrictionState was = is_known ? state_at(before, k, sample_place(before, k, i)) : FrictionState::open;
-            changed += slips(state) && state != was ? length : 0;
-        }
+        for (const ContactRun& run : now.runs[k])
+            for (int i = 0; i < samples; ++i) {
+                const double s = sample_place(run, i), length = (run.end - run.begin) / samples;
+                closed += length;
+                const FrictionState state = state_at(now, k, s), was = is_known ? state_at(before, k, s) : FrictionState::open;
+                changed += slips(state) && state != was ? length : 0;
+            }
     }
     return closed > 0 ? changed / closed : 0;
 }

@@ -31,9 +31,12 @@ Scene scene_of(const Blocks& b) {
     return read_scene_text(R"({"abut": 1, "materials": {"m": {"E": )" + std::to_string(1e5 * stress) + R"(, "nu": 0.3}},
         "parts": [)" + (b.swapped ? top + "," + base : base + "," + top) +
                                R"(], "supports": [{"on": "base/bottom", "fix": ["x", "y"]}],
-        "loads": [{"name": "press", "on": "top/top", "traction": [0, )" + std::to_string(-100 * stress) + R"(]},
-                  {"name": "push", "on": "top/top", "traction": [)" + std::to_string(b.push * stress) + R"(, 0]}],
-        "accuracy": {"cell_size": )" + std::to_string(0.25 * b.size) + R"(}, "contacts": )" + b.contacts + b.more + "}",
+        "loads": [{"name": "press", "on": "top/top", "traction": [0, )" +
+                               std::to_string(-100 * stress) + R"(]},
+                  {"name": "push", "on": "top/top", "traction": [)" +
+                               std::to_string(b.push * stress) + R"(, 0]}],
+        "accuracy": {"cell_size": )" +
+                               std::to_string(0.25 * b.size) + R"(}, "contacts": )" + b.contacts + b.more + "}",
                            "blocks.json");
 }
 
@@ -143,7 +146,8 @@ TEST(FrictionAnalysis, RemembersFromStepToStep) {
     const auto largest = [&](std::size_t k) {
         double most = 0;
         const ContactProfile& p = steps[k].result.contacts.at(0).profile;
-        for (std::size_t i = 0; i < p.shear.size(); ++i) most = std::max(most, std::abs(p.shear[i] - p.shear[p.shear.size() - 1 - i]));
+        for (std::size_t i = 0; i < p.shear.size(); ++i)
+            most = std::max(most, std::abs(p.shear[i] - p.shear[p.shear.size() - 1 - i]));
         return most;
     };
     EXPECT_LT(largest(0), 0.6 * largest(2)) << "pushed and let go it is not what it was";
