@@ -12,7 +12,7 @@ namespace abut {
 
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* batch_style = R"(
 main { max-width: 1500px; }
 .filters { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 14px 0; }
 .filters input[type=search] { font: inherit; padding: 4px 8px; width: 260px; border: 1px solid #bbb; border-radius: 4px; }
@@ -133,7 +133,7 @@ struct Column {
     bool (*is_known)(const JobRecord&);
 };
 
-constexpr Column columns[] = {
+constexpr Column batch_columns[] = {
     {"parts", [](const JobRecord& j) { return number_cell(j.parts); }, [](const JobRecord& j) { return j.parts.has_value(); }},
     {"pairs", [](const JobRecord& j) { return number_cell(j.pairs); }, [](const JobRecord& j) { return j.pairs.has_value(); }},
     {"closed", [](const JobRecord& j) { return number_cell(j.closed); },
@@ -148,7 +148,7 @@ constexpr Column columns[] = {
 
 std::vector<const Column*> known_columns(const BatchSummary& summary) {
     std::vector<const Column*> known;
-    for (const Column& column : columns)
+    for (const Column& column : batch_columns)
         if (std::any_of(summary.jobs.begin(), summary.jobs.end(), column.is_known)) known.push_back(&column);
     return known;
 }
@@ -219,8 +219,8 @@ std::string index_html(const BatchSummary& summary, const std::string& title) {
     std::string html =
         "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"light\">\n<head>\n<meta charset=\"utf-8\"/>\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-        name + "</title>\n<style>" + report::page_style_text() + style + "</style>\n</head>\n<body>\n<main>\n<h1>" + name +
-        "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) +
+        name + "</title>\n<style>" + report::page_style_text() + batch_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
+        name + "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) +
         "<tbody>\n";
     for (const JobRecord* job : failures_first(summary)) html += row(*job, parameters, numbers);
     return html +

@@ -22,7 +22,7 @@ constexpr double width = 548, height = 320, left = 74, right = 20, top = 34, bot
 /// Told apart by the colour-blind, and dark enough on white.
 constexpr const char* line_colors[] = {"#1348b0", "#d98200", "#0a7d55", "#d3102b", "#7a3db8", "#5b5b5b"};
 
-constexpr const char* style =
+constexpr const char* sweep_style =
     "body{font:15px/1.45 system-ui,'Segoe UI','DejaVu Sans',Arial,sans-serif;color:#1c1c1c;margin:0}main{max-width:1120px;"
     "margin:0 auto;padding:24px}h1{font-size:24px}svg{font-size:12px;vertical-align:top}text{fill:#333}.title{font-weight:600}"
     ".grid{stroke:#e2e2e2}.axis{stroke:#777}.failed{stroke:#d3102b;stroke-width:2}td,th{padding:2px 12px 2px 0;text-align:left}"
@@ -225,7 +225,7 @@ std::string sweep_html(const Sweep& sweep) {
         if (has_values(sweep, k)) body += Chart(sweep, k).svg();
     if (body.empty()) body = "<p>No job has an answer.</p>\n";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" + title + "</title>\n<style>" +
-           style + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" + body + failures(sweep) +
+           sweep_style + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" + body + failures(sweep) +
            "<footer>Made by abut " + program_build() +
            ". Bars are estimated errors; hollow points are solved with reservations, crosses have no answer. "
            "<a href=\"index.html\">All jobs</a>, <a href=\"sweep.csv\">as a table</a>.</footer>\n</main>\n</body>\n</html>\n";

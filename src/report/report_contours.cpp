@@ -46,11 +46,11 @@ struct Polygon {
     const Corner& after(std::size_t i) const { return corner[i + 1 < n ? i + 1 : 0]; }
 };
 
-std::int32_t rounded(double v) {
+std::int32_t nearest_step(double v) {
     return static_cast<std::int32_t>(v < 0 ? v - 0.5 : v + 0.5);
 }
 GridPoint rounded(const Vec2& p) {
-    return {rounded(p.x() * steps_per_pixel), rounded(p.y() * steps_per_pixel)};
+    return {nearest_step(p.x() * steps_per_pixel), nearest_step(p.y() * steps_per_pixel)};
 }
 
 int band_of(double value) {

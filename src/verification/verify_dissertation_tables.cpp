@@ -14,8 +14,8 @@ namespace {
 
 using Value = std::function<std::optional<double>(const Result&)>;
 
-constexpr double exact = 1e-12;      // of whole numbers
-constexpr std::size_t n_points = 5;  // x = 0, a/5, ..., 4a/5
+constexpr double of_whole_numbers = 1e-12;  // of whole numbers
+constexpr std::size_t n_points = 5;         // x = 0, a/5, ..., 4a/5
 
 /// The dissertation's: 50 E of the stiffer part over a length of 1, points in the first part's cells, its normal.
 const PenaltyOptions dissertation_penalty{50, 1, Pairing::master, false};
@@ -51,7 +51,8 @@ struct PrintedModel {
 };
 
 std::vector<DissertationLine> model_lines(const PrintedModel& p, const std::string& unknowns_mark = "") {
-    const std::vector<Judged> decoded{{Ours::written, exact}, {Ours::penalty, exact}, {Ours::mortar, exact}};
+    const std::vector<Judged> decoded{
+        {Ours::written, of_whole_numbers}, {Ours::penalty, of_whole_numbers}, {Ours::mortar, of_whole_numbers}};
     return {
         {"cells of the grids", "", grid_cells, p.ansys_elements, p.elements, {}, decoded},
         {"B-splines of the grids, x and y", "", grid_functions, p.ansys_unknowns, p.unknowns, {}, decoded, unknowns_mark},
