@@ -76,8 +76,9 @@ struct ContactConditions {
 double contact_residual(const ContactQp& qp, const ContactConditions& conditions);
 
 /// Finds multipliers and amplitudes with the gaps of `active` closed and all other multipliers zero; a motion that the set
-/// leaves free stays at zero. Rows of friction that slip have the multiplier that their pressure gives them. False where C is singular on the set or no row of it resists any motion. With residuals in place
-/// of gap and mode_load: the correction of a step of iterative refinement.
+/// leaves free stays at zero. Rows of friction that slip have the multiplier that their pressure gives them. False where C is
+/// singular on the set or no row of it resists any motion. With residuals in place of gap and mode_load: the correction of a
+/// step of iterative refinement.
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, Eigen::VectorXd& multipliers,
                   Eigen::VectorXd& amplitudes);
 

@@ -129,8 +129,8 @@ bool can_balance(const ContactQp& qp, const NonnegativeResult& balance) {
     return balance.residual.norm() <= cone_tolerance * qp.load_scale;
 }
 
-/// The residual is a motion that lifts off as it slides, at right angles to the cones' edges. What slides does not lift: without
-/// the share that opens pressed rows.
+/// The residual is a motion that lifts off as it slides, at right angles to the cones' edges. What slides does not lift:
+/// without the share that opens pressed rows.
 VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
     constexpr double notable = 1e-3;
     const VectorXd motion = -balance.residual;

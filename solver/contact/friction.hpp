@@ -4,8 +4,8 @@
 //   gap = g + C l + G a,  G'l + h = 0,  and by pair (n, t) of a pressure's row and its tangential one, mu its coefficient:
 //   l_n >= 0, gap_n >= 0, l_n gap_n = 0,  |l_t| <= mu l_n,  l_t = -mu l_n sign(gap_t) where gap_t != 0.
 //
-// gap_t is the slip since the loads before; the bound is by coefficient, and B-splines keep it pointwise. On a set of states the
-// conditions are linear, with an unsymmetric matrix, since pressure drives slip's traction but not the other way round: no
+// gap_t is the slip since the loads before; the bound is by coefficient, and B-splines keep it pointwise. On a set of states
+// the conditions are linear, with an unsymmetric matrix, since pressure drives slip's traction but not the other way round: no
 // energy falls, so there is no descending set here.
 #pragma once
 #include "solver/contact/active_set.hpp"

@@ -124,10 +124,10 @@ public:
         for (Index k = 0; k < u; ++k) states[of(pressed_[of(k)])] = (*z)[k] > 0;
         for (Index k = 0; k < f; ++k) {
             char& state = states[of(qp_.friction[of(k)].tangential)];
-            state = !((*z)[k] > 0)            ? row_state::open
-                    : (*z)[u + f + k] > 0     ? row_state::slips_backward
-                    : (*z)[u + k] > 0         ? row_state::closed
-                                              : row_state::slips_forward;
+            state = !((*z)[k] > 0)        ? row_state::open
+                    : (*z)[u + f + k] > 0 ? row_state::slips_backward
+                    : (*z)[u + k] > 0     ? row_state::closed
+                                          : row_state::slips_forward;
             if (state != row_state::open && std::isinf(qp_.friction[of(k)].coefficient)) state = row_state::closed;
         }
         return states;
@@ -228,11 +228,12 @@ VectorXd beyond_states(const ShiftedQp& shifted, const ActiveSet& states, const 
     const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : value; };
     VectorXd beyond = VectorXd::Zero(gap.size());
     for (Index k = 0; k < gap.size(); ++k)
-        if (shifted.qp.unilateral[of(k)]) beyond[k] = states[of(k)] ? -scaled(s.multipliers[k], force) : -scaled(gap[k], length);
+        if (shifted.qp.unilateral[of(k)])
+            beyond[k] = states[of(k)] ? -scaled(s.multipliers[k], force) : -scaled(gap[k], length);
     for (const FrictionRow& f : shifted.qp.friction) {
         const double excess = std::abs(s.multipliers[f.tangential]) - f.coefficient * s.multipliers[f.normal];
-        beyond[f.tangential] = states[of(f.tangential)] == row_state::closed ? scaled(excess, force)
-                                                                             : scaled(std::abs(gap[f.tangential]), length);
+        beyond[f.tangential] =
+            states[of(f.tangential)] == row_state::closed ? scaled(excess, force) : scaled(std::abs(gap[f.tangential]), length);
     }
     return beyond;
 }

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 namespace {
 constexpr const char* rows_differ = "a right-hand side has the rows of its matrix";
 constexpr double singular = 1e-15;  // reciprocal condition number
-}
+}  // namespace
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(a);

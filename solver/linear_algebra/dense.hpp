@@ -26,8 +26,8 @@ SingularVectors right_singular_vectors(const Eigen::MatrixXd& a);  ///< (columns
 /// The shortest x that minimises |A x - b|, for any rank of A.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-/// x of A x = b for a square A, by LU decomposition with partial pivots and a step of refinement; nothing where A is singular to
-/// rounding.
+/// x of A x = b for a square A, by LU decomposition with partial pivots and a step of refinement; nothing where A is singular
+/// to rounding.
 std::optional<Eigen::VectorXd> solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// A = L L' of a positive definite matrix, of which the lower triangle is read.

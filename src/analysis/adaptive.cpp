@@ -88,11 +88,10 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
                                                       ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         is_last = true;
         for (std::size_t k = 0; k < cases.size(); ++k)
-            is_last &= walks[k].take(
-                scene.in_steps
-                    ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads}, k > 0 ? &walks[k - 1].last() : nullptr)
-                    : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts, prepared, {},
-                                 seconds, threads));
+            is_last &= walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
+                                                                 k > 0 ? &walks[k - 1].last() : nullptr)
+                                                    : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
+                                                                 walks[k].ask().parts, prepared, {}, seconds, threads));
     }
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

@@ -73,7 +73,8 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
     }
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
-        holding_friction(out) + ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+        holding_friction(out) +
+        ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
 }
 
 void fill_largest(const LargestStress& largest, const Material& material, PartResult& part) {
@@ -145,6 +146,11 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
     note_own_factors(scene, out, result);
+    if (has_friction(out))
+        result.notes.push_back(
+            "friction: estimates see its shear by where it comes to slip and by what it changed from the grids before; where "
+            "little "
+            "slips, or slip has turned, shear may be off by several per cent of its bound although the pressure is not");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
     warn_of_self_contact(result);
@@ -242,7 +248,8 @@ Result finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Analy
             result.status = "failed";
             result.message = "the contact iterations did not converge";
             if (has_friction(out))
-                result.message += ": no state of sticking and slipping was found; the loads are near what friction holds, or beyond";
+                result.message +=
+                    ": no state of sticking and slipping was found; the loads are near what friction holds, or beyond";
         }
         if (const std::string pressed = rigid_pair_failure(scene, out.candidates, out.solved); !pressed.empty()) {
             result.status = "failed";

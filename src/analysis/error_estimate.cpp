@@ -82,8 +82,8 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
-/// Friction's traction counts like the pressure, over its bound: the borders of slip, whose places are less certain than ends of
-/// contact and ask for no cells as small, with the rest's change.
+/// Friction's traction counts like the pressure, over its bound: the borders of slip, whose places are less certain than ends
+/// of contact and ask for no cells as small, with the rest's change.
 void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure, ContactError& e) {
     if (!now.shear || !before.shear) return;
     const auto with_traction = [](ContactRecord record) {
@@ -113,7 +113,7 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         if (!(c.norm > 0)) continue;
         const bool known = k < estimate_before.contacts.size();
         ContactError error = estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::nullopt,
-                                            k < theory.size() ? theory[k] : std::nullopt);
+                                      k < theory.size() ? theory[k] : std::nullopt);
         add_shear(now.contacts[k], before.contacts[k], c.norm, error);
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;

@@ -17,7 +17,7 @@ namespace abut {
 
 /// The estimated errors of one contact, relative to its own values.
 struct ContactError {
-    double pressure = 0;          ///< L2 over the contact, the larger of the pressure's and of friction's traction over its bound:
+    double pressure = 0;  ///< L2 over the contact, the larger of the pressure's and of friction's traction over its bound:
     double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
     double change = 0;            ///< of the rest, from the grids before
     double peak = 0, force = 0, length = 0;

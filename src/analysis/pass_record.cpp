@@ -76,8 +76,8 @@ double force_of(const ContactRecord& c) {
 std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_t contact) {
     const double coefficient = friction_of(solved, contact);
     if (coefficient == 0) return std::nullopt;
-    ShearRecord record{solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])], std::min(1.0, coefficient),
-                       {}, 0};
+    ShearRecord record{
+        solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])], std::min(1.0, coefficient), {}, 0};
     double squares = 0;
     for (const StickBorder& border : stick_borders(solved, contact)) {
         record.borders.push_back({border.s, border.s, false, false, border.end, {}});

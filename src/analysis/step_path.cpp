@@ -23,7 +23,8 @@ SolvedAssembly solve_at(const StepOnGrids& s, double fraction, const SolvedAssem
         return solve_case(*s.problem.scene, *s.problem.conditions, s.walk.candidates(), parts, s.prepared, from, s.seconds,
                           s.threads);
     const LoadCase none{};
-    Scene scene = scene_of_case(s.scene, between(s.step > 0 ? s.scene.cases[s.step - 1] : none, s.scene.cases[s.step], fraction));
+    Scene scene =
+        scene_of_case(s.scene, between(s.step > 0 ? s.scene.cases[s.step - 1] : none, s.scene.cases[s.step], fraction));
     scene.loads_of_all_cases = s.problem.scene->loads_of_all_cases;
     return solve_case(scene, resolve_conditions(scene), s.walk.candidates(), parts, s.prepared, from, s.seconds, s.threads);
 }

@@ -17,9 +17,9 @@ struct StepOnGrids {
     int threads;
 };
 
-/// Solves a step from the end of the one before (nullptr: it is the first). Its loads grow evenly from those of the step before;
-/// the increment is halved, up to four times, where more than a quarter of what is closed comes to slip otherwise than before,
-/// or where the contact iterations do not converge. Where the step before has no answer neither has this one.
+/// Solves a step from the end of the one before (nullptr: it is the first). Its loads grow evenly from those of the step
+/// before; the increment is halved, up to four times, where more than a quarter of what is closed comes to slip otherwise than
+/// before, or where the contact iterations do not converge. Where the step before has no answer neither has this one.
 SolvedAssembly solve_step(const StepOnGrids& step, const SolvedAssembly* before);
 
 }  // namespace abut

@@ -21,7 +21,8 @@ public:
     Reach(const Scene& scene, const ResolvedConditions& conditions) : scene_(scene), conditions_(conditions) {}
 
     std::vector<std::string> parts(const std::string& effect) const {
-        if (effect == "contact" || effect == "friction" || effect == "bonding" || effect == "interference") return parts_of(pairs(effect));
+        if (effect == "contact" || effect == "friction" || effect == "bonding" || effect == "interference")
+            return parts_of(pairs(effect));
         std::vector<std::string> names;
         for (std::size_t i = 0; i < scene_.parts.size(); ++i)
             if (concerns(effect, static_cast<int>(i))) names.push_back(scene_.parts[i].name);

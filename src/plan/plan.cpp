@@ -66,9 +66,9 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                                     [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; });
     const bool edges = std::any_of(scene.loads.begin(), scene.loads.end(), is_edge_load);
     const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
-    const bool friction = contact && (scene.contacts.friction > 0 ||
-                                      std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
-                                                  [](const PairRule& r) { return r.friction.value_or(0) > 0; }));
+    const bool friction =
+        contact && (scene.contacts.friction > 0 || std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
+                                                               [](const PairRule& r) { return r.friction.value_or(0) > 0; }));
     const std::string rigid = why_any_rigid(scene);
     std::vector<Effect> effects{
         effect("elasticity", true, kinematics_of(scene.analysis) + ", small displacements", ""),
@@ -89,8 +89,7 @@ std::vector<Effect> plan_effects(const Scene& scene) {
         effect("interference", interference || scene.contacts.overlap == "press_fit",
                "an interference or drawn overlap closes gaps", "no interference"),
         effect("bonding", bonded, "a pair of edges is bonded", "no bonded pair"),
-        effect("friction", friction, "faces that can touch have friction",
-               contact ? "friction is 0" : "no pair can touch"),
+        effect("friction", friction, "faces that can touch have friction", contact ? "friction is 0" : "no pair can touch"),
         effect("springs", has_support(scene, Support::Kind::spring), "edges rest on springs", "no spring support"),
         effect("temperature", has_load(scene, Load::Kind::temperature), "a part is warmer or colder than when it was drawn",
                "no temperature load"),

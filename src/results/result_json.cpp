@@ -130,22 +130,22 @@ Json friction(const FrictionResult& f) {
 
 Json contact(const ContactResult& c) {
     Json j{{"parts", Json::array({c.parts[0], c.parts[1]})},
-            {"between", Json::array({c.between[0], c.between[1]})},
-            {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
-            {"kind", c.kind},
-            {"interface", c.interface},
-            {"functional_interface", c.functional ? Json::parse(functional_json(*c.functional)) : Json(nullptr)},
-            {"status", c.status},
-            {"initial_gap", {{"min", number(c.gap_min)}, {"max", number(c.gap_max)}}},
-            {"force", vector(c.force)},
-            {"moment", number(c.moment)},
-            {"contact_length", number(c.contact_length)},
-            {"ends", list_of(c.ends, vector)},
-            {"max_pressure", value_at(c.max_pressure)},
-            {"max_penetration", number(c.max_penetration)},
-            {"error_estimate", number(c.error_estimate)},
-            {"errors", errors(c.errors)},
-            {"profile", profile(c.profile)}};
+           {"between", Json::array({c.between[0], c.between[1]})},
+           {"edges", Json::array({names(c.edges[0]), names(c.edges[1])})},
+           {"kind", c.kind},
+           {"interface", c.interface},
+           {"functional_interface", c.functional ? Json::parse(functional_json(*c.functional)) : Json(nullptr)},
+           {"status", c.status},
+           {"initial_gap", {{"min", number(c.gap_min)}, {"max", number(c.gap_max)}}},
+           {"force", vector(c.force)},
+           {"moment", number(c.moment)},
+           {"contact_length", number(c.contact_length)},
+           {"ends", list_of(c.ends, vector)},
+           {"max_pressure", value_at(c.max_pressure)},
+           {"max_penetration", number(c.max_penetration)},
+           {"error_estimate", number(c.error_estimate)},
+           {"errors", errors(c.errors)},
+           {"profile", profile(c.profile)}};
     if (c.friction) j["friction"] = friction(*c.friction);
     return j;
 }

@@ -47,7 +47,8 @@ bool finite(const std::vector<T>& values) {
     return std::all_of(values.begin(), values.end(), [](const T& v) { return finite(v); });
 }
 bool finite(const ContactProfile& p) {
-    return finite(p.s) && finite(p.x) && finite(p.y) && finite(p.pressure) && finite(p.gap) && finite(p.shear) && finite(p.slip);
+    return finite(p.s) && finite(p.x) && finite(p.y) && finite(p.pressure) && finite(p.gap) && finite(p.shear) &&
+           finite(p.slip);
 }
 bool finite(const ContactResult& c) {
     return finite(c.gap_min) && finite(c.gap_max) && finite(c.force) && finite(c.moment) && finite(c.contact_length) &&

@@ -73,7 +73,8 @@ void read_cases(SceneReading& reading, const JsonValue& cases, Scene& scene) {
         if (!c) continue;
         const std::vector<std::string> known = names_of_cases(scene);
         if (std::find(known.begin(), known.end(), c->name) != known.end())
-            report_problem(reading, item, "another " + one + " has the name '" + shortened(c->name) + "'", "give it one of its own");
+            report_problem(reading, item, "another " + one + " has the name '" + shortened(c->name) + "'",
+                           "give it one of its own");
         scene.cases.push_back(std::move(*c));
     }
     for (const std::string& name : names_of_loads(scene)) {

@@ -50,8 +50,8 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value,
     if (const JsonValue* friction = find_member(value, "friction")) {
         rule.friction = read_friction(reading, *friction, warnings);
         if (word == "bonded" || word == "ignore")
-            report_problem(reading, *friction, "edges that are " + std::string(word == "bonded" ? "bonded" : "left alone") +
-                                                   " have no friction",
+            report_problem(reading, *friction,
+                           "edges that are " + std::string(word == "bonded" ? "bonded" : "left alone") + " have no friction",
                            "take it away, or make the pair a contact");
     }
     if (reading.problems.size() > before) return std::nullopt;

@@ -11,10 +11,10 @@ namespace abut {
 
 namespace {
 
-constexpr double slip_fraction = 1e-6;  // a traction so near to its bound is there: the coefficients are to rounding
+constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr double border_slack = 0.01;         // of a run: borders nearer to its end are part of that
-constexpr int samples = 400;               // along a contact
+constexpr double border_slack = 0.01;    // of a run: borders nearer to its end are part of that
+constexpr int samples = 400;             // along a contact
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
     return solved.problem.interfaces[at(solved.shear_of[contact])];
@@ -48,7 +48,8 @@ double slip_at(const SolvedAssembly& solved, const solver::Interface& face, cons
                const solver::InterfacePoint& p) {
     double slip = 0;
     for (std::size_t side = 0; side < 2; ++side) {
-        const auto u = solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
+        const auto u =
+            solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
         slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value + u.gradient * solver::traction_arm(face, p, side));
     }
     return slip;

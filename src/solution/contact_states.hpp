@@ -13,8 +13,8 @@ enum class FrictionState : char { open, stick, slip_forward, slip_backward };
 /// The state at a place s of the middle curve. Forward: the second part slips along the first's normal turned left.
 FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double s);
 
-/// A place within a contact where sticking and slipping meet: what is left of the traction to its bound ends there like the root
-/// of the distance, as the pressure does at a free end.
+/// A place within a contact where sticking and slipping meet: what is left of the traction to its bound ends there like the
+/// root of the distance, as the pressure does at a free end.
 struct StickBorder {
     double s;     ///< on the middle curve
     int outward;  ///< +1: it slips at larger s; -1: the other way

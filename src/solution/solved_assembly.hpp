@@ -20,12 +20,12 @@ struct SolvedAssembly {
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     ContactRuns runs;
-    std::string failure;        ///< not empty: not solvable, and why
-    int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
-    EffectUses uses;            ///< of the effects' code in this pass
-    int increments = 1;               ///< of the step that this is the end of
+    std::string failure;               ///< not empty: not solvable, and why
+    int refined_for_walls = 0;         ///< parts whose grid had to be refined to hold the basis
+    EffectUses uses;                   ///< of the effects' code in this pass
+    int increments = 1;                ///< of the step that this is the end of
     std::vector<double> dissipated{};  ///< by contact: work of friction in the step's increments before the last
-    int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
+    int limited_grids = 0;             ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
 /// The coefficients of a contact's pressure spline.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb friction: sheared cylinders (F1, F2), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to F8),
-// a shrink fit that carries a moment (F9), rough faces (F11), and what holds in every answer (F12).
+// Coulomb friction: sheared cylinders (F1, F2), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to
+// F8), a shrink fit that carries a moment (F9), rough faces (F11), and what holds in every answer (F12).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,8 +15,8 @@ namespace verify_friction {
 
 constexpr double two_percent = 0.02, statics = 1e-9;
 
-/// Cattaneo and Mindlin; Mindlin and Deresiewicz [Johnson85, chapter 7]: a half width, p0 mu the bound in the middle; a traction
-/// of one slip zone all over, less those of inner zones that do not slip again.
+/// Cattaneo and Mindlin; Mindlin and Deresiewicz [Johnson85, chapter 7]: a half width, p0 mu the bound in the middle; a
+/// traction of one slip zone all over, less those of inner zones that do not slip again.
 struct Sheared {
     double a, bound;
 
@@ -80,9 +80,9 @@ double least_dissipated(const Answers& answers) {
     return least;
 }
 
-/// Where little slips the target of 1 % of the pressure leaves more than two of the shear, as it does where two borders of slip lie
-/// within the contact (released), and of the border's place: these are recorded.
-/// Steps: pressed, sheared to `share` of the limit, released, sheared back, and there again.
+/// Where little slips the target of 1 % of the pressure leaves more than two of the shear, as it does where two borders of slip
+/// lie within the contact (released), and of the border's place: these are recorded. Steps: pressed, sheared to `share` of the
+/// limit, released, sheared back, and there again.
 VerifyProblem sheared_cylinders(double share) {
     const Sheared& theory = cylinders;
     const std::optional<double> judged = share < 0.3 ? std::nullopt : std::optional(two_percent);
@@ -91,14 +91,17 @@ VerifyProblem sheared_cylinders(double share) {
                           {{"verification/cattaneo.json", {{"share", share}}}},
                           {}};
     problem.quantities = {
-        {"stick zone over a", [](const Answers& a) { return contact_of_step(a, 1).friction->stick_length / 2 / cylinders.a; },
-         std::sqrt(1 - share), {}, 1},
+        {"stick zone over a",
+         [](const Answers& a) { return contact_of_step(a, 1).friction->stick_length / 2 / cylinders.a; },
+         std::sqrt(1 - share),
+         {},
+         1},
         traction("there", 1, judged, [=](double x) { return theory.loaded(share, x); }),
         traction("released", 2, {}, [=](double x) { return theory.unloaded(share, 0, x); }),
         traction("back", 3, judged, [=](double x) { return -theory.loaded(share, x); }),
         traction("there again", 4, judged, [=](double x) { return theory.loaded(share, x); }),
-        {"shear force over the load",
-         [=](const Answers& a) { return contact_of_step(a, 1).friction->utilisation.value_or(0); }, share, 1e-6},
+        {"shear force over the load", [=](const Answers& a) { return contact_of_step(a, 1).friction->utilisation.value_or(0); },
+         share, 1e-6},
         {"work of friction, there again over released and back",
          [](const Answers& a) {
              return contact_of_step(a, 4).friction->dissipated /

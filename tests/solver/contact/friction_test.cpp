@@ -141,7 +141,8 @@ std::vector<Point> all_answers(const ContactQp& qp, const Sizes& size) {
 
 bool is_among(const ContactQpResult& r, const std::vector<Point>& answers) {
     return std::any_of(answers.begin(), answers.end(), [&](const Point& p) {
-        return (p.l - r.multipliers).norm() <= 1e-7 * (1 + p.l.norm()) && (p.a - r.amplitudes()).norm() <= 1e-7 * (1 + p.a.norm());
+        return (p.l - r.multipliers).norm() <= 1e-7 * (1 + p.l.norm()) &&
+               (p.a - r.amplitudes()).norm() <= 1e-7 * (1 + p.a.norm());
     });
 }
 
