@@ -150,6 +150,11 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
     note_own_factors(scene, out, result);
+    if (has_friction(out))
+        result.notes.push_back(
+            "friction: estimates see its shear by where it comes to slip and by what it changed from the grids before; where "
+            "little "
+            "slips, or slip has turned, shear may be off by several per cent of its bound although the pressure is not");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
     warn_of_self_contact(result);

@@ -62,10 +62,11 @@ TEST(FrictionAnalysis, SlipsWhereItMustAndHoldsTheRest) {
     ASSERT_EQ(r.status, "ok") << r.message;
     const ContactResult& c = r.contacts.at(0);
     ASSERT_TRUE(c.friction);
-    EXPECT_NEAR(c.friction->shear_force, -3 * 25, 1e-7) << "on the second part, along the first's normal turned left";
+    EXPECT_NEAR(c.friction->shear_force, 3 * 25, 1e-7)
+        << "on the second part, along the first's normal turned left: to the left";
     EXPECT_NEAR(c.friction->normal_force, 3 * 100, 1e-7);
     EXPECT_NEAR(*c.friction->utilisation, 25.0 / 40, 1e-9);
-    EXPECT_GT(c.friction->slip_length, 0.1);
+    EXPECT_NEAR(c.friction->slip_length + c.friction->stick_length, c.contact_length, 1e-9);
     EXPECT_GT(c.friction->stick_length, 0.1);
     EXPECT_GT(c.friction->dissipated, 0);
     EXPECT_LT(beyond_bound(c), 1e-9);
@@ -107,9 +108,10 @@ TEST(FrictionAnalysis, OfNothingIsNoneToTheBit) {
 TEST(FrictionAnalysis, KnowsNoUnitsAndNoOrderOfParts) {
     const Result r = answer({}), other_units = answer({R"({"friction": 0.4})", {}, 1000, 64});
     const ContactResult &a = r.contacts.at(0), &b = other_units.contacts.at(0);
-    EXPECT_NEAR(b.friction->shear_force / 64, a.friction->shear_force, 1e-7);
+    // the thickness is one of the unit of length in both
+    EXPECT_NEAR(b.friction->shear_force / 0.064, a.friction->shear_force, 1e-7);
     EXPECT_NEAR(b.friction->slip_length / 1000, a.friction->slip_length, 1e-6);
-    EXPECT_NEAR(b.friction->dissipated / 64000, a.friction->dissipated, 1e-6 * a.friction->dissipated);
+    EXPECT_NEAR(b.friction->dissipated / 64, a.friction->dissipated, 1e-6 * a.friction->dissipated);
     Blocks swapped;
     swapped.swapped = true;
     const Result exchanged = answer(swapped);
@@ -125,7 +127,6 @@ TEST(FrictionAnalysis, HoldsNoMoreThanItCan) {
     EXPECT_NE(r.message.find("top slides along (1, 0)"), std::string::npos) << r.message;
     EXPECT_NE(r.message.find("A coefficient of friction of 0.25 would hold it, 0.24 does not"), std::string::npos) << r.message;
     EXPECT_EQ(answer({R"({"friction": 0.26})"}).status, "ok");
-    EXPECT_EQ(answer({R"({"pairs": [{"between": ["top/bottom", "base/top"], "friction": "rough"}]})"}).status, "ok");
 }
 
 TEST(FrictionAnalysis, RemembersFromStepToStep) {
@@ -141,16 +142,16 @@ TEST(FrictionAnalysis, RemembersFromStepToStep) {
         EXPECT_LT(beyond_bound(step.result.contacts.at(0)), 1e-9) << step.name;
         EXPECT_TRUE(step.result.solver.increments) << step.name;
     }
-    EXPECT_NEAR(friction(1).shear_force, -75, 1e-7);
+    EXPECT_NEAR(friction(1).shear_force, 75, 1e-7);
     EXPECT_NEAR(friction(2).shear_force, 0, 1e-7);
     const auto largest = [&](std::size_t k) {
         double most = 0;
         const ContactProfile& p = steps[k].result.contacts.at(0).profile;
         for (std::size_t i = 0; i < p.shear.size(); ++i)
-            most = std::max(most, std::abs(p.shear[i] - p.shear[p.shear.size() - 1 - i]));
+            most = std::max(most, std::abs(p.shear[i] + p.shear[p.shear.size() - 1 - i]));
         return most;
     };
-    EXPECT_LT(largest(0), 0.6 * largest(2)) << "pushed and let go it is not what it was";
+    EXPECT_LT(largest(0), 0.1 * largest(2)) << "pressed alone it is the same on both sides; pushed and let go it is not";
 }
 
 }  // namespace abut::friction_analysis_test
