@@ -76,12 +76,11 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
             if (!pair.found) continue;
             piece.length += rule.weights[q] * whole * length_rate;
             if (q != rule.points.size() / 2) continue;
-            const bool counts1 = c1 >= compliance_share * (c1 + c2), counts2 = c2 >= compliance_share * (c1 + c2);
-            const double size1 = size_along(first, pair.on1), size2 = size_along(second, pair.on2);
-            if (first.cells.grid.tree || second.cells.grid.tree)
-                piece.size = multiplier_spacing_of_halved * (!counts1 ? size2 : !counts2 ? size1 : std::max(size1, size2));
-            else
-                piece.size = multiplier_spacing * (!counts1 ? size2 : !counts2 ? size1 : std::min(size1, size2));
+            double size = std::numeric_limits<double>::infinity();
+            if (c1 >= compliance_share * (c1 + c2)) size = size_along(first, pair.on1);
+            if (c2 >= compliance_share * (c1 + c2)) size = std::min(size, size_along(second, pair.on2));
+            const bool halved = first.cells.grid.tree || second.cells.grid.tree;
+            piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * size;
         }
         if (piece.length > 0 && piece.size > 0) pieces.push_back(piece);
     }
