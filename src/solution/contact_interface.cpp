@@ -79,7 +79,8 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
             double size = std::numeric_limits<double>::infinity();
             if (c1 >= compliance_share * (c1 + c2)) size = size_along(first, pair.on1);
             if (c2 >= compliance_share * (c1 + c2)) size = std::min(size, size_along(second, pair.on2));
-            piece.size = multiplier_spacing * size;
+            const bool halved = first.cells.grid.tree || second.cells.grid.tree;
+            piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * size;
         }
         if (piece.length > 0 && piece.size > 0) pieces.push_back(piece);
     }
