@@ -47,8 +47,9 @@ TEST(PartGrid, ManySmallPlacesAreHalvedCells) {
     ASSERT_TRUE(grid.grid.tree);
     EXPECT_FALSE(grid.limited);
     for (const WantedSize& w : wanted) EXPECT_LE(cell_at(grid, w.points[0]), 1.0001e-4);
-    // some 25 leaves for each of 10 levels around a place; lines through all of them would make (20 x 40)^2 cells
-    EXPECT_LT(grid.grid.n_cells(), 20 * 10 * 30);
+    // a level's leaves, up to half as large as they may be, reach 2 / size_growth of them each way: at most 75 without those of
+    // the next level, of 10 levels around a place; lines through all of them would make (20 x 40)^2 cells
+    EXPECT_LT(grid.grid.n_cells(), 20 * 10 * 75);
 }
 
 TEST(PartGrid, CellsGrowWithTheDistanceAsTheyMay) {

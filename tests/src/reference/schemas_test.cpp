@@ -87,7 +87,8 @@ const char* const every_object =
     {"on": "a/*", "spring": {"normal": 1}}],
   "loads": [{"part": "a", "spin": {"about": [0, 0], "omega": 1}}],
   "contacts": {"pairs": [{"between": ["a/*", "b/*"]}]},
-  "accuracy": {"refine": [{"near": [0, 0], "radius": 1, "cell_size": 1}], "grids": {"a": {"cells": [2, 2]}}},
+  "accuracy": {"refine": [{"near": [0, 0], "radius": 1, "cell_size": 1}],
+               "grids": {"a": {"cells": [2, 2], "refine": [{"from": [0, 0], "to": [1, 1]}]}}},
   "output": {"probes": [{"part": "a", "at": [0, 0]}]},
   "cases": [{"name": "one", "loads": {}}],
   "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1, "case": "one"}]})";
