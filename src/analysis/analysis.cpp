@@ -151,10 +151,9 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     check_assumptions(scene, out, result);
     note_own_factors(scene, out, result);
     if (has_friction(out))
-        result.notes.push_back(
-            "friction: estimates see its shear by where it comes to slip and by what it changed from the grids before; where "
-            "little "
-            "slips, or slip has turned, shear may be off by several per cent of its bound although the pressure is not");
+        result.warnings.push_back(
+            "shear of friction is known less well than the pressures: where little slips, or slip has turned, it may be off by "
+            "several per cent of its bound, which the estimates do not see");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
     warn_of_self_contact(result);
