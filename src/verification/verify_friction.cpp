@@ -86,7 +86,7 @@ double least_dissipated(const Answers& answers) {
 VerifyProblem sheared_cylinders(double share) {
     const Sheared& theory = cylinders;
     const std::optional<double> judged = share < 0.3 ? std::nullopt : std::optional(two_percent);
-    VerifyProblem problem{"F1-" + number_text(share, 2),
+    VerifyProblem problem{"F1-" + number_text(100 * share, 3),
                           "equal cylinders sheared by " + number_text(share, 2) + " of what makes them slip, and back",
                           {{"verification/cattaneo.json", {{"share", share}}}},
                           {}};
