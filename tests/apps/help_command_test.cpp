@@ -22,7 +22,7 @@ TEST_F(CommandLine, HelpExplainsAKey) {
         EXPECT_EQ(run.status, 0) << words << joined(run.errors);
         expect_words(run.output, {"scene.loads[].gravity", "[x, y]", "length per time^2", "density"});
     }
-    expect_words(abut({"help", "contacts.friction"}).output, {"scene.contacts.friction", "default  0", "rough"});
+    expect_words(abut({"help", "scene.contacts.friction"}).output, {"scene.contacts.friction", "default  0", "rough"});
     expect_words(abut({"help", "result.contacts.profile.pressure"}).output, {"force per length^2"});
     expect_words(abut({"help", "materials.steel.E", "loads.on.near"}).output,
                  {"scene.materials.*.E", "scene.supports[].on.near"});

@@ -225,7 +225,7 @@ TEST(LoadCases, WhatIsWrongIsToldWithItsPlace) {
         {R"("cases": [{"loads": {"push": 1}}])", "name"},
         {R"("cases": [{"name": "a", "loads": {"push": "1 N"}}])", "/cases/0/loads/push"},
         {R"("cases": [{"name": "a", "loads": {"spin": -1}}])", "negative"},
-        {R"("cases": [{"name": "a", "loads": {}}, {"name": "a", "loads": {}}])", "another case"},
+        {R"("cases": [{"name": "a", "loads": {}}, {"name": "a", "loads": {}}])", "another load case"},
         {R"("cases": [{"name": "a", "loads": {}}], "expect": [{"quantity": "strain_energy", "value": 1, "tolerance": 1}])",
          "give \"case\""},
         {R"("cases": [{"name": "left", "loads": {}}], "expect": [{"case": "lift", "quantity": "strain_energy", "value": 1, "tolerance": 1}])",

@@ -70,8 +70,8 @@ TEST(Plan, SaysWhyOfEveryEffect) {
         EXPECT_TRUE(names.insert(e.name).second) << e.name << " twice";
     }
     EXPECT_EQ(names, (Names{"elasticity", "contact", "rigid parts", "edge loads", "body force", "gravity", "rigid supports",
-                            "interference", "bonding", "friction", "springs", "temperature", "spin", "incompressibility",
-                            "large displacement"}));
+                            "interference", "bonding", "friction", "springs", "temperature", "preload", "spin",
+                            "incompressibility", "large displacement"}));
 }
 
 TEST(Plan, IncompressibilityIsForPlaneStrainNearAHalf) {
