@@ -162,9 +162,9 @@ PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, 
 
 /// The cheapest of three: a tensor grid of all wishes; one of the shape's own, or of its extent and walls only, with cells
 /// halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where they were asked for, and it may have
-/// as many as all parts.
+/// as many as all parts. may_halve: false, the first of them.
 PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
-                         const std::vector<SizeFeature>& wanted, double budget, double budget_of_all) {
+                         const std::vector<SizeFeature>& wanted, double budget, double budget_of_all, bool may_halve) {
     const geometry::Box2 box = bounding_box(local);
     std::vector<SizeFeature> places = shape.places, own = shape.walls, all;
     places.insert(places.end(), wanted.begin(), wanted.end());
@@ -172,6 +172,7 @@ PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2
     all = own;
     all.insert(all.end(), wanted.begin(), wanted.end());
     PricedGrid best = priced(local, tensor_grid(box, largest, all), budget);
+    if (!may_halve) return best;
     const int n_tensor = best.grid.n_cells();
     for (const bool is_of_shape : {true, false}) {
         const geometry::Grid base =
@@ -208,9 +209,11 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
     for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
         for (SizeFeature& f : *features) f.size *= refinement;
     if (scene.accuracy.cell_size) return tensor_grid(box, largest, more);
+    // a penalty is as stiff as the first part's cells are small along its edge: halves of cells would be steps in it
+    const bool may_halve = !scene.contacts.penalty;
     for (;;) {
         PricedGrid cheapest =
-            cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()));
+            cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()), may_halve);
         limited = limited || cheapest.too_deep;
         if (std::isfinite(cheapest.price)) return cheapest.grid;
         limited = true;
