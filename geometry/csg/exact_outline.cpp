@@ -1,36 +1,61 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/csg/exact_outline.hpp"
 
+#include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 
 #include <algorithm>
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/variant.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
-#include "geometry/csg/exact_numbers.hpp"
 #include "geometry/curves/arc_spline.hpp"
 
 namespace abut::geometry {
 
 namespace {
 
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using PlaneTraits = CGAL::Arr_circle_segment_traits_2<Kernel>;
+using PlaneCurve = PlaneTraits::X_monotone_curve_2;
 constexpr int unknown_winding = -1;
 /// Every face holds its winding number.
 using Arrangement = CGAL::Arrangement_2<PlaneTraits, CGAL::Arr_face_extended_dcel<PlaneTraits, int>>;
 
+Kernel::Point_2 corner_at(const Vec2& p) {
+    return {p.x(), p.y()};
+}
+
+Vec2 place_of(const PlaneTraits::Point_2& p) {
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
+
+/// The monotone piece in what CGAL hands over of an arc that is longer than a point: CGAL 5 wraps it in boost's variant, CGAL 6
+/// does not.
+template <class Made>
+const PlaneCurve& piece_in(const Made& made) {
+    if constexpr (std::is_same_v<Made, PlaneCurve>)
+        return made;
+    else
+        return boost::get<PlaneCurve>(made);
+}
+
 /// Appends the line or arc from `from` over the middle of `curve` to `to`.
 void append(const Curve& curve, const Vec2& from, const Vec2& to, std::vector<PlaneCurve>& outline) {
-    const Rational begin = exact_point(from), end = exact_point(to), middle = exact_point(point(curve, 0.5));
+    const Kernel::Point_2 begin = corner_at(from), end = corner_at(to), middle = corner_at(point(curve, 0.5));
     if (std::holds_alternative<Segment>(curve) || CGAL::collinear(begin, middle, end)) {
         outline.emplace_back(begin, end);
         return;
     }
     const auto take = [&](const auto& made) {
-        if (const PlaneCurve* piece = curve_in<PlaneCurve>(made)) outline.push_back(*piece);
+        if constexpr (!std::is_same_v<std::decay_t<decltype(made)>, PlaneTraits::Point_2>) outline.push_back(piece_in(made));
     };
     PlaneTraits().make_x_monotone_2_object()(PlaneTraits::Curve_2(begin, middle, end),
                                              boost::make_function_output_iterator(take));
@@ -74,7 +99,7 @@ Cuts cuts_of(const Arrangement& arrangement, const Part& part) {
     };
     for (auto vertex = arrangement.vertices_begin(); vertex != arrangement.vertices_end(); ++vertex) {
         if (vertex->degree() == 2) continue;
-        const Vec2 p = rounded(vertex->point());
+        const Vec2 p = place_of(vertex->point());
         const double distance = from_corner(p);
         if (distance > 0 && distance <= merge_length(part))
             ++cuts.n_rounding;
@@ -91,7 +116,7 @@ bool is_rounding(const Arrangement::Face_handle& face, double same) {
     Box2 box;
     const Arrangement::Ccb_halfedge_circulator first = face->outer_ccb();
     Arrangement::Ccb_halfedge_circulator edge = first;
-    do box.extend(rounded(edge->source()->point()));
+    do box.extend(place_of(edge->source()->point()));
     while (++edge != first && box.diagonal() <= same);
     return box.diagonal() <= same;
 }
@@ -114,7 +139,7 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
             const Arrangement::Face_handle next = edge->twin()->face();
             if (next->data() != unknown_winding) continue;
             next->set_data(edge->face()->data() + step_into(edge->twin()));
-            if (next->data() != 0 && next->data() != 1 && !is_rounding(next, same)) wrong = rounded(edge->source()->point());
+            if (next->data() != 0 && next->data() != 1 && !is_rounding(next, same)) wrong = place_of(edge->source()->point());
             open.push_back(next);
         } while (!wrong && ++edge != first);
     };

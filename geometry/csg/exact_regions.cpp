@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/csg/exact_regions.hpp"
 
+#include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Boolean_set_operations_2/Gps_polygon_validation.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/General_polygon_2.h>
 #include <CGAL/General_polygon_set_2.h>
 #include <CGAL/Gps_traits_2.h>
 
 #include <algorithm>
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/variant.hpp>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
-#include "geometry/csg/exact_numbers.hpp"
 #include "geometry/csg/loop_rounding.hpp"
 #include "geometry/csg/primitives.hpp"
 #include "geometry/csg/source_portions.hpp"
@@ -32,8 +37,28 @@ struct KeepFirst {
     int operator()(int a, int b) const { return std::min(a, b); }
 };
 
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Number = Kernel::FT;
+using PlaneTraits = CGAL::Arr_circle_segment_traits_2<Kernel>;
 using EdgeTraits = CGAL::Arr_curve_data_traits_2<PlaneTraits, int, KeepFirst>;
 using MonotoneCurve = EdgeTraits::X_monotone_curve_2;
+using Rational = Kernel::Point_2;      ///< a point with rational coordinates
+using OneRoot = PlaneTraits::Point_2;  ///< a point whose coordinates are a + b sqrt(c)
+using Coordinate = OneRoot::CoordNT;
+
+/// Rounded to within a few units in the last place: a + b sqrt(c) is rewritten where it cancels.
+double rounded(const Coordinate& v) {
+    const auto a = CGAL::exact(v.a0());
+    if (!v.is_extended()) return CGAL::to_double(a);
+    const auto b = CGAL::exact(v.a1()), c = CGAL::exact(v.root());
+    const double da = CGAL::to_double(a), db = CGAL::to_double(b) * std::sqrt(CGAL::to_double(c));
+    if (da * db >= 0) return da + db;
+    return CGAL::to_double(decltype(a)(a * a - b * b * c)) / (da - db);
+}
+
+Vec2 rounded(const OneRoot& p) {
+    return {rounded(p.x()), rounded(p.y())};
+}
 
 struct Rotation {
     Number c, s;
@@ -60,6 +85,10 @@ Rotation rotation(int quarter_turns, double half_tangent) {
 Rotation rotation(double angle) {
     const double quarters = std::nearbyint(angle / (std::numbers::pi / 2));
     return rotation(static_cast<int>(quarters), std::tan((angle - quarters * (std::numbers::pi / 2)) / 2));
+}
+
+Rational exact_point(const Vec2& p) {
+    return {Number(p.x()), Number(p.y())};
 }
 
 /// x -> [xx xy; yx yy] x + (dx, dy): all moves of a primitive in one.
@@ -242,16 +271,25 @@ CGAL::Orientation orientation(int turn) {
     return turn > 0 ? CGAL::COUNTERCLOCKWISE : CGAL::CLOCKWISE;
 }
 
+/// The curve in what CGAL hands over, a point or a curve: CGAL 5 in boost's variant, CGAL 6 in the standard's.
+template <class Made>
+const MonotoneCurve* curve_in(const Made& made) {
+    if constexpr (std::is_same_v<Made, std::variant<EdgeTraits::Point_2, MonotoneCurve>>)
+        return std::get_if<MonotoneCurve>(&made);
+    else
+        return boost::get<MonotoneCurve>(&made);
+}
+
 void add_monotone_pieces(const PlaneTraits::Curve_2& curve, int source, std::vector<MonotoneCurve>& pieces) {
     const auto take = [&](const auto& made) {
-        if (const MonotoneCurve* piece = curve_in<MonotoneCurve>(made)) pieces.push_back(*piece);
+        if (const MonotoneCurve* piece = curve_in(made)) pieces.push_back(*piece);
     };
     EdgeTraits().make_x_monotone_2_object()(EdgeTraits::Curve_2(curve, source), boost::make_function_output_iterator(take));
 }
 
 void add_edge(const ExactEdge& edge, const OneRoot& from, const OneRoot& to, std::vector<MonotoneCurve>& pieces) {
     if (is_line(edge)) {
-        const PlaneCurve line(Kernel::Line_2(edge.from, edge.to), from, to);
+        const PlaneTraits::X_monotone_curve_2 line(Kernel::Line_2(edge.from, edge.to), from, to);
         pieces.emplace_back(line, edge.portion);
     } else {
         add_monotone_pieces({edge.center, edge.radius, orientation(edge.turn), from, to}, edge.portion, pieces);
