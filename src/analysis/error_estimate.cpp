@@ -78,6 +78,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
         e.inside = std::min(e.inside, distance);
         e.peak = std::min(e.peak, std::max({of_peak, distance, ends_in_peak * e.ends}));
     }
+    e.peak = std::max(e.peak, e.inside);  // no place is known better than the mean
     e.pressure = std::hypot(e.ends, e.inside);
     return e;
 }

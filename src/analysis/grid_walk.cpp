@@ -31,7 +31,8 @@ namespace {
 constexpr int max_search_widenings = 5;
 /// The search goes no farther than the smaller part is large: what moves farther is not paired where it comes to rest.
 constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
-constexpr int max_passes = 7;  // on the same candidates
+/// On the same candidates, since contacts were last found or lost; in all so many times as many.
+constexpr int max_passes = 7, most_beginnings = 4;
 
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
@@ -242,12 +243,26 @@ private:
         return out_.passes.back().unknowns > affordable;
     }
 
-    bool out_of_passes() const { return out_.passes.size() >= comparable_from_ + max_passes; }
+    bool out_of_passes() const {
+        return out_.passes.size() >= settled_from_ + max_passes ||
+               out_.passes.size() >= comparable_from_ + most_beginnings * max_passes;
+    }
+
+    /// Did the last pass miss contacts, or close others than the one before?
+    bool has_changed_contacts() const {
+        const std::size_t n = out_.passes.size();
+        if (any_missed(missed_) || n < comparable_from_ + 2) return true;
+        const std::vector<ContactRecord>&now = out_.passes[n - 1].contacts, &before = out_.passes[n - 2].contacts;
+        return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
+                           [](const ContactRecord& a, const ContactRecord& b) { return a.runs.empty() == b.runs.empty(); });
+    }
 
     void record(const SolvedAssembly& now) {
         const bool stuck = !is_solved(now);
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
+        settled_from_ = std::max(settled_from_, comparable_from_);
+        if (has_changed_contacts()) settled_from_ = out_.passes.size() - 1;
         if (scene_.in_steps) last_ = now;
     }
 
@@ -367,6 +382,7 @@ private:
     int widenings_ = 0;
     bool meets_others_ = false;
     std::size_t comparable_from_ = 0;  // passes before have other candidates
+    std::size_t settled_from_ = 0;     // passes before closed other contacts, or missed some
 };
 
 GridWalk::GridWalk(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,

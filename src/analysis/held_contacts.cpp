@@ -75,8 +75,8 @@ void warn_of_held_contacts(const Scene& scene, const ResolvedConditions& conditi
         for (const auto& [part, other] : {std::pair(c.first, c.second), std::pair(c.second, c.first)})
             for (std::size_t s = 0; s < scene.supports.size(); ++s) {
                 if (solved.grids[at(solved.solver_part[at(part)])].is_rigid) continue;
-                const auto is_held = [&](const FacingPair& p) {
-                    return holds_there(scene.supports[s], conditions.supports[s], part, part == c.first ? p.on1 : p.on2);
+                const auto is_held = [&, of = part](const FacingPair& p) {
+                    return holds_there(scene.supports[s], conditions.supports[s], of, of == c.first ? p.on1 : p.on2);
                 };
                 if (std::none_of(touching.begin(), touching.end(), is_held)) continue;
                 const std::string text = "support " + std::to_string(s) + " (" + support_label(scene, static_cast<int>(s)) +

@@ -140,8 +140,9 @@ private:
                 holds[m.second].insert(m.first);
         }
         for (const auto& [pin, around] : holds)
-            if (std::any_of(over.begin(), over.end(),
-                            [&](const auto& pair) { return around.contains(pair.first) && around.contains(pair.second); }))
+            if (std::any_of(over.begin(), over.end(), [&held = around](const auto& pair) {
+                    return held.contains(pair.first) && held.contains(pair.second);
+                }))
                 joined_by_[pin] = around;
     }
 

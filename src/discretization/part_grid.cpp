@@ -130,6 +130,24 @@ std::array<double, 2> largest_of_base(std::array<double, 2> largest, const std::
     return largest;
 }
 
+/// Condition numbers grow with the square of the ratio of cells' sides: strips longer than this would take a third of all
+/// digits.
+constexpr double longest_strip = 300;
+
+/// The largest ratio of the sides of a grid's cells; of a tree's, those of its base.
+double longest_cell(const geometry::Grid& grid) {
+    const auto range = [](const std::vector<double>& lines) {
+        double least = std::numeric_limits<double>::infinity(), most = 0;
+        for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+            least = std::min(least, lines[k + 1] - lines[k]);
+            most = std::max(most, lines[k + 1] - lines[k]);
+        }
+        return std::array<double, 2>{least, most};
+    };
+    const auto x = range(grid.x), y = range(grid.y);
+    return std::max(x[1] / y[0], y[1] / x[0]);
+}
+
 /// What a grid costs, in cells of a tensor grid that hold material; too many cells cost too much.
 struct PricedGrid {
     geometry::Grid grid;
@@ -160,9 +178,9 @@ PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, 
     return result;
 }
 
-/// The cheapest of three: a tensor grid of all wishes; one of the shape's own, or of its extent and walls only, with cells
-/// halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where they were asked for, and it may have
-/// as many as all parts. may_halve: false, the first of them.
+/// The cheapest of three: a tensor grid of all wishes, where its cells are no long strips; one of the shape's own, or of its
+/// extent and walls only, with cells halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where
+/// they were asked for, and it may have as many as all parts. may_halve: false, the first of them.
 PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
                          const std::vector<SizeFeature>& wanted, double budget, double budget_of_all, bool may_halve) {
     const geometry::Box2 box = bounding_box(local);
@@ -173,13 +191,17 @@ PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2
     all.insert(all.end(), wanted.begin(), wanted.end());
     PricedGrid best = priced(local, tensor_grid(box, largest, all), budget);
     if (!may_halve) return best;
-    const int n_tensor = best.grid.n_cells();
+    const double n_tensor = best.grid.n_cells();
+    const bool has_strips = longest_cell(best.grid) > longest_strip;
+    double most = has_strips ? std::numeric_limits<double>::infinity() : best.price;
     for (const bool is_of_shape : {true, false}) {
         const geometry::Grid base =
             is_of_shape ? tensor_grid(box, largest, own) : tensor_grid(box, largest_of_base(largest, shape.walls), shape.walls);
-        if (price_of_leaf * base.n_cells() >= n_tensor) continue;  // as it is it already costs as much
-        PricedGrid tree = halved_grid(local, base, is_of_shape ? wanted : places, best.price, budget_of_all);
-        if (tree.price < best.price) best = std::move(tree);
+        if (price_of_leaf * base.n_cells() >= (has_strips ? most : n_tensor)) continue;  // as it is it already costs as much
+        PricedGrid tree = halved_grid(local, base, is_of_shape ? wanted : places, most, budget_of_all);
+        if (tree.price >= most || longest_cell(tree.grid) > longest_strip) continue;
+        most = tree.price;
+        best = std::move(tree);
     }
     return best;
 }

@@ -99,7 +99,7 @@ VerifyProblem case_a() {
         {0, 0.9024}, {0.2, 0.9040}, {0.4, 0.9121}, {0.6, 0.9400}, {0.8, 1.0332}};
     for (const auto& [x, p] : converged)
         problem.quantities.push_back({"p / q at " + std::to_string(x).substr(0, 3) + " a",
-                                      [=](const Answers& r) { return pressure_at_x(contact_of(r), x * a) / q; }, p,
+                                      [at = x * a](const Answers& r) { return pressure_at_x(contact_of(r), at) / q; }, p,
                                       three_percent});
     problem.quantities.push_back({"contact force along y", vertical_force, q * a, statics});
     return problem;
@@ -112,7 +112,7 @@ VerifyProblem okubo() {
     VerifyProblem problem{"S-A-okubo", "the dissertation's punch beside Okubo's series", {{"scenes/case_a.json"}}, {}};
     for (const double x : {0.0, 0.2, 0.4, 0.6, 0.8})
         problem.quantities.push_back({"p / q at " + std::to_string(x).substr(0, 3) + " a",
-                                      [=](const Answers& r) { return pressure_at_x(contact_of(r), x * a) / q; },
+                                      [at = x * a](const Answers& r) { return pressure_at_x(contact_of(r), at) / q; },
                                       okubo_pressure(x), five_percent});
     return problem;
 }
