@@ -17,9 +17,8 @@ constexpr double missing = 0.33, missing_at_least = 0.17, missing_per_refinement
 /// The same of the largest pressure: 0.04 to 0.7 (shrink_fit, whose peak is a ripple); passes go on by it, so the upper end.
 constexpr double missing_of_peak = 0.75;
 /// Beside corners an error inside that seems to fall by more than this in one pass does so by chance (case_a: the change fell
-/// to a ninth, the error not at all).
+/// to a ninth, the error not at all), and so does that of a peak whose cells are no finer.
 constexpr double most_fall = 0.25;
-constexpr double same_cells = 0.95;  // ratio of knot spacings above which they are no finer
 /// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
 /// 0.1 to 0.6 (150 contacts of generated assemblies, seeds 1 and 2): of use where the change from the grid before is small by
 /// chance.
@@ -56,19 +55,27 @@ double missing_share(const PressureChange& c, double change, const std::optional
     return std::max(missing_at_least, most);
 }
 
+/// The error inside by interval: a share of the change, and no less than it was where the knots stand no closer.
+void fill_local(const ContactRecord& now, const PressureChange& c, double share, ContactError& e) {
+    double square = 0;
+    for (std::size_t i = 0; i < c.local.size(); ++i) {
+        const double its = std::max(share * share * c.local[i].square, c.local[i].kept);
+        square += its;
+        e.local.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
+    }
+    e.inside = std::sqrt(square) / c.norm;
+}
+
 ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before,
                       const std::optional<PlanePressure>& theory) {
     ContactError e;
     e.at_corner = peak_at_corner(now, c.peak);
     e.ends = end_errors(now) / c.norm;
     e.change = c.inside / c.norm;
-    e.inside = missing_share(c, e.change, before) * e.change;
+    fill_local(now, c, missing_share(c, e.change, before), e);
     e.peak = std::max(missing_of_peak * std::abs(c.peak - c.peak_before) / c.peak, ends_in_peak * e.ends);
     if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
-    if (before && c.refinement > same_cells) {
-        e.inside = std::max(e.inside, before->inside);
-        e.peak = std::max(e.peak, before->peak);
-    }
+    if (before && c.peak_stayed) e.peak = std::max(e.peak, most_fall * before->peak);
     e.force = missing * c.force_change;
     e.length = ends_in_length * e.ends;
     if (theory && are_of_one_zone(now, *theory)) {
@@ -110,11 +117,11 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     double worst = 0, strongest = 0, worst_peak = 0, largest_peak = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         if (now.contacts[k].runs.empty()) continue;  // open, but for rounding
-        const PressureChange c = change_of(now.contacts[k], before.contacts[k]);
+        const std::optional<ContactError> known =
+            k < estimate_before.contacts.size() ? estimate_before.contacts[k] : std::nullopt;
+        const PressureChange c = change_of(now.contacts[k], before.contacts[k], known ? known->local : std::vector<double>{});
         if (!(c.norm > 0)) continue;
-        const bool known = k < estimate_before.contacts.size();
-        ContactError error = estimate(now.contacts[k], c, known ? estimate_before.contacts[k] : std::nullopt,
-                                      k < theory.size() ? theory[k] : std::nullopt);
+        ContactError error = estimate(now.contacts[k], c, known, k < theory.size() ? theory[k] : std::nullopt);
         add_shear(now.contacts[k], before.contacts[k], c.norm, error);
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;

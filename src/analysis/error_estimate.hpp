@@ -5,7 +5,8 @@
 // the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
 // share of the change from the solution before; of contacts small beside their parts no more than the distance from the
 // pressure that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have
-// no limit are left out. Energy and stress: from the smoothed stresses of one solution (stress_error).
+// no limit are left out. Where cells stayed as they were the error does, too: a change tells nothing of it. Energy and stress:
+// from the smoothed stresses of one solution (stress_error).
 #pragma once
 #include <optional>
 #include <span>
@@ -23,7 +24,9 @@ struct ContactError {
     double peak = 0, force = 0, length = 0;
     double share = 1;          ///< of the strongest contact's pressure (L2)
     double share_of_peak = 1;  ///< of the largest pressure of all contacts
-    bool at_corner = false;    ///< the largest pressure stands at a corner, where it may have no limit
+    std::vector<double>
+        local{};             ///< of the rest, by interval of the pressure: squared error over length, in the pressure's units
+    bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
 };
 
 /// The estimated errors of a solution; unset: nothing to compare with.

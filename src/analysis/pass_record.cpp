@@ -16,6 +16,7 @@ namespace {
 /// Of the pressure's integral: resultants below are rounding (a ring pressed all round).
 constexpr double balanced = 1e-9;
 constexpr double same_place = 1e-6;     // of a zone's length
+constexpr double same_cells = 0.95;     // ratio of knot spacings above which they are no finer
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
 
 double spacing(const solver::KnotVector& knots, double s) {
@@ -60,6 +61,13 @@ double pressure_of(const PlanePressure& theory, double s) {
 }
 double spacing_of(const PlanePressure& /*theory*/, double /*s*/, double now) {
     return now;
+}
+
+double error_at(const ContactRecord& before, const std::vector<double>& error, double s) {
+    return error.empty() ? 0 : error[static_cast<std::size_t>(interval_of(before.pressure, s))];
+}
+double error_at(const PlanePressure& /*theory*/, const std::vector<double>& /*error*/, double /*s*/) {
+    return 0;
 }
 
 double force_of(const ContactRecord& c) {
@@ -115,8 +123,9 @@ namespace {
 
 /// All of it but the forces.
 template <class Before>
-PressureChange pressure_change(const ContactRecord& now, const Before& before) {
+PressureChange pressure_change(const ContactRecord& now, const Before& before, const std::vector<double>& error_before) {
     PressureChange change;
+    change.local.resize(static_cast<std::size_t>(now.pressure.n_intervals()));
     double ratios = 0, length = 0;
     if (now.s.empty() || before.s.empty()) return change;
     const auto& rule = geometry::gauss_rule(points_per_interval);
@@ -128,7 +137,12 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before) {
             const double p = pressure_of(now, s);
             const double s0 = place_in(before, interpolate(now.s, now.s1, s));
             const double p0 = pressure_of(before, s0);
-            change.peak = std::max(change.peak, std::abs(p));
+            const double closer = h / spacing_of(before, s0, h);
+            if (std::abs(p) > change.peak) {
+                change.peak = std::abs(p);
+                change.peak_interval = i;
+                change.peak_stayed = closer > same_cells;
+            }
             change.peak_before = std::max(change.peak_before, std::abs(p0));
             if (beside(RunEnd::Kind::corner, now, s) || beside(RunEnd::Kind::corner, before, s0)) continue;
             const double square = w * (p - p0) * (p - p0);
@@ -136,8 +150,11 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before) {
             change.norm += w * p * p;
             if (beside(RunEnd::Kind::free, now, s) || beside(RunEnd::Kind::free, before, s0)) continue;
             change.inside += square;
+            LocalChange& local = change.local[static_cast<std::size_t>(i)];
+            local.square += square;
+            if (closer > same_cells) local.kept += w * error_at(before, error_before, s0);
             if (p > 0 && p0 > 0) {
-                ratios += w * std::log(h / spacing_of(before, s0, h));
+                ratios += w * std::log(closer);
                 length += w;
             }
         }
@@ -151,8 +168,8 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before) {
 
 }  // namespace
 
-PressureChange change_of(const ContactRecord& now, const ContactRecord& before) {
-    PressureChange change = pressure_change(now, before);
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before, const std::vector<double>& error_before) {
+    PressureChange change = pressure_change(now, before, error_before);
     if (now.s.empty() || before.s.empty()) return change;
     change.force = force_of(now);
     change.force_before = force_of(before);
@@ -169,7 +186,7 @@ bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory) {
 }
 
 PressureChange change_from(const ContactRecord& now, const PlanePressure& theory) {
-    return pressure_change(now, theory);
+    return pressure_change(now, theory, {});
 }
 
 }  // namespace abut

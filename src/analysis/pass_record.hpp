@@ -38,6 +38,12 @@ struct PassRecord {
 /// Records a solution; seconds: since the first grid was begun.
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
+/// A change in one interval of a pressure's knots, without the neighbourhoods of corners and of free ends.
+struct LocalChange {
+    double square = 0;  ///< of the difference, integrated
+    double kept = 0;    ///< squared error of before, integrated where the knots stand no closer than then
+};
+
 /// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.
 struct PressureChange {
     double difference = 0;               ///< L2, like the norm without the neighbourhoods of corners
@@ -46,9 +52,13 @@ struct PressureChange {
     double norm = 0;                     ///< L2 of the pressure
     double peak = 0, peak_before = 0;    ///< largest magnitude: bonds pull, too
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
-    double force_change = 0;  ///< of the resultant, relative to it; of the integral where that is unknown or rounding
+    double force_change = 0;         ///< of the resultant, relative to it; of the integral where that is unknown or rounding
+    std::vector<LocalChange> local;  ///< by interval
+    int peak_interval = 0;           ///< where the pressure is largest
+    bool peak_stayed = false;        ///< the knots there stand no closer than before
 };
-PressureChange change_of(const ContactRecord& now, const ContactRecord& before);
+/// error_before: by interval of `before`, its squared error over length; empty: unknown.
+PressureChange change_of(const ContactRecord& now, const ContactRecord& before, const std::vector<double>& error_before = {});
 /// Do both tables begin and end at the same places? Those of a closed zone may have moved.
 bool are_of_one_zone(const ContactRecord& now, const PlanePressure& theory);
 /// The change of a contact's pressure from the theory's, which has no force and no knots: refinement 1.
