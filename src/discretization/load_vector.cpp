@@ -25,13 +25,17 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
     if (std::none_of(portions.begin(), portions.end(), is_here)) return;
     MeteredCall call(result.uses, effect_of(load));
     const EdgeTraction spread = edge_traction(scene, load, portions);
-    for (const EdgePortion& portion : portions) {
-        if (!is_here(portion)) continue;
-        for (const BoundaryPoint& p : boundary_points(g, portion)) {
-            const Vec2 t = traction_at(load, spread, g.frame.to_global(p.x), g.frame.vector_to_global(p.normal));
-            points.push_back({p.element, p.x, p.weight, g.frame.vector_to_local(t)});
-            magnitude += p.weight * g.input.thickness * t.norm();
-        }
+    const EdgeField traction = [&](const Vec2& x, const Vec2& normal) -> Vec2 {
+        return g.frame.vector_to_local(traction_at(load, spread, g.frame.to_global(x), g.frame.vector_to_global(normal)));
+    };
+    const bool is_even = load.value[0].is_constant() && load.value[1].is_constant();
+    for (const EdgePortion& whole : portions) {
+        if (!is_here(whole)) continue;
+        for (const EdgePortion& portion : is_even ? std::vector{whole} : cut_where_rough(g, whole, traction))
+            for (const BoundaryPoint& p : boundary_points(g, portion)) {
+                points.push_back({p.element, p.x, p.weight, traction(p.x, p.normal)});
+                magnitude += p.weight * g.input.thickness * points.back().traction.norm();
+            }
     }
     if (points.empty()) return;
     call.count(points.size());

@@ -43,7 +43,7 @@ std::optional<OnSide> grid_side_of(const PartOnGrid& g, int edge, double t0, dou
     return std::nullopt;
 }
 
-void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& portion, const HeldComponent& component) {
+void append_points_of(SupportSet& set, const PartOnGrid& g, const EdgePortion& portion, const HeldComponent& component) {
     for (const BoundaryPoint& p : boundary_points(g, portion)) {
         const Vec2 direction = component.direction ? g.frame.vector_to_local(*component.direction) : p.normal;
         const Vec2 global = g.frame.to_global(p.x);
@@ -54,6 +54,18 @@ void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& port
                                  std::to_string(global.y()) + ") on part " + g.local.name,
                              "check its expression");
         set.points.push_back({p.element, p.x, p.normal, direction, p.weight, value});
+    }
+}
+
+void append_points(SupportSet& set, const PartOnGrid& g, const EdgePortion& whole, const HeldComponent& component) {
+    if (component.value && !component.value->is_constant()) {
+        const EdgeField value = [&](const Vec2& x, const Vec2& /*normal*/) {
+            const Vec2 global = g.frame.to_global(x);
+            return Vec2((*component.value)(global.x(), global.y()), 0);
+        };
+        for (const EdgePortion& portion : cut_where_rough(g, whole, value)) append_points_of(set, g, portion, component);
+    } else {
+        append_points_of(set, g, whole, component);
     }
 }
 
