@@ -73,7 +73,9 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     e.ends = end_errors(now) / c.norm;
     e.change = c.inside / c.norm;
     fill_local(now, c, missing_share(c, e.change, before), e);
-    e.peak = std::max(missing_of_peak * std::abs(c.peak - c.peak_before) / c.peak, ends_in_peak * e.ends);
+    // of a pressure that is even but for ripples the largest one is the peak, here or there
+    const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
+    e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
     if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
     if (before && c.peak_stayed) e.peak = std::max(e.peak, most_fall * before->peak);
     e.force = missing * c.force_change;
@@ -81,9 +83,9 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     if (theory && are_of_one_zone(now, *theory)) {
         const PressureChange away = change_from(now, *theory);
         const double distance = std::hypot(away.inside / away.norm, e.force, theory->doubt);
-        const double of_peak = std::abs(away.peak - away.peak_before) / away.peak;
+        const double of_theory = std::abs(away.peak - away.peak_before) / away.peak;
         e.inside = std::min(e.inside, distance);
-        e.peak = std::min(e.peak, std::max({of_peak, distance, ends_in_peak * e.ends}));
+        e.peak = std::min(e.peak, std::max({of_theory, distance, ends_in_peak * e.ends}));
     }
     e.peak = std::max(e.peak, e.inside);  // no place is known better than the mean
     e.pressure = std::hypot(e.ends, e.inside);

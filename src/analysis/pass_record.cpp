@@ -2,6 +2,7 @@
 #include "src/analysis/pass_record.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
@@ -129,6 +130,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
     double ratios = 0, length = 0;
     if (now.s.empty() || before.s.empty()) return change;
     const auto& rule = geometry::gauss_rule(points_per_interval);
+    std::vector<std::array<double, 2>> inside;  // pressure and difference
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
         const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
         const double h = now.pressure.breakpoints[static_cast<std::size_t>(i) + 1] - a;
@@ -150,6 +152,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             change.norm += w * p * p;
             if (beside(RunEnd::Kind::free, now, s) || beside(RunEnd::Kind::free, before, s0)) continue;
             change.inside += square;
+            inside.push_back({std::abs(p), std::abs(p - p0)});
             LocalChange& local = change.local[static_cast<std::size_t>(i)];
             local.square += square;
             if (closer > same_cells) local.kept += w * error_at(before, error_before, s0);
@@ -159,6 +162,8 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             }
         }
     }
+    for (const auto& [p, difference] : inside)
+        if (p + difference >= change.peak) change.around_peak = std::max(change.around_peak, difference);
     change.difference = std::sqrt(change.difference);
     change.inside = std::sqrt(change.inside);
     change.refinement = length > 0 ? std::exp(ratios / length) : 1;

@@ -51,6 +51,7 @@ struct PressureChange {
     double refinement = 1;               ///< of the knots there: their spacing over that before, geometric mean
     double norm = 0;                     ///< L2 of the pressure
     double peak = 0, peak_before = 0;    ///< largest magnitude: bonds pull, too
+    double around_peak = 0;              ///< largest difference inside where it could have made, or hidden, the peak
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
     double force_change = 0;         ///< of the resultant, relative to it; of the integral where that is unknown or rounding
     std::vector<LocalChange> local;  ///< by interval
