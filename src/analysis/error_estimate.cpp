@@ -77,7 +77,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
     if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
-    if (before && c.peak_stayed) e.peak = std::max(e.peak, most_fall * before->peak);
+    if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak);
     e.force = missing * c.force_change;
     e.length = ends_in_length * e.ends;
     if (theory && are_of_one_zone(now, *theory)) {

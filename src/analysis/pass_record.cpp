@@ -126,9 +126,9 @@ namespace {
 template <class Before>
 PressureChange pressure_change(const ContactRecord& now, const Before& before, const std::vector<double>& error_before) {
     PressureChange change;
-    change.local.resize(static_cast<std::size_t>(now.pressure.n_intervals()));
     double ratios = 0, length = 0;
     if (now.s.empty() || before.s.empty()) return change;
+    change.local.resize(static_cast<std::size_t>(now.pressure.n_intervals()));
     const auto& rule = geometry::gauss_rule(points_per_interval);
     std::vector<std::array<double, 2>> inside;  // pressure and difference
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
@@ -167,6 +167,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
     change.difference = std::sqrt(change.difference);
     change.inside = std::sqrt(change.inside);
     change.refinement = length > 0 ? std::exp(ratios / length) : 1;
+    change.stayed = change.refinement > same_cells;
     change.norm = std::sqrt(change.norm);
     return change;
 }

@@ -57,6 +57,7 @@ struct PressureChange {
     std::vector<LocalChange> local;  ///< by interval
     int peak_interval = 0;           ///< where the pressure is largest
     bool peak_stayed = false;        ///< the knots there stand no closer than before
+    bool stayed = false;             ///< nor do they in the mean
 };
 /// error_before: by interval of `before`, its squared error over length; empty: unknown.
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before, const std::vector<double>& error_before = {});
