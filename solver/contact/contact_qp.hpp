@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "solver/linear_algebra/compliance.hpp"
+
 namespace abut::solver {
 
 class ClosedFactor;
@@ -23,7 +25,7 @@ struct FrictionRow {
 
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {
-    Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
+    Compliance compliance;         ///< C, symmetric positive semidefinite (m x m)
     Eigen::VectorXd gap;           ///< g (m)
     Eigen::MatrixXd modes;         ///< G (m x n)
     Eigen::VectorXd mode_load;     ///< h (n)
