@@ -444,7 +444,7 @@ ContactQp sparse(ContactQp qp) {
 }
 
 TEST(ContactQp, AnswersASparseProblemLikeADenseOne) {
-    int n_fallback = 0, n_mechanisms = 0;
+    int n_mechanisms = 0;
     for (unsigned trial = 0; trial < 1000; ++trial) {
         SCOPED_TRACE(trial);
         const Index m = 1 + static_cast<Index>(trial % 17), n = static_cast<Index>(trial / 17 % 4);
@@ -455,9 +455,24 @@ TEST(ContactQp, AnswersASparseProblemLikeADenseOne) {
         if (!dense.feasible) continue;
         expect_solved(qp, r, 1e-9);
         EXPECT_LT((r.multipliers - dense.multipliers).norm(), 1e-8 * (1 + dense.multipliers.norm()));
-        n_fallback += r.used_fallback;
     }
     EXPECT_GT(n_mechanisms, 20);
+}
+
+TEST(ContactQp, FinishesASparseProblemFromInsideWhereThePrimalDualSetCycles) {
+    int n_fallback = 0;
+    for (unsigned trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE(trial);
+        std::mt19937 random = generator(300 + trial);
+        const MatrixXd b = random_matrix(random, 20, 10);
+        Manufactured p = manufactured(trial, b * b.transpose() + 0.001 * MatrixXd::Identity(20, 20),
+                                      random_matrix(random, 20, trial % 3), 0, 0);
+        p.qp.drawn_gap = random_matrix(random, 20, 1);
+        const ContactQpResult r = solve_contact_qp(sparse(p.qp));
+        expect_solved(p.qp, r, 1e-9);
+        EXPECT_LT((r.multipliers - p.multipliers).cwiseAbs().maxCoeff(), 1e-8);
+        n_fallback += r.used_fallback;
+    }
     EXPECT_GT(n_fallback, 5);
 }
 
