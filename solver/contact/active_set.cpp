@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "solver/linear_algebra/blas.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/nonnegative.hpp"
 
@@ -23,7 +22,6 @@ constexpr double free_fraction = 1e-10;      // of the largest stiffness against
 constexpr double closed_fraction = 1e-8;     // of the largest elastic closing: gaps of redundant rows, by rounding
 constexpr double clear_fraction = 1e-6;      // of the deepest penetration: what free motions leave it by, besides
 constexpr double term_rounding = 1e-14;      // of the terms of a gap
-constexpr int least_rows_for_blas = 16;      // of a product with C: below, the call costs more than it saves
 
 std::vector<Index> members(const ActiveSet& set) {
     std::vector<Index> list;
@@ -36,49 +34,26 @@ bool is_unilateral(const ContactQp& qp, Index row) {
     return qp.unilateral[static_cast<std::size_t>(row)] != 0;
 }
 
-/// The closed rows condensed to the amplitudes, measured from an anchor; L is the factor of C there.
+/// The closed rows condensed to the amplitudes, measured from an anchor.
 struct Condensed {
     MatrixXd stiffness;  // G'C^-1 G
     VectorXd load;       // h - G'C^-1 g
-    MatrixXd columns;    // L^-1 [G g]
 };
-
-/// A'A.
-MatrixXd gram(const MatrixXd& a) {
-    const int n = static_cast<int>(a.cols()), k = static_cast<int>(a.rows());
-    const double one = 1, zero = 0;
-    MatrixXd product(n, n);
-    const int lda = std::max(k, 1);
-    dsyrk_("L", "T", &n, &k, &one, a.data(), &lda, &zero, product.data(), &n);
-    product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
-    return product;
-}
 
 /// False where C is indefinite on the set.
 bool condense(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet& active, ClosedFactor& factor, Condensed& c) {
     if (!factor.move_to(active)) return false;
-    const std::vector<Index>& closed = factor.rows();
     const Index n = shifted.qp.modes.cols();
-    MatrixXd& columns = c.columns;
-    columns.resize(static_cast<Index>(closed.size()), n + 1);
-    columns.leftCols(n) = factor.solved(shifted.qp.modes);
-    VectorXd gap = shifted.gap(closed);
-    factor.solve_lower(gap);
-    columns.col(n) = gap + columns.leftCols(n) * anchor;
-    const MatrixXd products = gram(columns);
+    const MatrixXd products = factor.inverse_form(shifted.qp.modes, shifted.gap, anchor);
     c.stiffness = products.topLeftCorner(n, n);
     c.load = shifted.qp.mode_load - products.col(n).head(n);
     return true;
 }
 
-ContactState state_of(const ContactQp& qp, const Condensed& c, const ClosedFactor& factor, const VectorXd& anchor,
-                      const VectorXd& motion) {
-    const Index n = motion.size();
-    VectorXd forces = -c.columns.col(n) - c.columns.leftCols(n) * motion;
-    factor.solve_transposed(forces);
+ContactState state_of(const ContactQp& qp, const ClosedFactor& factor, const VectorXd& anchor, const VectorXd& motion) {
     VectorXd l = VectorXd::Zero(qp.gap.size());
-    l(factor.rows()) = forces;
-    VectorXd closing = closing_of(qp, l);
+    l(factor.rows()) = -factor.solve(qp.modes, motion);
+    VectorXd closing = qp.compliance * l;
     return {std::move(l), anchor + motion, std::move(closing)};
 }
 
@@ -97,7 +72,7 @@ public:
     double operator()(const VectorXd& l) const {
         const VectorXd load = shifted_.qp.modes.transpose() * l + shifted_.qp.mode_load;
         const double held = load.size() > 0 ? load.dot(proximal_.anchor + 0.5 * factor_.solve(load)) : 0.0;
-        return l.dot(0.5 * closing_of(shifted_.qp, l) + shifted_.gap) + held;
+        return l.dot(0.5 * (shifted_.qp.compliance * l) + shifted_.gap) + held;
     }
 
 private:
@@ -196,7 +171,7 @@ bool solve_set(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet
     Condensed c;
     VectorXd motion;
     if (!condense(shifted, anchor, active, factor, c) || !solve(c, motion)) return false;
-    state = state_of(shifted.qp, c, factor, anchor, motion);
+    state = state_of(shifted.qp, factor, anchor, motion);
     return closes_what_is_left_out(shifted, factor, state);
 }
 
@@ -217,15 +192,6 @@ SetSearch search_sets(const ShiftedQp& shifted, const Solve& solve, ActiveSet& a
 }
 
 }  // namespace
-
-VectorXd closing_of(const ContactQp& qp, const VectorXd& multipliers) {
-    const int m = static_cast<int>(multipliers.size()), step = 1;
-    if (m < least_rows_for_blas) return qp.compliance * multipliers;
-    const double one = 1, zero = 0;
-    VectorXd closing(m);
-    dgemv_("N", &m, &m, &one, qp.compliance.data(), &m, multipliers.data(), &step, &zero, closing.data(), &step);
-    return closing;
-}
 
 ActiveSet bilateral_rows(const ContactQp& qp) {
     ActiveSet set(qp.unilateral.size());

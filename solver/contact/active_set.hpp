@@ -34,9 +34,6 @@ struct ContactState {
 /// The set of the rows that are always closed.
 ActiveSet bilateral_rows(const ContactQp& qp);
 
-/// What multipliers close of the gaps: C l (m).
-Eigen::VectorXd closing_of(const ContactQp& qp, const Eigen::VectorXd& multipliers);
-
 /// Finds the stationary point with the gaps of `active` closed and all other multipliers zero, those of redundant rows too;
 /// false where C is indefinite on the set, redundant rows ask for other gaps than the rest, or the amplitudes' Schur complement
 /// is singular. factor: of the problem's compliance, on any set before; so for all that follows.

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "solver/contact/contact_qp.hpp"
 #include "solver/contact/neutral_motions.hpp"
 
 namespace abut::solver {
@@ -17,6 +18,9 @@ struct AssemblyRows {
     std::vector<FrictionRow> friction;
 };
 AssemblyRows assembly_rows(const AssemblyProblem& problem);
+
+/// The rows' motions (rows x motions) combined, as a rule each of few: G B.
+Eigen::MatrixXd times_few(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& combinations);
 
 /// Pressures times 1 + a combination of levers, such that neutral motions balance, too, and the others as before. levers: of
 /// the rows in the neutral motions (rows x motions). What closed gaps change by is as small as the imbalance was. Nothing where

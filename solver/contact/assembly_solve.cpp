@@ -162,6 +162,12 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
 
 }  // namespace
 
+MatrixXd times_few(const MatrixXd& modes, const MatrixXd& combinations) {
+    const Eigen::SparseMatrix<double> few = combinations.sparseView();
+    if (few.nonZeros() == combinations.size()) return modes * combinations;
+    return modes * few;
+}
+
 std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, const VectorXd& forces) {
     constexpr double rounding = 1e-13, most_change = 0.02;
     MatrixXd motions(levers.rows(), qp.modes.cols() + levers.cols());
@@ -171,15 +177,18 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     if (imbalance.cwiseAbs().maxCoeff() <= rounding * forces.cwiseAbs().sum()) return forces;
     VectorXd size = forces.cwiseAbs();
     for (const FrictionRow& f : qp.friction) size[f.normal] = size[f.tangential] = 0;  // their bounds stay as they are
-    const MatrixXd weighted = size.asDiagonal() * motions;
-    const VectorXd amplitudes = least_squares(motions.transpose() * weighted, imbalance);
+    std::vector<Index> pressed;
+    for (Index k = 0; k < size.size(); ++k)
+        if (size[k] != 0) pressed.push_back(k);
+    const MatrixXd of_pressed = motions(pressed, Eigen::all), weighted = size(pressed).asDiagonal() * of_pressed;
+    const VectorXd amplitudes = least_squares(of_pressed.transpose() * weighted, imbalance);
     const VectorXd change = (size.array() != 0).select(-motions * amplitudes, 0.0);
     if (!(change.cwiseAbs().maxCoeff() <= most_change)) return std::nullopt;
     return forces + size.cwiseProduct(change);
 }
 
 HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
-    qp.modes = qp.modes * held;
+    qp.modes = times_few(qp.modes, held);
     qp.mode_load = held.transpose() * qp.mode_load;
     result = solve_contact_qp(qp);
 }
@@ -227,7 +236,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
     find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
     if (!solution.mechanism.empty()) return answered;
-    const MatrixXd levers = qp.modes * split.balanced;
+    const MatrixXd levers = times_few(qp.modes, split.balanced);
     const HeldAnswer held = solve_held(qp, split, levers);
     solution.iterations = held.result.iterations;
     solution.converged = held.result.converged;
@@ -247,7 +256,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
             recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
         }
     add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
-    take_least_motion(problem, split.neutral, solution);
+    take_least_motion(problem, split.neutral, threads, solution);
     answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
     return answered;

@@ -2,10 +2,13 @@
 #include "solver/contact/condensation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <span>
+#include <utility>
 
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 
@@ -77,13 +80,65 @@ PartShare share_of(const PartSystem& part, const std::vector<RowEntry>& entries,
     return share;
 }
 
-void add_share(const PartShare& share, ContactQp& qp) {
-    if (share.opening.size() > 0) qp.gap += share.opening;
+void add_share(const PartShare& share, MatrixXd& compliance) {
     const auto n = static_cast<Index>(share.row.size());
     for (Index b = 0; b < n; ++b)
         for (Index a = 0; a < n; ++a)
-            qp.compliance(share.row[static_cast<std::size_t>(a)], share.row[static_cast<std::size_t>(b)]) +=
+            compliance(share.row[static_cast<std::size_t>(a)], share.row[static_cast<std::size_t>(b)]) +=
                 share.compliance(a, b);
+}
+
+/// Where few rows share a part: the sum of the parts' blocks in order, column by column.
+Eigen::SparseMatrix<double> sparse_sum(const std::vector<PartShare>& shares, int m) {
+    std::vector<std::vector<std::array<std::size_t, 2>>> of_column(at(m));  // share, place in it
+    Index entries = m;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const std::size_t n = shares[i].row.size();
+        for (std::size_t k = 0; k < n; ++k) of_column[at(shares[i].row[k])].push_back({i, k});
+        entries += static_cast<Index>(n * n);
+    }
+    Eigen::SparseMatrix<double> sum(m, m);
+    sum.reserve(entries);
+    VectorXd column = VectorXd::Zero(m);
+    std::vector<int> rows;
+    for (int j = 0; j < m; ++j) {
+        rows.assign(1, j);  // the diagonal always
+        for (const auto& [i, place] : of_column[at(j)]) {
+            const PartShare& share = shares[i];
+            for (std::size_t k = 0; k < share.row.size(); ++k)
+                column[share.row[k]] += share.compliance(static_cast<Index>(k), static_cast<Index>(place));
+            rows.insert(rows.end(), share.row.begin(), share.row.end());
+        }
+        std::sort(rows.begin(), rows.end());
+        rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+        sum.startVec(j);
+        for (int row : rows) sum.insertBack(row, j) = std::exchange(column[row], 0.0);
+    }
+    sum.finalize();
+    return sum;
+}
+
+/// From so many rows on a sparse C is looked for, and taken where its blocks fill no more than this share of it: a dense
+/// factor is made of larger products.
+constexpr int least_sparse_rows = 800;
+constexpr double sparse_fill = 0.25;
+
+bool is_worth_sparse(const std::vector<PartShare>& shares, int m) {
+    double entries = 0;
+    for (const PartShare& share : shares) entries += static_cast<double>(share.row.size() * share.row.size());
+    return m >= least_sparse_rows && entries <= sparse_fill * m * m;
+}
+
+Compliance sum_of(const std::vector<PartShare>& shares, int m, const VectorXd& softness) {
+    if (is_worth_sparse(shares, m)) {
+        Eigen::SparseMatrix<double> sum = sparse_sum(shares, m);
+        for (Index k = 0; k < softness.size(); ++k) sum.coeffRef(k, k) += softness[k];
+        return sum;
+    }
+    MatrixXd sum = MatrixXd::Zero(m, m);
+    for (const PartShare& share : shares) add_share(share, sum);
+    sum.diagonal().head(softness.size()) += softness;
+    return sum;
 }
 
 void add_modes(const PartSystem& part, const std::vector<RowEntry>& entries, Index offset, ContactQp& qp) {
@@ -109,14 +164,8 @@ ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, doubl
     ENSURE(rows.by_part.size() == parts.size() && rows.gap0.size() == m && rows.weight.size() == m &&
                static_cast<Index>(rows.unilateral.size()) == m && rows.softness.size() <= m,
            "rows are of these parts, with a gap, a weight and a kind each");
-    ContactQp qp{MatrixXd::Zero(m, m),
-                 rows.gap0,
-                 MatrixXd::Zero(m, n),
-                 VectorXd::Zero(n),
-                 rows.unilateral,
-                 VectorXd::Zero(m),
-                 rows.gap0,
-                 load_scale};
+    ContactQp qp{{},        rows.gap0, MatrixXd::Zero(m, n), VectorXd::Zero(n), rows.unilateral, VectorXd::Zero(m),
+                 rows.gap0, load_scale};
     std::vector<PartShare> shares(parts.size());
     parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const auto k = static_cast<std::size_t>(i);
@@ -124,15 +173,15 @@ ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, doubl
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {
         add_modes(parts[i], rows.by_part[i], offset[i], qp);
-        add_share(shares[i], qp);
+        if (shares[i].opening.size() > 0) qp.gap += shares[i].opening;
     }
-    if (rows.softness.size() > 0) qp.compliance.diagonal().head(rows.softness.size()) += rows.softness;
+    qp.compliance = sum_of(shares, rows.n, rows.softness);
     return qp;
 }
 
 void scale_rows(ContactQp& qp, const VectorXd& weight) {
     const VectorXd s = weight.cwiseInverse();
-    qp.compliance = s.asDiagonal() * qp.compliance * s.asDiagonal();
+    qp.compliance = qp.compliance.scaled(s);
     qp.gap = s.cwiseProduct(qp.gap);
     qp.drawn_gap = s.cwiseProduct(qp.drawn_gap);
     qp.modes = s.asDiagonal() * qp.modes;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -140,16 +141,33 @@ void conclude(const ShiftedQp& shifted, const VectorXd& settled, ContactState& s
     result.motion = std::move(state.amplitudes);
 }
 
-/// The search from the expected set, and from there by passes where a motion is left free; the amplitudes from where the bodies
-/// would settle on it. False: nothing is known from it.
-bool solve_from_expected(const ContactQp& qp, ContactQpResult& result) {
+/// The same where sets leave bodies free, on which no load acts: they stay where they settled, as far as nothing penetrates.
+bool solve_leaving_free(const ShiftedQp& shifted, ClosedFactor& factor, ContactState& state, ContactQpResult& result) {
+    ContactState exact;
+    ActiveSet active = result.active;
+    if (primal_dual_or_least_motion(shifted, active, factor, exact, result.iterations) != SetSearch::found) return false;
+    if (!is_balanced(shifted.qp, exact.multipliers)) return false;
+    state = std::move(exact);
+    result.active = std::move(active);
+    return true;
+}
+
+/// The search from the expected set; the amplitudes from where the bodies would settle on it, or else on all rows. False:
+/// nothing is known from it.
+bool solve_from_expected(const ContactQp& qp, const std::function<const Settled&()>& settled_on_all, ContactQpResult& result) {
     result.active = closed_by(qp, qp.expected);
-    const std::optional<VectorXd> settled = settle_on(qp, result.active);
-    if (!settled) return false;
+    std::optional<VectorXd> settled = settle_on(qp, result.active);
+    const bool holds_all = settled.has_value();
+    if (!holds_all) {
+        if (!settled_on_all().balanced) return false;
+        settled = settled_on_all().amplitudes;
+    }
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
     ClosedFactor factor(qp.compliance, qp.expected);
-    result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
+    const SetSearch search = holds_all ? solve_exactly(near, factor, state, result) : SetSearch::singular;
+    result.converged =
+        search == SetSearch::found || (search == SetSearch::singular && solve_leaving_free(near, factor, state, result));
     if (!result.converged) return false;
     conclude(near, *settled, state, result);
     return true;
@@ -231,8 +249,13 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
         return result;
     }
     if (solve_linear(qp, result)) return result;
-    if (qp.expected.size() > 0 && solve_from_expected(qp, result)) return result;
-    const Settled start = settle_rigidly(qp);
+    std::optional<Settled> settled;
+    const auto settled_on_all = [&]() -> const Settled& {
+        if (!settled) settled = settle_rigidly(qp);
+        return *settled;
+    };
+    if (qp.expected.size() > 0 && solve_from_expected(qp, settled_on_all, result)) return result;
+    const Settled& start = settled_on_all();
     if (!start.balanced && find_mechanism(qp, result)) return result;
 
     // amplitudes from where the bodies settle: a clearance, however wide, then leaves no rounding in the elastic answer
@@ -240,23 +263,31 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ContactState state{start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
     ClosedFactor factor(qp.compliance, start.multipliers);
     result.active = closed_by(qp, start.multipliers);
-    const SetSearch search = solve_exactly(near, factor, state, result);
+    // sets of many contacts that are not found from what is expected seldom are from the settle's
+    const bool has_many = qp.compliance.is_sparse();
+    const SetSearch search =
+        has_many && qp.expected.size() > 0 ? SetSearch::repeated : solve_exactly(near, factor, state, result);
     const auto pass = [&](bool may_descend) {
         result.active = closed_by(qp, start.multipliers);
         state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), {}};
         const bool repeats = may_descend && search == SetSearch::repeated;
         return run_passes(near, start.stiffness, repeats, may_descend, factor, state, result);
     };
-    result.converged = search == SetSearch::found || (search == SetSearch::singular && pass(false)) ||
-                       solve_from_inside(near, start.multipliers, factor, state, result) || pass(true);
-    if (!result.converged) state.closing = closing_of(qp, state.multipliers);
+    const auto leave_free = [&] {
+        result.active = closed_by(qp, start.multipliers);
+        return solve_leaving_free(near, factor, state, result);
+    };
+    result.converged = search == SetSearch::found ||
+                       (search == SetSearch::singular && (has_many ? leave_free() : pass(false))) ||
+                       solve_from_inside(near, start.multipliers, factor, state, result) || pass(!has_many);
+    if (!result.converged) state.closing = qp.compliance * state.multipliers;
     conclude(near, start.amplitudes, state, result);
     return result;
 }
 
 double contact_residual(const ContactQp& qp, const ContactConditions& c) {
     if (!qp.friction.empty()) return friction_residual(qp, c);
-    return residual_of(qp, c, closing_of(qp, c.multipliers));
+    return residual_of(qp, c, qp.compliance * c.multipliers);
 }
 
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {

@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "solver/linear_algebra/compliance.hpp"
+
 namespace abut::solver {
 
 class ClosedFactor;
@@ -23,7 +25,7 @@ struct FrictionRow {
 
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {
-    Eigen::MatrixXd compliance;    ///< C, symmetric positive semidefinite (m x m)
+    Compliance compliance;         ///< C, symmetric positive semidefinite (m x m)
     Eigen::VectorXd gap;           ///< g (m)
     Eigen::MatrixXd modes;         ///< G (m x n)
     Eigen::VectorXd mode_load;     ///< h (n)
@@ -54,7 +56,7 @@ struct ContactQpResult {
 
 /// Solves the contact problem, in these steps:
 /// 0. Where a set is expected, step 2 from it, the amplitudes measured from where the bodies would settle on it. Usually
-///    the end, after one step.
+///    the end, after one step. Where it leaves bodies free that carry nothing, they settle as in step 1 and stay there.
 /// 1. A rigid settle on a Winkler foundation gives the first active set and the amplitudes that all others are measured from.
 ///    Where it finds no balance, non-negative least squares on the equilibrium alone: the residual is a mechanism's motion.
 ///    Without unilateral rows there is nothing to search, and this is left out.
@@ -64,6 +66,7 @@ struct ContactQpResult {
 ///    without the term; where a single point carries all, the balance becomes exact by the passes.
 /// 4. Where it repeats a set, or a pass does: the interior point method, and the active set again from the rows that it closes.
 /// 5. Where that does not end either: the passes again, with the descending active set where one repeats or loses a set.
+/// Where C is sparse, step 4 comes at once where step 0 does not end, no step 3 comes before it, and nothing descends after it.
 /// With friction: solve_with_friction (friction.hpp) instead.
 ContactQpResult solve_contact_qp(const ContactQp& qp);
 /// The answer from that of a problem that differs by its loads: from its set (`expected`), the amplitudes measured from its

@@ -198,7 +198,7 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
         stick_where_pressed();
         result.converged = pass_by_pass(near, start.stiffness, state, result);
     }
-    if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), closing_of(qp, start.multipliers)};
+    if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);
     return result;
 }
@@ -210,7 +210,7 @@ double friction_residual(const ContactQp& qp, const ContactConditions& c) {
     for (std::size_t k = 0; k < is_tangential.size(); ++k)
         if (!is_tangential[k]) rows.push_back(static_cast<Index>(k));
     const double largest = c.multipliers.size() > 0 ? c.multipliers.cwiseAbs().maxCoeff() : 0;
-    const VectorXd closing = closing_of(qp, c.multipliers);
+    const VectorXd closing = qp.compliance * c.multipliers;
     const double length = closing.size() == 0 ? 0 : (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
     const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
     const double force = force_scale(qp, c.multipliers);

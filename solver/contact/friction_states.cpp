@@ -92,7 +92,7 @@ class Pivots {
 public:
     Pivots(const ShiftedQp& shifted, const Proximal& proximal) : qp_(shifted.qp), unit_(force_unit(qp_)) {
         const Cholesky stiffness(proximal.stiffness);
-        c_ = unit_ * qp_.compliance;
+        c_ = unit_ * qp_.compliance.to_dense();
         g_ = shifted.gap;
         if (qp_.modes.cols() > 0) {
             c_ += unit_ * qp_.modes * stiffness.solve_columns(qp_.modes.transpose());
@@ -197,7 +197,7 @@ bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const Acti
     state.multipliers(u.rows) = unit * x->head(m);
     for (const Unknowns::Slip& s : u.slips) state.multipliers[s.tangential] = s.factor * unit * (*x)[s.column];
     state.amplitudes = x->tail(n);
-    state.closing = closing_of(qp, state.multipliers);
+    state.closing = qp.compliance * state.multipliers;
     return true;
 }
 

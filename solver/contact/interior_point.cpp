@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/sparse_cholesky.hpp"
 
 namespace abut::solver {
 
@@ -31,9 +33,46 @@ struct Scales {
     double force, length;
 };
 
+/// The factor of C with another diagonal.
+class SoftenedFactor {
+public:
+    explicit SoftenedFactor(const ContactQp& qp) : qp_(qp) {
+        if (!qp.compliance.is_sparse()) return;
+        std::vector<Index> rows(static_cast<std::size_t>(qp.gap.size()));
+        std::iota(rows.begin(), rows.end(), Index{0});
+        lower_ = qp.compliance.among(rows);
+        modes_ = qp.modes.sparseView();
+    }
+    bool compute(const VectorXd& diagonal) {
+        if (!qp_.compliance.is_sparse()) {
+            MatrixXd matrix = qp_.compliance.dense();
+            matrix.diagonal() = diagonal;
+            return dense_.compute(std::move(matrix));
+        }
+        SparseSymmetric matrix = lower_;
+        for (std::size_t j = 0; j + 1 < matrix.first.size(); ++j)
+            matrix.value[static_cast<std::size_t>(matrix.first[j])] = diagonal[static_cast<Index>(j)];
+        return sparse_.compute(std::move(matrix)) < 0;
+    }
+    VectorXd solve(const VectorXd& b) const { return qp_.compliance.is_sparse() ? sparse_.solve(b) : dense_.solve(b); }
+    /// Of G.
+    MatrixXd inverse_form() const {
+        if (qp_.compliance.is_sparse()) return sparse_.inverse_form(modes_);
+        const MatrixXd columns = dense_.solve_lower(qp_.modes);
+        return columns.transpose() * columns;
+    }
+
+private:
+    const ContactQp& qp_;
+    Cholesky dense_;
+    SparseSymmetric lower_;
+    Eigen::SparseMatrix<double> modes_;
+    SparseCholesky sparse_;
+};
+
 class Newton {
 public:
-    Newton(const ShiftedQp& shifted) : qp_(shifted.qp), gap0_(shifted.gap) {
+    Newton(const ShiftedQp& shifted) : qp_(shifted.qp), gap0_(shifted.gap), compliance_(shifted.qp) {
         const Index m = gap0_.size();
         for (Index k = 0; k < m; ++k)
             if (qp_.unilateral[static_cast<std::size_t>(k)]) unilateral_.push_back(k);
@@ -42,21 +81,19 @@ public:
 
     /// Residuals of gap = g + C l + G a (of bilateral rows: of 0), and of the balance.
     void look_at(const Iterate& x) {
-        of_gap_ = gap0_ + closing_of(qp_, x.l) + qp_.modes * x.a - x.gap;
+        of_gap_ = gap0_ + qp_.compliance * x.l + qp_.modes * x.a - x.gap;
         of_balance_ = qp_.modes.transpose() * x.l + qp_.mode_load;
     }
     double gap_residual() const { return of_gap_.size() > 0 ? of_gap_.cwiseAbs().maxCoeff() : 0; }
     double balance_residual() const { return of_balance_.size() > 0 ? of_balance_.cwiseAbs().maxCoeff() : 0; }
 
     bool factorize(const Iterate& x) {
-        MatrixXd matrix = qp_.compliance;
-        const double little = regularization * matrix.diagonal().mean();
-        matrix.diagonal().array() += little;
-        for (Index k : unilateral_) matrix(k, k) += x.gap[k] / x.l[k];
-        if (!compliance_.compute(std::move(matrix))) return false;
+        VectorXd diagonal = qp_.compliance.diagonal();
+        diagonal.array() += regularization * diagonal.mean();
+        for (Index k : unilateral_) diagonal[k] += x.gap[k] / x.l[k];
+        if (!compliance_.compute(diagonal)) return false;
         if (qp_.modes.cols() == 0) return true;
-        columns_ = compliance_.solve_lower(qp_.modes);
-        MatrixXd stiffness = columns_.transpose() * columns_;
+        MatrixXd stiffness = compliance_.inverse_form();
         stiffness.diagonal().array() += regularization * stiffness.diagonal().mean();
         return stiffness_.compute(stiffness);
     }
@@ -94,8 +131,8 @@ private:
     const VectorXd& gap0_;
     std::vector<Index> unilateral_;
     VectorXd of_gap_, of_balance_;
-    Cholesky compliance_, stiffness_;
-    MatrixXd columns_;
+    SoftenedFactor compliance_;
+    Cholesky stiffness_;
 };
 
 /// All rows pressed and open by the mean of the start.
@@ -113,7 +150,7 @@ Scales scales_of(const ShiftedQp& shifted, const VectorXd& start) {
     const double force =
         std::max(start.cwiseAbs().maxCoeff(), force_scale(shifted.qp, start) / static_cast<double>(start.size()));
     const double length =
-        std::max(shifted.qp.compliance.diagonal().maxCoeff() * force, closing_of(shifted.qp, start).cwiseAbs().maxCoeff());
+        std::max(shifted.qp.compliance.diagonal().maxCoeff() * force, (shifted.qp.compliance * start).cwiseAbs().maxCoeff());
     return {force, length};
 }
 
@@ -150,7 +187,7 @@ InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
     }
     for (Index k : newton.unilateral())
         result.active[static_cast<std::size_t>(k)] = x.l[k] / scales.force > x.gap[k] / scales.length;
-    result.state = {x.l, x.a, closing_of(qp, x.l)};
+    result.state = {x.l, x.a, qp.compliance * x.l};
     return result;
 }
 

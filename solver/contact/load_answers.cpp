@@ -56,8 +56,8 @@ LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> l
     mode_load_ = qp_.mode_load;
     modes_ = qp_.modes;
     split_ = split_motions(problem, resistance_, modes_);
-    levers_ = modes_ * split_.balanced;
-    qp_.modes = modes_ * split_.resisted;
+    levers_ = times_few(modes_, split_.balanced);
+    qp_.modes = times_few(modes_, split_.resisted);
     respond_to_loads(threads);
     respond_to_measures(measures, threads);
 }
@@ -80,7 +80,7 @@ void LoadAnswers::respond_to_loads(int threads) {
 }
 
 void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& measures, int threads) {
-    const NeutralMeasure neutral = neutral_measure(problem_, split_.neutral);
+    const NeutralMeasure neutral = neutral_measure(problem_, split_.neutral, threads);
     neutral_gram_ = neutral.gram;
     const auto n_asked = static_cast<Index>(measures.size()), n = n_asked + split_.neutral.cols();
     const auto n_loads = static_cast<Index>(loads_.size());
@@ -90,13 +90,16 @@ void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& me
     measures_of_rows_ = MatrixXd::Zero(n, rows_.rows.n);
     measures_of_modes_ = MatrixXd::Zero(n, offset.back());
     if (n == 0) return;
+    const auto of_neutral = [&](std::size_t i, Index motion) -> VectorXd {
+        if (neutral.integrals[i].size() == 0) return VectorXd(0);
+        return neutral.integrals[i] * split_.neutral.col(motion).segment(offset[i], offset[i + 1] - offset[i]);
+    };
     std::vector<VectorXd> always(problem_.parts.size());
     for (std::size_t i = 0; i < always.size(); ++i) always[i] = solve(problem_.parts[i], problem_.parts[i].load);
     parallel_for(static_cast<int>(n), threads, [&](int k) {
         for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
             const PartSystem& part = problem_.parts[i];
-            const VectorXd weight =
-                k < n_asked ? measures[static_cast<std::size_t>(k)][i] : VectorXd(neutral.integrals[i].col(k - n_asked));
+            const VectorXd weight = k < n_asked ? measures[static_cast<std::size_t>(k)][i] : of_neutral(i, k - n_asked);
             if (weight.size() == 0 || weight.isZero(0)) continue;
             const VectorXd answer = response(part, weight);  // the stiffness is symmetric: weight' K^-1 f = answer' f
             measure_[k] += weight.dot(always[i]);

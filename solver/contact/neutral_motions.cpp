@@ -5,10 +5,13 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/traction_arm.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
+#include "solver/parts/free_motions.hpp"
 
 namespace abut::solver {
 
@@ -169,6 +172,28 @@ MatrixXd balanced_motions(const Resistance& resistance, const MatrixXd& neutral)
     return balanced;
 }
 
+/// Of the largest resistance: couplings between amplitudes below are rounding.
+constexpr double coupling_rounding = 1e-14;
+
+/// Amplitudes that hang together by what resists their motions, ascending.
+std::vector<std::vector<Index>> coupled_amplitudes(const MatrixXd& squared) {
+    const Index n = squared.cols();
+    const double least = coupling_rounding * squared.diagonal().maxCoeff();
+    std::vector<std::vector<Index>> sets;
+    std::vector<char> found(static_cast<std::size_t>(n), 0);
+    for (Index first = 0; first < n; ++first) {
+        if (std::exchange(found[static_cast<std::size_t>(first)], 1)) continue;
+        std::vector<Index> set{first};
+        for (std::size_t next = 0; next < set.size(); ++next)
+            for (Index i = 0; i < n; ++i)
+                if (std::abs(squared(i, set[next])) > least && !std::exchange(found[static_cast<std::size_t>(i)], 1))
+                    set.push_back(i);
+        std::sort(set.begin(), set.end());
+        sets.push_back(std::move(set));
+    }
+    return sets;
+}
+
 }  // namespace
 
 Resistance candidate_resistance(const AssemblyProblem& problem) {
@@ -190,12 +215,29 @@ MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resi
     const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
     const MatrixXd squared = resistance.contact + held.transpose() * held;
     const double limit = neutral_motion_fraction * neutral_motion_fraction;
-    if (symmetric_eigenvalues(squared)[0] >= limit) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
-    // Jacobi's rotations leave motions that nothing couples apart: one part's stays one part's among equal values, too
-    const SingularVectors motions = right_singular_vectors(squared);
-    const Index kept = (motions.values.array() >= limit).count();
-    const MatrixXd neutral = motions.vectors.rightCols(n - kept);
-    return {motions.vectors.leftCols(kept), neutral, balanced_motions(resistance, neutral)};
+    MatrixXd resisted = MatrixXd::Zero(n, n), neutral = resisted;
+    Index n_resisted = 0, n_neutral = 0;
+    const auto add = [&](const MatrixXd& motions, const std::vector<Index>& amplitudes, MatrixXd& to, Index& count) {
+        to(amplitudes, Eigen::seqN(count, motions.cols())) = motions;
+        count += motions.cols();
+    };
+    for (const std::vector<Index>& own : coupled_amplitudes(squared)) {
+        const auto size = static_cast<Index>(own.size());
+        const MatrixXd block = squared(own, own);
+        if (Cholesky(block - limit * MatrixXd::Identity(size, size)).succeeded()) {
+            add(MatrixXd::Identity(size, size), own, resisted, n_resisted);
+            continue;
+        }
+        // Jacobi's rotations leave motions that hardly anything couples apart: one part's stays one part's among equal values
+        const SingularVectors motions = right_singular_vectors(block);
+        const Index kept = (motions.values.array() >= limit).count();
+        add(motions.vectors.leftCols(kept), own, resisted, n_resisted);
+        add(motions.vectors.rightCols(size - kept), own, neutral, n_neutral);
+    }
+    if (n_neutral == 0) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
+    neutral.conservativeResize(Eigen::NoChange, n_neutral);
+    resisted.conservativeResize(Eigen::NoChange, n_resisted);
+    return {resisted, neutral, balanced_motions(resistance, neutral)};
 }
 
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
@@ -231,45 +273,38 @@ void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance
         for (const PartMotion& m : part_motions(problem.parts, neutral.col(k))) solution.neutral.push_back(m);
 }
 
-namespace {
-
-/// Integrals of a part's functions times the motions that its modes are the coefficients of, (2n x modes): products with
-/// coefficients are mean products of displacements, on any grid. A rigid part's displacement is its motion on any measure.
-MatrixXd integrals_of_modes(const PartSystem& part) {
-    if (part.body || part.modes.cols() == 0) return part.modes;
-    const Vec2 center = part.free_motions.front().center;
-    const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
-    const MatrixXd coefficients = coefficients_of(part.input.space, rigid);
-    MatrixXd integrals = MatrixXd::Zero(coefficients.rows(), 3);
-    const VectorXd of_one = body_load(part.input, [](const Vec2&) { return Vec2(1, 0); });
-    for (Index i = 0; i < of_one.size(); i += 2) integrals(i, 0) = integrals(i + 1, 1) = of_one[i];
-    integrals.col(2) = body_load(part.input, [&](const Vec2& x) { return rigid[2].at(x); });
-    return integrals *
-           PivotedCholesky(coefficients.transpose() * coefficients).solve_columns(coefficients.transpose() * part.modes);
-}
-
-}  // namespace
-
-NeutralMeasure neutral_measure(const AssemblyProblem& problem, const MatrixXd& neutral) {
+NeutralMeasure neutral_measure(const AssemblyProblem& problem, const MatrixXd& neutral, int threads) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
+    const auto motions_of = [&](std::size_t i) { return neutral.middleRows(offset[i], offset[i + 1] - offset[i]); };
     NeutralMeasure measure{{}, MatrixXd::Zero(neutral.cols(), neutral.cols())};
+    measure.integrals.resize(problem.parts.size());
+    parallel_for(static_cast<int>(problem.parts.size()), threads, [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (!motions_of(i).isZero(0)) measure.integrals[i] = motion_integrals(problem.parts[i]);
+    });
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        const PartSystem& part = problem.parts[i];
-        const auto own = neutral.middleRows(offset[i], offset[i + 1] - offset[i]);
-        measure.integrals.push_back(MatrixXd::Zero(part.modes.rows(), neutral.cols()));
-        if (own.isZero(0)) continue;
-        measure.integrals[i] = integrals_of_modes(part) * own;
-        measure.gram += measure.integrals[i].transpose() * (part.modes * own);
+        const auto own = motions_of(i);
+        if (measure.integrals[i].size() == 0) continue;
+        const MatrixXd of_part = measure.integrals[i].transpose() * problem.parts[i].modes;
+        // motions are those of few parts
+        std::vector<Index> moving;
+        for (Index k = 0; k < own.cols(); ++k)
+            if (!own.col(k).isZero(0)) moving.push_back(k);
+        const MatrixXd shares = own(Eigen::all, moving);
+        measure.gram(moving, moving) += shares.transpose() * of_part * shares;
     }
     return measure;
 }
 
-void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, AssemblySolution& solution) {
+void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, int threads, AssemblySolution& solution) {
     if (neutral.cols() == 0) return;
     const std::vector<Index> offset = mode_offsets(problem.parts);
-    const NeutralMeasure measure = neutral_measure(problem, neutral);
+    const NeutralMeasure measure = neutral_measure(problem, neutral, threads);
     VectorXd rhs = VectorXd::Zero(neutral.cols());
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) rhs -= measure.integrals[i].transpose() * solution.displacement[i];
+    for (std::size_t i = 0; i < problem.parts.size(); ++i)
+        if (measure.integrals[i].size() > 0)
+            rhs -= neutral.middleRows(offset[i], offset[i + 1] - offset[i]).transpose() *
+                   (measure.integrals[i].transpose() * solution.displacement[i]);
     const VectorXd amplitude = PivotedCholesky(measure.gram).solve(rhs);
     for (std::size_t i = 0; i < problem.parts.size(); ++i)
         solution.displacement[i] +=

@@ -33,15 +33,16 @@ std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const
 void find_driven_neutral_motion(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& neutral,
                                 const Eigen::VectorXd& mode_load, double load_scale, AssemblySolution& solution);
 
-/// What the mean square over the parts is made of, of the neutral motions: integrals' displacement is that of the motions times
-/// a displacement (2n x motions, by part), gram that among themselves.
+/// What the mean square over the parts is made of: integrals' displacement is that of a part's free motions times a
+/// displacement (2n x free motions, by part; empty where no neutral motion moves the part), gram that of the neutral motions
+/// among themselves.
 struct NeutralMeasure {
     std::vector<Eigen::MatrixXd> integrals;
     Eigen::MatrixXd gram;
 };
-NeutralMeasure neutral_measure(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral);
+NeutralMeasure neutral_measure(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, int threads);
 
 /// Takes the neutral motions' amplitudes that make the displacement least, in the mean square over the parts.
-void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, AssemblySolution& solution);
+void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, int threads, AssemblySolution& solution);
 
 }  // namespace abut::solver

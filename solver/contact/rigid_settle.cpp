@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/rigid_settle.hpp"
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -67,8 +68,25 @@ double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd&
     return 0;
 }
 
+/// From so many motions on, a row is moved by few of them.
+constexpr Index many_motions = 48;
+
+/// G'WG with a diagonal W where rows have few entries.
+MatrixXd gram_by_rows(const MatrixXd& modes, const VectorXd& weight) {
+    MatrixXd gram = MatrixXd::Zero(modes.cols(), modes.cols());
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> by_row = modes.sparseView();
+    using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
+    for (Index k = 0; k < modes.rows(); ++k) {
+        if (weight[k] == 0) continue;
+        for (Entry a(by_row, k); a; ++a)
+            for (Entry b(by_row, k); b; ++b) gram(a.col(), b.col()) += a.value() * weight[k] * b.value();
+    }
+    return gram;
+}
+
 /// G'WG with a diagonal W; motions are few, rows many.
 MatrixXd weighted_gram(const MatrixXd& modes, const VectorXd& weight) {
+    if (modes.cols() >= many_motions) return gram_by_rows(modes, weight);
     MatrixXd gram(modes.cols(), modes.cols());
     VectorXd column(modes.rows());
     for (Index j = 0; j < modes.cols(); ++j) {

@@ -12,10 +12,18 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
-/// Of a row's own compliance: what is left of it once the rows before are closed is rounding, or (the splines' own coupling) a
-/// hundredth and more.
-constexpr double redundant_fraction = 1e-11;
+/// A'A.
+MatrixXd gram(const MatrixXd& a) {
+    const int n = static_cast<int>(a.cols()), k = static_cast<int>(a.rows());
+    const double one = 1, zero = 0;
+    MatrixXd product(n, n);
+    const int lda = std::max(k, 1);
+    dsyrk_("L", "T", &n, &k, &one, a.data(), &lda, &zero, product.data(), &n);
+    product.triangularView<Eigen::StrictlyUpper>() = product.transpose();
+    return product;
+}
 
 std::size_t at(Index i) {
     return static_cast<std::size_t>(i);
@@ -23,14 +31,23 @@ std::size_t at(Index i) {
 
 }  // namespace
 
-ClosedFactor::ClosedFactor(const MatrixXd& compliance, const Eigen::VectorXd& pressure)
-    : compliance_(compliance), preferred_(at(compliance.rows())), l_(compliance.rows(), compliance.rows()) {
+ClosedFactor::ClosedFactor(Compliance compliance, const VectorXd& pressure) : compliance_(std::move(compliance)) {
+    if (compliance_.is_sparse()) {
+        sparse_.emplace(compliance_);
+        return;
+    }
+    preferred_.resize(at(compliance_.rows()));
+    l_.resize(compliance_.rows(), compliance_.rows());
     std::iota(preferred_.begin(), preferred_.end(), Index{0});
     const auto open = std::stable_partition(preferred_.begin(), preferred_.end(), [&](Index a) { return pressure[a] != 0; });
     std::stable_sort(preferred_.begin(), open, [&](Index a, Index b) { return pressure[a] > pressure[b]; });
 }
 
 bool ClosedFactor::move_to(const std::vector<char>& closed) {
+    if (sparse_) {
+        sparse_->move_to(closed);
+        return true;
+    }
     const auto left = std::find_if(rows_.begin(), rows_.end(), [&](Index row) { return !closed[at(row)]; });
     rows_.erase(left, rows_.end());
     n_solved_ = std::min(n_solved_, rows_.size());
@@ -48,7 +65,7 @@ bool ClosedFactor::append(const std::vector<Index>& more) {
     for (Index row : more) {
         if (append_all({row})) continue;
         const auto n = static_cast<Index>(rows_.size());
-        if (l_(n, n) < -redundant_fraction * compliance_(row, row)) return false;
+        if (l_(n, n) < -redundant_fraction * compliance_.dense()(row, row)) return false;
         left_out_.push_back(row);
     }
     return true;
@@ -58,9 +75,10 @@ bool ClosedFactor::append(const std::vector<Index>& more) {
 bool ClosedFactor::append_all(const std::vector<Index>& more) {
     const int n = static_cast<int>(rows_.size()), k = static_cast<int>(more.size()), ld = static_cast<int>(l_.rows());
     double *below = l_.data() + n, *corner = below + static_cast<Index>(n) * ld;
+    const MatrixXd& c = compliance_.dense();
     for (int i = 0; i < k; ++i) {
-        for (int j = 0; j < n; ++j) l_(n + i, j) = compliance_(more[at(i)], rows_[at(j)]);
-        for (int j = 0; j <= i; ++j) l_(n + i, n + j) = compliance_(more[at(i)], more[at(j)]);
+        for (int j = 0; j < n; ++j) l_(n + i, j) = c(more[at(i)], rows_[at(j)]);
+        for (int j = 0; j <= i; ++j) l_(n + i, n + j) = c(more[at(i)], more[at(j)]);
     }
     const double one = 1, minus = -1;
     if (n > 0) {
@@ -72,7 +90,7 @@ bool ClosedFactor::append_all(const std::vector<Index>& more) {
     if (info != 0) return false;
     for (int i = 0; i < k; ++i) {
         const double pivot = l_(n + i, n + i) * l_(n + i, n + i);
-        if (pivot <= redundant_fraction * compliance_(more[at(i)], more[at(i)])) return false;
+        if (pivot <= redundant_fraction * c(more[at(i)], more[at(i)])) return false;
     }
     rows_.insert(rows_.end(), more.begin(), more.end());
     return true;
@@ -93,12 +111,36 @@ void ClosedFactor::solve_new_rows(const MatrixXd& columns) {
     dtrsm_("L", "L", "N", "N", &more, &width, &one, l_.data() + n + static_cast<Index>(n) * ld, &ld, below, &ld);
 }
 
-void ClosedFactor::solve_lower(Eigen::VectorXd& x) const {
+MatrixXd ClosedFactor::inverse_form(const MatrixXd& columns, const VectorXd& g, const VectorXd& a) {
+    const Index n = columns.cols();
+    if (sparse_) {
+        form_ = n > 0 ? VectorXd(g + columns * a) : g;
+        return sparse_->inverse_form(columns, form_.col(0));
+    }
+    form_.resize(static_cast<Index>(rows_.size()), n + 1);
+    form_.leftCols(n) = solved(columns);
+    VectorXd b = g(rows_);
+    solve_lower(b);
+    form_.col(n) = b + form_.leftCols(n) * a;
+    return gram(form_);
+}
+
+VectorXd ClosedFactor::solve(const MatrixXd& columns, const VectorXd& a) const {
+    if (sparse_) {
+        const VectorXd b = a.size() > 0 ? VectorXd(form_.col(0) + columns * a) : VectorXd(form_.col(0));
+        return sparse_->solve(b(sparse_->rows()));
+    }
+    VectorXd forces = form_.col(a.size()) + form_.leftCols(a.size()) * a;
+    solve_transposed(forces);
+    return forces;
+}
+
+void ClosedFactor::solve_lower(VectorXd& x) const {
     const int n = static_cast<int>(rows_.size()), ldl = static_cast<int>(l_.rows()), step = 1;
     if (n > 0) dtrsv_("L", "N", "N", &n, l_.data(), &ldl, x.data(), &step);
 }
 
-void ClosedFactor::solve_transposed(Eigen::VectorXd& x) const {
+void ClosedFactor::solve_transposed(VectorXd& x) const {
     const int n = static_cast<int>(rows_.size()), ldl = static_cast<int>(l_.rows()), step = 1;
     if (n > 0) dtrsv_("L", "T", "N", &n, l_.data(), &ldl, x.data(), &step);
 }

@@ -3,6 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "solver/assembly/assembly.hpp"
+#include "solver/linear_algebra/dense.hpp"
+
 namespace abut::solver {
 
 namespace {
@@ -59,6 +62,19 @@ std::vector<RigidMotion> free_motions_along_axis(const PartSystem& s, const Vec2
 
 std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, double size) {
     return s.input.axis ? free_motions_along_axis(s, center) : free_motions_in_plane(s, center, size);
+}
+
+Eigen::MatrixXd motion_integrals(const PartSystem& system) {
+    if (system.body || system.modes.cols() == 0) return system.modes;
+    const Vec2 center = system.free_motions.front().center;
+    const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
+    const Eigen::MatrixXd coefficients = coefficients_of(system.input.space, rigid);
+    Eigen::MatrixXd integrals = Eigen::MatrixXd::Zero(coefficients.rows(), 3);
+    const Eigen::VectorXd of_one = body_load(system.input, [](const Vec2&) { return Vec2(1, 0); });
+    for (Eigen::Index i = 0; i < of_one.size(); i += 2) integrals(i, 0) = integrals(i + 1, 1) = of_one[i];
+    integrals.col(2) = body_load(system.input, [&](const Vec2& x) { return rigid[2].at(x); });
+    const PivotedCholesky gram(coefficients.transpose() * coefficients);
+    return integrals * gram.solve_columns(coefficients.transpose() * system.modes);
 }
 
 }  // namespace abut::solver

@@ -9,4 +9,8 @@ namespace abut::solver {
 /// Around an axis the only rigid motion is the one along it: all others stretch the hoops.
 std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& center, double size);
 
+/// Integrals over the part of its functions times its free motions (2n x free motions): products with coefficients are mean
+/// products of displacements. Those of a rigid part are the motions themselves. Cost: two load vectors.
+Eigen::MatrixXd motion_integrals(const PartSystem& system);
+
 }  // namespace abut::solver

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/scene/part_levels.hpp"
+#include "src/scene/read_array.hpp"
 #include "src/scene/read_geometry.hpp"
 #include "src/scene/read_materials.hpp"
 
@@ -55,28 +56,54 @@ std::string repairs_warning(const std::string& part, const std::vector<geometry:
     return text.str();
 }
 
+/// A part as one of the scene, or one for each copy.
+struct NamedCopy {
+    std::string name;
+    geometry::Placed place{};
+};
+
+std::vector<NamedCopy> read_copies(SceneReading& reading, const JsonValue& part) {
+    const auto name = required_member(reading, part, "name", read_new_part_name);
+    const JsonValue* array = find_member(part, "array");
+    std::vector<NamedCopy> copies;
+    if (array)
+        for (geometry::Placed& place : read_array(reading, *array))
+            copies.push_back({name.value_or("") + "[" + std::to_string(copies.size()) + "]", std::move(place)});
+    else
+        copies.push_back({name.value_or("")});
+    if (!name || copies.empty()) {
+        reading.all_parts_named = false;
+        return {};
+    }
+    for (const NamedCopy& copy : copies) note_part_name(reading, part, copy.name);
+    return copies;
+}
+
 void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, double thickness, Scene& scene) {
-    if (!check_object(reading, value, {{"name", "material", "thickness", "level", "geometry", "place"}, {}})) {
+    if (!check_object(reading, value, {{"name", "material", "thickness", "level", "geometry", "place", "array"}, {}})) {
         reading.all_parts_named = false;
         return;
     }
-    const auto name = required_member(reading, value, "name", read_new_part_name);
-    if (name)
-        note_part_name(reading, value, *name);
-    else
-        reading.all_parts_named = false;
+    std::vector<NamedCopy> copies = read_copies(reading, value);
 
     const JsonValue* material_name = required(reading, value, "material");
     const auto material = material_name ? read_material_name(reading, *material_name, scene) : std::nullopt;
     thickness = member_or(reading, value, "thickness", thickness, read_positive, dimension::length);
     Levels level = member_or(reading, value, "level", Levels(), read_levels);
     const std::optional<geometry::CsgNode> tree = read_tree(reading, imports, value);
-    std::optional<geometry::CsgResult> result = tree ? evaluated(reading, value, *tree) : std::nullopt;
-    if (!name || !result) return;
-    result->part.name = *name;
-    if (!result->repairs.empty()) scene.warnings.push_back(repairs_warning(*name, result->repairs));
-    scene.parts.push_back({*name, std::move(result->part), material.value_or(-1), thickness, value.pointer,
-                           std::move(result->repairs), std::move(level)});
+    if (!tree) return;
+    const bool is_array = find_member(value, "array") != nullptr;
+    if (copies.empty()) evaluated(reading, value, *tree);  // for its problems
+    for (NamedCopy& copy : copies) {
+        if (is_array) copy.place.of.push_back(*tree);
+        std::optional<geometry::CsgResult> result =
+            evaluated(reading, value, is_array ? geometry::CsgNode{std::move(copy.place), "", value.pointer} : *tree);
+        if (!result) return;
+        result->part.name = copy.name;
+        if (!result->repairs.empty()) scene.warnings.push_back(repairs_warning(copy.name, result->repairs));
+        scene.parts.push_back({copy.name, std::move(result->part), material.value_or(-1), thickness, value.pointer,
+                               std::move(result->repairs), level});
+    }
 }
 
 }  // namespace

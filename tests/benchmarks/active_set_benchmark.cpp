@@ -17,16 +17,17 @@ solver::ContactQp indenter(int m, double half_width) {
     const double own = std::exp(-1.5);  // the mean logarithm of the distance within a strip is ln h - 3/2
     const double h = 2.0 / m, load = std::numbers::pi / 4 * half_width * half_width;
     solver::ContactQp qp;
-    qp.compliance.resize(m, m);
+    Eigen::MatrixXd compliance(m, m);
     qp.gap.resize(m);
     for (int i = 0; i < m; ++i) {
         const double x = -1 + (i + 0.5) * h;
         qp.gap[i] = 0.5 * x * x;
         for (int j = 0; j < m; ++j) {
             const double distance = i == j ? own * h : std::abs(i - j) * h;
-            qp.compliance(i, j) = 2 / std::numbers::pi * std::log(20 / distance);
+            compliance(i, j) = 2 / std::numbers::pi * std::log(20 / distance);
         }
     }
+    qp.compliance = std::move(compliance);
     qp.modes = Eigen::MatrixXd::Ones(m, 1);
     qp.mode_load = Eigen::VectorXd::Constant(1, -load);
     qp.unilateral.assign(static_cast<std::size_t>(m), 1);

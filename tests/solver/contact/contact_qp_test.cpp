@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -62,7 +64,8 @@ ContactQp random_problem(unsigned seed, Index m, Index n, bool balanced) {
 double kkt_error(const ContactQp& qp, const VectorXd& l, const VectorXd& a) {
     const VectorXd gap = qp.gap + qp.compliance * l + qp.modes * a;
     const double force = std::max({qp.load_scale, l.size() > 0 ? l.cwiseAbs().maxCoeff() : 0.0, 1e-300});
-    const VectorXd terms = qp.gap.cwiseAbs() + qp.compliance.cwiseAbs() * l.cwiseAbs() + qp.modes.cwiseAbs() * a.cwiseAbs();
+    const VectorXd terms =
+        qp.gap.cwiseAbs() + qp.compliance.to_dense().cwiseAbs() * l.cwiseAbs() + qp.modes.cwiseAbs() * a.cwiseAbs();
     const double length = std::max(terms.size() > 0 ? terms.maxCoeff() : 0.0, 1e-300);
     double worst = 0;
     for (Index k = 0; k < l.size(); ++k) {
@@ -93,7 +96,7 @@ std::optional<VectorXd> by_all_sets(const ContactQp& qp) {
         if (!holds_bilateral) continue;
         const auto size = static_cast<Index>(s.size());
         MatrixXd k = MatrixXd::Zero(size + n, size + n);
-        k.topLeftCorner(size, size) = qp.compliance(s, s);
+        k.topLeftCorner(size, size) = qp.compliance.dense()(s, s);
         k.topRightCorner(size, n) = qp.modes(s, Eigen::all);
         k.bottomLeftCorner(n, size) = k.topRightCorner(size, n).transpose();
         VectorXd rhs(size + n);
@@ -433,11 +436,73 @@ TEST(ContactQp, WithoutRows) {
     expect_mechanism(falling, solve_contact_qp(falling));
 }
 
+/// The same problem with a compliance that is stored, and factorised, as a sparse one.
+ContactQp sparse(ContactQp qp) {
+    const MatrixXd dense = qp.compliance.dense();
+    qp.compliance = Eigen::SparseMatrix<double>(dense.sparseView());
+    return qp;
+}
+
+TEST(ContactQp, AnswersASparseProblemLikeADenseOne) {
+    int n_mechanisms = 0;
+    for (unsigned trial = 0; trial < 1000; ++trial) {
+        SCOPED_TRACE(trial);
+        const Index m = 1 + static_cast<Index>(trial % 17), n = static_cast<Index>(trial / 17 % 4);
+        const ContactQp qp = random_problem(5000 + trial, m, n, trial % 5 != 0);
+        const ContactQpResult dense = solve_contact_qp(qp), r = solve_contact_qp(sparse(qp));
+        ASSERT_EQ(r.feasible, dense.feasible);
+        n_mechanisms += !dense.feasible;
+        if (!dense.feasible) continue;
+        expect_solved(qp, r, 1e-9);
+        EXPECT_LT((r.multipliers - dense.multipliers).norm(), 1e-8 * (1 + dense.multipliers.norm()));
+    }
+    EXPECT_GT(n_mechanisms, 20);
+}
+
+TEST(ContactQp, FinishesASparseProblemFromInsideWhereThePrimalDualSetCycles) {
+    int n_fallback = 0;
+    for (unsigned trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE(trial);
+        std::mt19937 random = generator(300 + trial);
+        const MatrixXd b = random_matrix(random, 20, 10);
+        Manufactured p = manufactured(trial, b * b.transpose() + 0.001 * MatrixXd::Identity(20, 20),
+                                      random_matrix(random, 20, trial % 3), 0, 0);
+        p.qp.drawn_gap = random_matrix(random, 20, 1);
+        const ContactQpResult r = solve_contact_qp(sparse(p.qp));
+        expect_solved(p.qp, r, 1e-9);
+        EXPECT_LT((r.multipliers - p.multipliers).cwiseAbs().maxCoeff(), 1e-8);
+        n_fallback += r.used_fallback;
+    }
+    EXPECT_GT(n_fallback, 5);
+}
+
+TEST(ContactQp, LeavesOutRedundantRowsOfASparseProblem) {
+    const Manufactured p = manufactured(3, surface_compliance(20), flat_modes(20), 0, 0);
+    // a pressed row twice: both share what the one has
+    Index pressed = 0;
+    ASSERT_GT(p.multipliers.maxCoeff(&pressed), 0);
+    const auto twice = [&](const VectorXd& v) { return VectorXd((VectorXd(21) << v, v[pressed]).finished()); };
+    std::vector<Index> rows(21, pressed);
+    std::iota(rows.begin(), rows.end() - 1, Index{0});
+    ContactQp qp = p.qp;
+    qp.compliance = Eigen::SparseMatrix<double>(p.qp.compliance.dense()(rows, rows).sparseView());
+    qp.gap = twice(p.qp.gap);
+    qp.drawn_gap = twice(p.qp.drawn_gap);
+    qp.foundation = twice(p.qp.foundation);
+    qp.modes = p.qp.modes(rows, Eigen::all).eval();
+    qp.unilateral.push_back(1);
+    const ContactQpResult r = solve_contact_qp(qp);
+    ASSERT_TRUE(r.converged);
+    VectorXd sum = r.multipliers.head(20);
+    sum[pressed] += r.multipliers[20];
+    EXPECT_LT((sum - p.multipliers).cwiseAbs().maxCoeff(), 1e-8);
+}
+
 TEST(ContactQp, DoesNotDependOnUnits) {
     const Manufactured p = manufactured(8, surface_compliance(30), flat_modes(30), 0, 0);
     const double force = 1e7, length = 1e-4;
     ContactQp scaled = p.qp;
-    scaled.compliance *= length / force;
+    scaled.compliance = length / force * p.qp.compliance.dense();
     scaled.gap *= length;
     scaled.drawn_gap *= length;
     scaled.foundation *= force / length;
@@ -465,7 +530,7 @@ TEST(ContactQp, RefusesShapesThatDoNotFit) {
     VectorXd l, a;
     EXPECT_THROW(solve_on_set(qp, std::vector<char>(5, 1), l, a), std::logic_error);
     std::vector<ContactQp> wrong(6, qp);
-    wrong[0].compliance.resize(6, 5);
+    wrong[0].compliance = MatrixXd(6, 5);
     wrong[1].modes.resize(5, 1);
     wrong[2].mode_load.resize(2);
     wrong[3].unilateral.pop_back();

@@ -93,7 +93,7 @@ std::optional<Point> on_states(const ContactQp& qp, const std::vector<int>& pair
     MatrixXd a = MatrixXd::Zero(m + n, m + n);
     VectorXd b = VectorXd::Zero(m + n);
     const auto close = [&](Index k) {
-        a.row(k).head(m) = qp.compliance.row(k);
+        a.row(k).head(m) = qp.compliance.dense().row(k);
         a.row(k).tail(n) = qp.modes.row(k);
         b[k] = -qp.gap[k];
     };

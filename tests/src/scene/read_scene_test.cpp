@@ -132,6 +132,31 @@ TEST(ReadScene, place_as_a_node_and_of_a_part) {
     }
 }
 
+TEST(ReadScene, an_array_is_a_part_for_each_copy) {
+    const std::string disc = R"({"circle": {"center": [4, 0], "radius": 1}}, "place": {"translate": [1, 0]})";
+    const Scene round = with_geometry(disc + R"(, "array": {"count": "1 + 3", "about": [0, 0]})"),
+                half = with_geometry(disc + R"(, "array": {"count": 3, "about": [0, 0], "angle": 90})"),
+                row = with_geometry(disc + R"(, "array": {"count": 3, "step": [10, 2]})");
+    ASSERT_EQ(round.parts.size(), 4u);
+    ASSERT_EQ(half.parts.size(), 3u);
+    ASSERT_EQ(row.parts.size(), 3u);
+    const auto center = [](const Scene& scene, std::size_t k) {
+        const geometry::Box2 box = geometry::bounding_box(scene.parts[k].part);
+        return Vec2(0.5 * (box.min + box.max));
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(row.parts[k].name, "p[" + std::to_string(k) + "]");
+        EXPECT_LT((center(row, k) - Vec2(5 + 10.0 * static_cast<double>(k), 2.0 * static_cast<double>(k))).norm(), 1e-12);
+        EXPECT_LT((center(half, k) - center(round, k)).norm(), 1e-12);
+    }
+    EXPECT_LT((center(round, 1) - Vec2(0, 5)).norm(), 1e-12);
+    EXPECT_LT((center(round, 3) - Vec2(0, -5)).norm(), 1e-12);
+    EXPECT_EQ(edge_names(round.parts[2].part), Names({"circle"}));
+    Selector second;
+    second.pattern = "p[1]/*";
+    EXPECT_EQ(select(row, {second}).size(), 1u);
+}
+
 TEST(ReadScene, arcs_of_loops_in_both_forms) {
     const std::string line = R"({"line": {"from": [-1, 0], "to": [1, 0]}, "name": "flat"})";
     const auto area = [&](const std::string& arc) {
@@ -289,6 +314,12 @@ TEST(ReadScene, faults_of_curves_have_place_and_hint) {
         {R"({"place": {"of": {"circle": {"center": [0, 0], "radius": 1}}, "mirror": "z"}})",
          {at + "/place/mirror", R"("x", "y")"}},
         {R"({"circle": {"center": [0, 0], "radius": 1}}, "place": {"scale": -1})", {"/parts/0/place/scale", "greater than 0"}},
+        {R"({"circle": {"center": [0, 0], "radius": 1}}, "array": {"about": [0, 0]})", {"/parts/0/array", "count"}},
+        {R"({"circle": {"center": [0, 0], "radius": 1}}, "array": {"count": 0, "about": [0, 0]})",
+         {"/parts/0/array/count", "1"}},
+        {R"({"circle": {"center": [0, 0], "radius": 1}}, "array": {"count": 2})", {"/parts/0/array", "step", "about"}},
+        {R"({"circle": {"center": [0, 0], "radius": 1}}, "array": {"count": 2, "step": [1, 0], "angle": 9})",
+         {"/parts/0/array/angle", "not turned"}},
         {edge(R"({"elliptic_arc": {"center": [0, 0], "radii": [1, 2], "start": 0}})"),
          {at_edge + "/elliptic_arc", "'end' is missing"}},
         {edge(R"({"elliptic_arc": {"center": [0, 0], "radii": [-1, 2], "start": 0, "end": 1}})"),
