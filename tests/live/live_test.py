@@ -306,18 +306,19 @@ class LiveTest(unittest.TestCase):
         live.settled()
         n, begin = 200, time.monotonic()
         connection = http.client.HTTPConnection("127.0.0.1", live.port, timeout=PATIENCE)
-        slowest = 0
+        times = []
         for k in range(n):
             angle, at = -math.pi / 2 + 0.5 * math.sin(k / 20), time.monotonic()
             connection.request("POST", live.root + "act", json.dumps({"loads": [[15000 * math.cos(angle), 15000 * math.sin(angle)]]}))
             news = json.loads(connection.getresponse().read())
             self.assertEqual(news["pieces"]["answer"]["status"], "ok", k)
             self.assertEqual(news["pieces"]["answer"]["version"], news["version"])
-            slowest = max(slowest, time.monotonic() - at)
+            times.append(time.monotonic() - at)
         took = time.monotonic() - begin
         connection.close()
-        print(f"{n / took:.0f} answers a second, the slowest took {1000 * slowest:.0f} ms")
-        self.assertGreater(n / took, 20)
+        times.sort()
+        print(f"{n / took:.0f} answers a second; half of them took {1000 * times[n // 2]:.1f} ms, the slowest {1000 * times[-1]:.0f} ms")
+        self.assertLess(times[n // 2], 1 / 20)  # whatever else the machine does
 
     def test_what_is_wrong_at_first(self):
         for words, said in [(["no_such.json"], "no such file"), (["scene.json", "--port", "x"], "no port"), (["scene.json", "--port", "70000"], "no port"), (["part.dxf"], "no scene")]:

@@ -19,7 +19,7 @@ export class ForceHandles {
         canvas.element.addEventListener('pointermove', event => this.move(event));
         canvas.element.addEventListener('pointerup', () => this.end());
         canvas.element.addEventListener('pointercancel', () => this.end());
-        live.on(what => ['inputs', 'controls'].includes(what) && canvas.draw());
+        live.on(what => ['inputs', 'controls'].includes(what) && canvas.draw(true));
     }
     /// Pixels a unit of force: so that the largest is as long as usual.
     fit() {

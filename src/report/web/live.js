@@ -180,7 +180,7 @@ class Live {
             part.utilisation = part.yield ? part.max_von_mises.value / part.yield : null;
         }
         data.contacts.forEach(contact => prepareContact(contact, data.parts));
-        view.state.setQuantity(view.state.quantity.key);
+        view.state.measure();
         view.state.changed('data');
         this.changed('fields');
     }
@@ -204,7 +204,7 @@ class Live {
         this.instrument.classList.toggle('stale', wrong || this.lost || mood === 'failed');
         const recent = this.times.filter(t => performance.now() - t.at < 1000), last = this.times.at(-1);
         const state = this.busy === 'draft' ? 'Computing a draft …' : this.busy === 'accuracy' ? 'Computing as accurately as asked …'
-            : this.settled ? 'As accurate as asked for' : shown?.draft ? 'A draft' : '';
+            : shown?.status !== 'ok' || wrong ? '' : this.settled ? 'As accurate as asked for' : shown.draft ? 'A draft' : '';
         this.status.textContent = [state, last ? `answered in ${last.time.toFixed(0)} ms` + (recent.length > 1 ? `, ${recent.length} in the last second` : '') : ''].filter(Boolean).join('; ');
     }
 }

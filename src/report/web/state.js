@@ -40,16 +40,20 @@ export class State {
     }
     setQuantity(key) {
         this.quantity = quantityOf(key);
+        this.measure();
+        this.changed('quantity');
+    }
+    /// Takes smallest and largest values of what is shown.
+    measure() {
         this.ends = extremes(this.quantity, this.data);
         this.automaticRange = this.ends ? automaticRange(this.quantity, this.data, this.ends) : {low: 0, high: 1};
         if (!this.locked) this.range = {...this.automaticRange};
-        this.changed('quantity');
     }
     /// Takes what has become of the data.
     renew() {
         if (!this.data.contacts[this.contact]) this.contact = -1;
         Object.assign(this, {hovered: -1, part: -1, cursor: null, pins: []});
-        this.setQuantity(this.quantity.key);
+        this.measure();
         this.changed('data');
     }
     nextQuantity(step) {
