@@ -99,7 +99,8 @@ std::string shown(const std::optional<double>& value) {
 std::string change_text(const ComparedNumber& n) {
     const std::optional<double> difference = relative_difference(n);
     if (!difference) return "";
-    if (*difference == 0) return "same";
+    constexpr double rounding = 1e-9;
+    if (*difference < rounding) return "same";
     const double change = *n.a != 0 ? (*n.b - *n.a) / std::abs(*n.a) : INFINITY;
     return std::isfinite(change) ? (change > 0 ? "+" : "") + number_text(100 * change, 3) + " %" : "new";
 }

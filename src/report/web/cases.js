@@ -42,7 +42,7 @@ function followed(cases) {
 /// Curves over the cases; a click chooses one.
 function curvePanel(cases, word, state, choose) {
     const choices = followed(cases);
-    if (!choices.length || cases.length < 2) return null;
+    if (!choices.length || cases.length < 3) return null;  // two points are no curve
     const box = element('div', {class: 'plot-box'}), key = element('div', {class: 'curve-key'}), reading = element('div', {class: 'plot-reading'});
     const quantity = element('select', {'aria-label': `Quantity over the ${word}s`, change: () => make()}, ...choices.map((c, k) => element('option', {value: k}, c.name)));
     const root = element('div', {class: 'plot'}, element('div', {class: 'plot-head'}, element('div', {class: 'plot-title'}, `Over the ${word}s`), quantity), box, key, reading);
@@ -114,7 +114,7 @@ export function startCases({cases, steps}, root) {
         if (slider) slider.value = k;
         sentence.className = 'verdict ' + ({reached: '', solved_but: 'doubtful', failed: 'failed'}[cases[k].verdict] ?? '');
         sentence.textContent = `${cases[k].name}: ${cases[k].sentence}`;
-        loads.textContent = cases[k].loads;
+        loads.textContent = cases[k].loads === cases[k].sentence ? '' : cases[k].loads;
     };
     const choose = k => state.set('shownCase', k);
     state.on(what => what === 'shownCase' && show());
