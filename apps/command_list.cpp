@@ -4,7 +4,8 @@
 namespace abut {
 
 std::vector<Command> known_commands() {
-    return {{analyze_spec(), analyze_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
+    return {{analyze_spec(), analyze_command}, {live_spec(), live_command},         {report_spec(), report_command},
+            {compare_spec(), compare_command}, {contacts_spec(), contacts_command}, {inspect_spec(), inspect_command},
             {init_spec(), init_command},       {study_spec(), study_command},       {verify_spec(), verify_command},
             {batch_spec(), batch_command},     {merge_spec(), merge_command},       {sweep_spec(), sweep_command},
             {help_spec(), help_command}};

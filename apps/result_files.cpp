@@ -133,7 +133,7 @@ void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelF
         write_results(cases[k].result, models[k], own, formats, since_start);
     }
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
-    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases));
+    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, models));
     write_file(folder, "cases.json", cases_json(cases));  // in any case: it lists the folders
 }
 

@@ -135,7 +135,40 @@ PageJson model_facts_json(const ModelFacts& model) {
     return j;
 }
 
+/// As it may stand in a script element of a page that is XML, too: names may hold what ends a script.
+std::string script_text(const PageJson& j) {
+    std::string text;
+    for (const char c : j.dump(-1, ' ', false, PageJson::error_handler_t::replace)) {
+        if (c == '<')
+            text += "\\u003c";
+        else if (c == '&')
+            text += "\\u0026";
+        else
+            text += c;
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string tabs_data(const std::vector<CaseTab>& cases, bool in_steps) {
+    std::string text;
+    for (const CaseTab& c : cases) {
+        std::string head =
+            script_text({{"name", c.name}, {"loads", c.loads}, {"verdict", c.verdict}, {"sentence", c.sentence}});
+        head.pop_back();
+        text += (text.empty() ? "" : ",") + head + ",\"data\":" + c.data + "}";
+    }
+    return "{\"steps\":" + std::string(in_steps ? "true" : "false") + ",\"cases\":[" + text + "]}";
+}
+
+std::string fields_data(const std::vector<geometry::Part>& parts, const std::vector<PartField>& fields) {
+    const PartField none;
+    PageJson j = PageJson::array();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        j.push_back(field_json(packed_field(i < fields.size() ? fields[i] : none, parts[i])));
+    return script_text(j);
+}
 
 std::string page_data(const Result& result, const ModelFacts& model) {
     const ResultUnits u = result_units(result);
@@ -150,16 +183,7 @@ std::string page_data(const Result& result, const ModelFacts& model) {
         j["parts"].push_back(part_json(result, i));
     for (const ContactResult& c : result.contacts) j["contacts"].push_back(contact_json(c));
     for (const Reaction& r : result.reactions) j["reactions"].push_back(reaction_json(r));
-    std::string text;
-    for (const char c : j.dump(-1, ' ', false, PageJson::error_handler_t::replace)) {
-        if (c == '<')
-            text += "\\u003c";  // names may hold what ends a script
-        else if (c == '&')
-            text += "\\u0026";  // the page is XML, too
-        else
-            text += c;
-    }
-    return text;
+    return script_text(j);
 }
 
 }  // namespace abut::report

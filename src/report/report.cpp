@@ -5,7 +5,7 @@
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
 #include "src/report/page_data.hpp"
-#include "src/report/page_texts.hpp"
+#include "src/report/report_page.hpp"
 #include "src/report/report_sections.hpp"
 #include "src/report/report_table.hpp"
 #include "src/results/result_units.hpp"
@@ -14,23 +14,12 @@ namespace abut {
 
 namespace {
 
-/// What the script needs; in a form that is XML as well as HTML.
-std::string script(const Result& result, const ModelFacts& model) {
-    return "<style>" + std::string(report::instrument_style_text()) +
-           "</style>\n<script type=\"application/json\" id=\"abut-data\">" + report::page_data(result, model) +
-           "</script>\n<script>//<![CDATA[\n" + report::instrument_script_text() + "//]]></script>\n";
-}
-
 std::string page(const Result& result, const std::string& body, const std::string& end = "") {
-    const std::string title = escape_xml(result.title.empty() ? "Contact analysis" : result.title);
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-           title + "</title>\n<style>" + report::page_style_text() + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
-           "</h1>\n" + body + "<footer>Made by abut " + program_build() +
-           ". Forces and moments are totals over the thickness; counter-clockwise moments about the origin "
-           "are positive; "
-           "pressures push.</footer>\n</main>\n" +
-           end + "</body>\n</html>\n";
+    return report::html_page(escape_xml(result.title.empty() ? "Contact analysis" : result.title), body,
+                             "Made by abut " + program_build() +
+                                 ". Forces and moments are totals over the thickness; counter-clockwise moments about the "
+                                 "origin are positive; pressures push.",
+                             end);
 }
 
 std::string loads_text(const CaseResult& c) {
@@ -66,13 +55,21 @@ std::string report_html(const Result& result, const ModelFacts& model) {
     return page(result,
                 report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" + pictures +
                     report::model_section(result, model) + report::tables_section(result),
-                result.geometry.empty() ? "" : script(result, model));
+                result.geometry.empty() ? "" : report::instrument(report::page_data(result, model)));
 }
 
-std::string cases_html(const std::vector<CaseResult>& cases) {
-    std::string body = envelope_table(cases);
-    for (std::size_t k = 0; k < cases.size(); ++k) body += case_box(cases[k], k);
-    return page(cases.front().result, body);
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models) {
+    std::string body = "<div id=\"instrument\"></div>\n" + envelope_table(cases);
+    std::vector<report::CaseTab> tabs;
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        const Result& result = cases[k].result;
+        body += case_box(cases[k], k);
+        if (result.geometry.empty()) continue;
+        tabs.push_back({cases[k].name, loads_text(cases[k]), verdict_word(verdict_of(result)), verdict_sentence(result),
+                        report::page_data(result, k < models.size() ? models[k] : ModelFacts())});
+    }
+    const bool in_steps = cases.front().result.solver.increments.has_value();
+    return page(cases.front().result, body, tabs.empty() ? "" : report::instrument(report::tabs_data(tabs, in_steps)));
 }
 
 }  // namespace abut

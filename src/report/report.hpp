@@ -11,7 +11,8 @@ namespace abut {
 std::string report_html(const Result& result, const ModelFacts& model = {});
 
 /// The text of the page over the load cases of a scene: what each came to, with a link to its own page
-/// (CASE_FOLDER/report.html), and what is largest in any.
-std::string cases_html(const std::vector<CaseResult>& cases);
+/// (CASE_FOLDER/report.html), and what is largest in any; with a script all of them in one instrument, by tabs and a slider,
+/// and curves over them. models: of the cases.
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models = {});
 
 }  // namespace abut

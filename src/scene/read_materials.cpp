@@ -101,6 +101,26 @@ std::optional<int> take_from_library(SceneReading& reading, const JsonValue& at,
     return static_cast<int>(scene.materials.size()) - 1;
 }
 
+/// A parameter's value: a number, or what an object with a range calls so.
+std::optional<double> read_with_range(SceneReading& reading, const JsonValue& item) {
+    if (item.kind != JsonValue::Kind::object) return read_parameter(reading, item);
+    if (!check_object(reading, item, {{"value", "min", "max"}, {}})) return std::nullopt;
+    const JsonValue* given = required(reading, item, "value");
+    if (!given) return std::nullopt;
+    JsonValue value = *given;
+    value.key = item.key;  // by which its dimension is noted
+    const std::optional<double> number = read_parameter(reading, value);
+    const std::optional<double> least = required_member(reading, item, "min", read_of_any_dimension);
+    const std::optional<double> most = required_member(reading, item, "max", read_of_any_dimension);
+    if (!number || !least || !most) return std::nullopt;
+    if (*least >= *most)
+        report_problem(reading, item, "'min' is not below 'max'", "give the smallest value as 'min'");
+    else if (*number < *least || *number > *most)
+        report_problem(reading, *given, "the value is not between 'min' and 'max'", "give one in between, or other ends");
+    reading.ranges.push_back({item.key, *number, *least, *most, item.pointer});
+    return number;
+}
+
 }  // namespace
 
 void read_parameters(SceneReading& reading, const JsonValue& parameters) {
@@ -115,7 +135,7 @@ void read_parameters(SceneReading& reading, const JsonValue& parameters) {
         } else if (is_taken(item.key)) {
             report_problem(reading, item, "'" + item.key + "' has a meaning in expressions already",
                            "give the parameter another name");
-        } else if (const std::optional<double> number = read_parameter(reading, item)) {
+        } else if (const std::optional<double> number = read_with_range(reading, item)) {
             const auto given = reading.replaced.find(item.key);  // in the scene's units, of the same dimension
             reading.parameters[item.key] = given != reading.replaced.end() ? given->second : *number;
         } else {

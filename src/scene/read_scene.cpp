@@ -258,6 +258,16 @@ Scene read_scene(const std::string& path, const std::map<std::string, double>& p
     return scene_of(read_json(path), parameters, file);
 }
 
+std::vector<ParameterRange> parameter_ranges(const std::string& path) {
+    JsonDocument document = read_json(path);
+    SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}};
+    Scene named;
+    if (const JsonValue* units = find_member(reading.root, "units")) read_units(reading, *units, named);
+    if (const JsonValue* parameters = find_member(reading.root, "parameters")) read_parameters(reading, *parameters);
+    if (!reading.problems.empty()) throw_problems(std::move(reading.problems));
+    return reading.ranges;
+}
+
 Scene read_scene_text(const std::string& text, const std::string& file) {
     return scene_of(parse_json(text, file), {});
 }

@@ -12,6 +12,7 @@
 #include "geometry/curves/vec2.hpp"
 #include "src/io/json_document.hpp"
 #include "src/scene/expression.hpp"
+#include "src/scene/parameter_range.hpp"
 #include "src/scene/unit.hpp"
 
 namespace abut {
@@ -30,7 +31,8 @@ struct SceneReading {
     SceneUnits units{};                        ///< those that the scene names
     /// Parameters that have a unit, by themselves or by those they are made of; the dimension where it is known.
     std::map<std::string, std::optional<Dimension>> dimensions{};
-    std::string given_file{};  ///< what a template's file name `any_file` stands for; empty: nothing
+    std::string given_file{};              ///< what a template's file name `any_file` stands for; empty: nothing
+    std::vector<ParameterRange> ranges{};  ///< of the parameters that have one
 };
 
 /// Notes a problem at the place of a value.

@@ -34,7 +34,7 @@ const std::map<std::string, std::vector<std::string>> rooms{
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
      {"base", "io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "session",
-      "report", "inspection", "verification", "study", "batch", "reference"}}};
+      "report", "live", "inspection", "verification", "study", "batch", "reference"}}};
 
 /// What every floor may use; it knows none of them.
 const std::string common_room = "src/base/";

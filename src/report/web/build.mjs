@@ -10,7 +10,7 @@ const folder = process.argv[2] ?? join(here, 'bundle');
 
 const result = await build({
     absWorkingDir: here,
-    entryPoints: {report: 'main.js'},
+    entryPoints: {report: 'main.js', live: 'live.js'},
     outdir: folder,
     bundle: true,
     minify: true,
@@ -37,12 +37,12 @@ for (const {title, text} of notices) groups.set(text, [...(groups.get(text) ?? [
 const licences = [...groups].map(([text, titles]) => `${titles.join(', ')}\n\n${text}`).join('\n\n----\n\n');
 
 await mkdir(folder, {recursive: true});
-await writeFile(join(folder, 'LICENSES.txt'), `Bundled in report.js and report.css:\n\n${licences}\n`);
+await writeFile(join(folder, 'LICENSES.txt'), `Bundled in the scripts and styles beside this:\n\n${licences}\n`);
 for (const {path, text} of result.outputFiles) {
     const isScript = path.endsWith('.js');
     if (/]]>|<\/(script|style)/i.test(text)) throw new Error(`${path} holds what ends its element in a page`);
     const banner = isScript
-        ? `/*! SPDX-License-Identifier: GPL-3.0-or-later\nThe instrument of abut's report, with:\n\n${licences} */\n`
+        ? `/*! SPDX-License-Identifier: GPL-3.0-or-later\nThe instrument of abut's pages, with:\n\n${licences} */\n`
         : '/* SPDX-License-Identifier: GPL-3.0-or-later; with parts of uPlot (MIT), whose licence is in the script */\n';
     await writeFile(path, banner + text);
 }

@@ -13,10 +13,12 @@ const mostZoom = 1e5;
 
 export class Canvas {
     constructor(element, data, state) {
-        Object.assign(this, {element, data, state, coarseness: 1, frame: 0, transform: zoomIdentity, listeners: []});
+        Object.assign(this, {element, data, state, coarseness: 1, frame: 0, transform: zoomIdentity, listeners: [], overlays: [], isTaken: () => false});
         this.context = element.getContext('2d');
         this.scratch = document.createElement('canvas');
-        this.zoom = zoom().scaleExtent([0.3, mostZoom]).on('zoom', event => {
+        // What lies over the picture may take a drag for itself.
+        const starts = event => (!event.ctrlKey || event.type === 'wheel') && !event.button && (event.type === 'wheel' || !this.isTaken(event));
+        this.zoom = zoom().filter(starts).scaleExtent([0.3, mostZoom]).on('zoom', event => {
             this.transform = event.transform;
             this.draw(true);
         }).on('end', () => this.state.changed('view'));
@@ -140,6 +142,7 @@ export class Canvas {
         if (state.has('names')) drawNames(this);
         if (state.has('extremes') && state.ends) drawExtremes(this);
         drawPins(this);
+        this.overlays.forEach(draw => draw(this));
     }
 
     path(part, exaggeration) {

@@ -36,14 +36,17 @@ function unpackPatches(packed) {
     return Int32Array.from(integers(packed), (difference, k) => k % 4 === 0 ? first += difference : first + difference);
 }
 
-function unpackPart(part, facts) {
-    const field = part.field, samples = unpackSamples(field.samples, field), loops = unpackSamples(field.loops, field);
+/// The field of a part and its outline.
+export function unpackField(field) {
+    const samples = unpackSamples(field.samples, field), loops = unpackSamples(field.loops, field);
     let end = 0;
-    const ranges = field.loop_sizes.map(size => [end, end += size]);
-    const own = facts.parts.find(p => p.name === part.name);
+    return {field, samples, loops, ranges: field.loop_sizes.map(size => [end, end += size]), inside: field.inside, patches: unpackPatches(field.patches), hasField: samples.n > 0};
+}
+
+function unpackPart(part, facts) {
+    const own = facts.parts.find(p => p.name === part.name), shape = unpackField(part.field);
     const material = own && facts.materials.find(m => m.name === own.material);
-    return {...part, samples, loops, ranges, inside: field.inside, patches: unpackPatches(field.patches),
-        hasField: samples.n > 0, E: material?.E ?? NaN, nu: material?.nu ?? NaN, box: boxOf(loops.x, loops.y)};
+    return {...part, ...shape, E: material?.E ?? NaN, nu: material?.nu ?? NaN, yield: material?.yield ?? null, box: boxOf(shape.loops.x, shape.loops.y)};
 }
 
 export function boxOf(x, y) {
@@ -90,9 +93,10 @@ function boundaryDisplacement(part, px, py) {
 
 /// Adds to a contact what drawing it needs: displacements and outward normals of the first part along its profile, and a common
 /// abscissa where the profile runs over several edges.
-function prepareContact(contact, parts) {
+export function prepareContact(contact, parts) {
     const p = contact.profile, first = parts[contact.parts[0]], n = p.x.length;
     contact.first = first;
+    p.gap ??= p.x.map(() => null);  // not asked for
     contact.ux = new Float64Array(n);
     contact.uy = new Float64Array(n);
     contact.nx = new Float64Array(n);
@@ -122,8 +126,8 @@ function prepareContact(contact, parts) {
     contact.isOpen = contact.status === 'open';
 }
 
-export function unpack(text) {
-    const data = JSON.parse(text);
+/// data: the page's data, which is changed.
+export function unpack(data) {
     data.parts = data.parts.map(part => unpackPart(part, {parts: data.model.parts ?? [], materials: data.model.materials ?? []}));
     data.contacts.forEach((contact, k) => {
         contact.index = k;

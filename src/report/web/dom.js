@@ -25,14 +25,15 @@ export async function copy(words) {
     }
 }
 
-/// A table whose columns sort by a click: columns {name, number, value(row), show(row)}, a row's element made by decorate.
+/// A table whose columns sort by a click: columns {name, number, value(row), show(row)}, a row's element made by decorate. Its
+/// refill() takes what rows() then gives.
 export function sortableTable(columns, rows, decorate, label) {
     const body = element('tbody'), table = element('table', {class: 'sortable', 'aria-label': label});
     let by = -1, direction = 1;
     const heads = columns.map((column, k) => element('th', {class: column.number ? 'n' : null, scope: 'col'},
         element('button', {type: 'button', click: () => sort(k)}, column.name)));
     const fill = () => {
-        const sorted = by < 0 ? rows : [...rows].sort((a, b) => {
+        const sorted = by < 0 ? rows() : [...rows()].sort((a, b) => {
             const p = columns[by].value(a), q = columns[by].value(b);
             return direction * (typeof p === 'string' ? p.localeCompare(q) : p - q);
         });
@@ -49,6 +50,7 @@ export function sortableTable(columns, rows, decorate, label) {
         fill();
     };
     table.append(element('thead', {}, element('tr', {}, ...heads)), body);
+    table.refill = fill;
     fill();
     return table;
 }

@@ -4,12 +4,12 @@ import {text, ticks, withUnit} from './colors.js';
 import {valueAt} from './quantities.js';
 import {sampleAt} from './raster.js';
 
-export const contactColor = '#d3102b', shearColor = '#7b2fbf', gapColor = '#1864ab';
+export const contactColor = '#d3102b', shearColor = '#7b2fbf', gapColor = '#1864ab', slipColor = '#2b8a3e';
 const openColor = '#f08300', pickColor = '#e8590c';
 const fanShare = 0.045, fanMost = 110;  // the largest pressure: of the model's size, and in pixels
 const arrowLength = 64;
 
-function label(canvas, words, x, y, {color = canvas.ink, side = 1, bold = false} = {}) {
+export function label(canvas, words, x, y, {color = canvas.ink, side = 1, bold = false} = {}) {
     if (x < -20 || y < -20 || x > canvas.width + 20 || y > canvas.height + 20) return;
     const c = canvas.context;
     c.font = `${bold ? '600 ' : ''}12px system-ui, "Segoe UI", "DejaVu Sans", sans-serif`;
@@ -40,7 +40,7 @@ function label(canvas, words, x, y, {color = canvas.ink, side = 1, bold = false}
     c.fillText(words, left + 5, top + height / 2 + 0.5);
 }
 
-function arrow(c, x, y, dx, dy, color, width = 2) {
+export function arrow(c, x, y, dx, dy, color, width = 2) {
     const length = Math.hypot(dx, dy);
     if (!(length > 1)) return;
     const ex = dx / length, ey = dy / length, head = Math.min(10, length / 2);
@@ -58,7 +58,7 @@ function arrow(c, x, y, dx, dy, color, width = 2) {
     c.lineWidth = 1;
 }
 
-function ring(c, x, y, radius, color, paper) {
+export function ring(c, x, y, radius, color, paper) {
     c.beginPath();
     c.arc(x, y, radius, 0, 2 * Math.PI);
     c.lineWidth = 3.5;
@@ -200,15 +200,22 @@ function drawNumber(canvas, contact) {
     canvas.labels.push({x: px - radius, y: py - radius, w: 2 * radius, h: 2 * radius});
 }
 
+/// Pixels for the largest value of all contacts.
+export function fanHeight(canvas) {
+    return Math.min(fanMost, fanShare * canvas.data.size * canvas.place.scale);
+}
+
+const peakOf = (contact, key) => (contact.profile[key] ?? []).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
+export const largestOf = (contacts, key) => Math.max(0, ...contacts.map(c => peakOf(c, key)));
+
 /// The pressure (shear, gap) over the edge of the first part, to one scale for all contacts; the picked contact to its own.
 export function drawFans(canvas, key, color) {
-    const c = canvas.context, {state, data} = canvas, peakOf = contact => (contact.profile[key] ?? []).reduce((most, v) => Math.max(most, Math.abs(v)), 0);
-    const largest = Math.max(0, ...data.contacts.map(peakOf));
+    const c = canvas.context, {state, data} = canvas, largest = largestOf(data.contacts, key);
     for (const contact of data.contacts) {
-        const values = contact.profile[key], peak = peakOf(contact);
+        const values = contact.profile[key], peak = peakOf(contact, key);
         // an open contact's gap says little beside those of closed ones
         if (!(peak > 0) || (key === 'gap' && contact.isOpen && state.contact !== contact.index)) continue;
-        const n = values.length, height = Math.min(fanMost, fanShare * data.size * canvas.place.scale) / (state.contact === contact.index ? peak : largest);
+        const n = values.length, height = fanHeight(canvas) / (state.contact === contact.index ? peak : largest);
         const tip = i => {
             const [x, y] = canvas.profilePixel(contact, i), h = values[i] * height;
             return [x + h * contact.nx[i], y - h * contact.ny[i]];

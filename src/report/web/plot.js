@@ -3,7 +3,7 @@
 import uPlot from 'uplot';
 import {text, withUnit} from './colors.js';
 import {copy, element} from './dom.js';
-import {contactColor, shearColor} from './layers.js';
+import {contactColor, shearColor, slipColor} from './layers.js';
 
 const height = 230;
 
@@ -28,6 +28,7 @@ export class ContactPlot {
         this.root = element('div', {class: 'plot', hidden: true}, element('div', {class: 'plot-head'}, this.heading, this.copyButton), this.box, this.reading);
         state.on(what => {
             if (what === 'contact' || what === 'theme') this.make();
+            if (what === 'data') this.renew();
             if (what === 'cursor') this.follow();
         });
         new ResizeObserver(() => this.chart?.setSize({width: this.box.clientWidth, height})).observe(this.box);
@@ -45,8 +46,6 @@ export class ContactPlot {
         const axis = {stroke: ink, grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1}, font: '11px system-ui', labelFont: '12px system-ui', values: (u, list) => list.map(v => v === null ? '' : text(v, 5))};
         const name = (words, unit) => words + (unit ? ` [${unit}]` : '');
         const abscissa = contact.hasArc ? 's on ' + p.edges[0] : 'length along ' + p.edges.join(', ');
-        // uPlot takes ascending abscissas
-        const ascending = list => contact.falls ? list.slice().reverse() : list;
         // Gaps that are nothing beside the displacements are not drawn as if they were something.
         const least = 0.02 * this.data.largestDisplacement || 1e-6 * this.data.size;
         const tension = p.pressure.some(v => v < 0) || p.shear;
@@ -56,11 +55,29 @@ export class ContactPlot {
             cursor: {y: false, points: {size: 8}, drag: {x: true, y: false}},
             series: [{}, {scale: 'pressure', stroke: contactColor, width: 2, fill: '#d3102b1c', points: {show: false}},
                 {scale: 'gap', stroke: gapColor, width: 1.5, dash: [6, 3], points: {show: false}},
-                ...(p.shear ? [{scale: 'pressure', stroke: shearColor, width: 1.5, points: {show: false}}] : [])],
+                ...(p.shear ? [{scale: 'pressure', stroke: shearColor, width: 1.5, points: {show: false}}] : []),
+                ...(p.slip ? [{scale: 'gap', stroke: slipColor, width: 1.5, dash: [2, 3], points: {show: false}}] : [])],
             axes: [{...axis, label: name(abscissa, units.length), size: 34, labelSize: 20}, {...axis, scale: 'pressure', label: name(p.shear ? 'pressure, shear' : 'pressure', units.stress), size: 56, labelSize: 18},
-                {...axis, scale: 'gap', side: 1, label: name('gap', units.length), grid: {show: false}, size: 62, labelSize: 18, stroke: gapColor}],
+                {...axis, scale: 'gap', side: 1, label: name(p.slip ? 'gap, slip' : 'gap', units.length), grid: {show: false}, size: 62, labelSize: 18, stroke: gapColor}],
             hooks: {setCursor: [chart => this.read(this.turned(chart.cursor.idx))]},
-        }, [contact.along, p.pressure, p.gap, ...(p.shear ? [p.shear] : [])].map(ascending), this.box);
+        }, this.lists(), this.box);
+        this.read(null);
+    }
+
+    /// What is drawn; uPlot takes ascending abscissas.
+    lists() {
+        const {falls, along, profile: p} = this.shown;
+        return [along, p.pressure, p.gap, ...(p.shear ? [p.shear] : []), ...(p.slip ? [p.slip] : [])].map(list => falls ? list.slice().reverse() : list);
+    }
+
+    /// Takes what has become of the contact that is shown.
+    renew() {
+        const before = this.chart?.series.length, contact = this.data.contacts[this.state.contact] ?? null;
+        if (!contact || contact.between.join() !== this.shown?.between.join()) return this.make();
+        this.shown = contact;
+        const lists = this.lists();
+        if (lists.length !== before) return this.make();
+        this.chart.setData(lists);
         this.read(null);
     }
 

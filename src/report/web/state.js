@@ -19,10 +19,14 @@ function nearestNice(value) {
 export class State {
     constructor(data) {
         this.data = data;
-        this.automatic = data.largestDisplacement > 0 ? nearestNice(0.05 * data.size / data.largestDisplacement) : 1;
-        Object.assign(this, {exaggeration: 0, mode: 'smooth', layers: new Set(shownAtFirst), contact: -1, hovered: -1, part: -1, pins: [], cursor: null,
+        this.setAutomatic(data.largestDisplacement);
+        Object.assign(this, {shownCase: 0, exaggeration: 0, mode: 'smooth', layers: new Set(shownAtFirst), contact: -1, hovered: -1, part: -1, pins: [], cursor: null,
             locked: false, listeners: []});
         this.setQuantity('vm');
+    }
+    /// The enlargement that shows a displacement.
+    setAutomatic(displacement) {
+        this.automatic = displacement > 0 ? nearestNice(0.05 * this.data.size / displacement) : 1;
     }
     has(layer) {
         return this.layers.has(layer);
@@ -30,16 +34,27 @@ export class State {
     on(listener) {
         this.listeners.push(listener);
     }
-    /// what: quantity, range, deformation, layers, contact, hover, pins, cursor, view, theme.
+    /// what: quantity, range, deformation, layers, contact, hover, pins, cursor, view, theme, data.
     changed(what) {
         this.listeners.forEach(listener => listener(what));
     }
     setQuantity(key) {
         this.quantity = quantityOf(key);
+        this.measure();
+        this.changed('quantity');
+    }
+    /// Takes smallest and largest values of what is shown.
+    measure() {
         this.ends = extremes(this.quantity, this.data);
         this.automaticRange = this.ends ? automaticRange(this.quantity, this.data, this.ends) : {low: 0, high: 1};
         if (!this.locked) this.range = {...this.automaticRange};
-        this.changed('quantity');
+    }
+    /// Takes what has become of the data.
+    renew() {
+        if (!this.data.contacts[this.contact]) this.contact = -1;
+        Object.assign(this, {hovered: -1, part: -1, cursor: null, pins: []});
+        this.measure();
+        this.changed('data');
     }
     nextQuantity(step) {
         this.setQuantity(quantities[(quantities.indexOf(this.quantity) + step + quantities.length) % quantities.length].key);
@@ -57,6 +72,7 @@ export class State {
 
     address(view, isFitted) {
         const keys = new URLSearchParams();
+        if (this.shownCase > 0) keys.set('k', this.shownCase + 1);
         if (this.contact >= 0) keys.set('c', this.contact + 1);
         if (this.quantity.key !== 'vm') keys.set('q', this.quantity.key);
         if (this.exaggeration) keys.set('d', Number(this.exaggeration.toPrecision(4)));

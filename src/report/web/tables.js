@@ -6,21 +6,37 @@ import {element, sortableTable} from './dom.js';
 
 const inBrackets = unit => unit ? ` [${unit}]` : '';
 
+/// A value, and how much it differs from what it was in a state that is kept to compare with.
+function compared(words, now, before) {
+    if (before === undefined || before === null || !Number.isFinite(now)) return words;
+    const change = before ? 100 * (now - before) / Math.abs(before) : 0, size = Math.abs(change);
+    const said = before === now || size < 0.05 ? '±0 %' : !before ? 'new' : `${change > 0 ? '+' : '−'}${size >= 1000 ? '>1000' : text(size, size < 10 ? 2 : 3)} %`;
+    return element('span', {class: 'compared'}, words, element('small', {class: 'change'}, said));
+}
+
+/// Names of contacts that stay the same from answer to answer: the same edges may touch more than once.
+export function contactKeys(contacts) {
+    const seen = new Map();
+    return contacts.map(c => {
+        const name = c.between.join(' – '), n = (seen.get(name) ?? 0) + 1;
+        seen.set(name, n);
+        return `${name} ${n}`;
+    });
+}
+
 function markRows(root, attribute, index) {
     for (const row of root.querySelectorAll('tr[' + attribute + ']')) row.classList.toggle('lit', Number(row.getAttribute(attribute)) === index);
 }
 
 export function contactPanel(data, state, canvas) {
-    const {units} = data, closed = data.contacts.filter(c => !c.isOpen), open = data.contacts.filter(c => c.isOpen);
-    if (!data.contacts.length) return element('p', {}, 'No parts touch.');
-    const size = c => Math.hypot(...c.force);
+    const {units} = data, size = c => Math.hypot(...c.force), before = c => data.ghost?.contacts.get(contactKeys(data.contacts)[c.index]);
     const columns = [
         {name: '#', number: true, value: c => c.index + 1},
         {name: 'contact', value: c => `${c.between[0]} – ${c.between[1]}`},
         {name: 'status', value: c => c.kind === 'contact' ? c.status : c.kind},
-        {name: 'force' + inBrackets(units.force), number: true, value: size, show: c => text(size(c))},
+        {name: 'force' + inBrackets(units.force), number: true, value: size, show: c => compared(text(size(c)), size(c), before(c)?.size)},
         {name: 'max pressure' + inBrackets(units.stress), number: true, value: c => c.max_pressure.value ?? 0,
-            show: c => text(c.max_pressure.value) + (c.at_corner ? '*' : '')},
+            show: c => compared(text(c.max_pressure.value) + (c.at_corner ? '*' : '') + (data.tellsErrors && c.error && !c.at_corner && !c.isOpen ? ` ± ${text(100 * c.error, 2)} %` : ''), c.max_pressure.value ?? 0, before(c)?.peak)},
     ];
     const decorate = (contact, row) => {
         const pick = () => state.set('contact', state.contact === contact.index ? -1 : contact.index);
@@ -40,34 +56,50 @@ export function contactPanel(data, state, canvas) {
         row.classList.toggle('lit', state.contact === contact.index);
         return row;
     };
-    const search = element('input', {type: 'search', placeholder: 'Search parts and edges', 'aria-label': 'Search contacts', input: () => {
+    const search = element('input', {type: 'search', placeholder: 'Search parts and edges', 'aria-label': 'Search contacts', input: () => find()});
+    const find = () => {
         const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
         for (const row of root.querySelectorAll('tr[data-contact]')) row.hidden = !words.every(w => row.textContent.toLowerCase().includes(w));
-        if (words.length && folded) folded.open = true;
-    }});
-    const folded = open.length ? element('details', {class: 'open-contacts', open: closed.length === 0}, element('summary', {}, `${open.length} open`),
-        sortableTable(columns, open, decorate, 'Open contacts')) : null;
-    const root = element('div', {class: 'panel contacts-panel'}, data.contacts.length > 6 ? search : null,
-        closed.length ? element('div', {class: 'scroll'}, sortableTable(columns, closed, decorate, 'Contacts')) : null, folded);
+        if (words.length) folded.open = true;
+    };
+    const closed = sortableTable(columns, () => data.contacts.filter(c => !c.isOpen), decorate, 'Contacts');
+    const open = sortableTable(columns, () => data.contacts.filter(c => c.isOpen), decorate, 'Open contacts');
+    const none = element('p', {}, 'No parts touch.'), closedBox = element('div', {class: 'scroll'}, closed);
+    const summary = element('summary'), folded = element('details', {class: 'open-contacts', open: data.contacts.every(c => c.isOpen)}, summary, open);
+    const root = element('div', {class: 'panel contacts-panel'}, none, search, closedBox, folded);
+    const update = () => {
+        const n = data.contacts.filter(c => c.isOpen).length;
+        none.hidden = data.contacts.length > 0;
+        search.hidden = data.contacts.length <= 6;
+        closedBox.hidden = n === data.contacts.length;
+        folded.hidden = n === 0;
+        summary.textContent = `${n} open`;
+        find();
+    };
     state.on(what => {
         if (what === 'contact' || what === 'hover') markRows(root, 'data-contact', state.hovered >= 0 ? state.hovered : state.contact);
+        if (what !== 'data') return;
+        closed.refill();
+        open.refill();
+        update();
     });
+    update();
     return root;
 }
 
 export function partPanel(data, state, canvas) {
-    const {units} = data, hasYield = data.parts.some(p => p.utilisation !== null);
+    const {units} = data, hasYield = data.parts.some(p => p.utilisation !== null), before = p => data.ghost?.parts.get(p.name);
     const columns = [
         {name: 'part', value: p => p.name, show: p => element('span', {class: 'part-cell'}, element('span', {class: 'swatch', style: 'background:' + p.color}), p.name)},
         {name: 'material', value: p => p.material},
         {name: 'max von Mises' + inBrackets(units.stress), number: true, value: p => p.max_von_mises.value ?? 0,
-            show: p => p.solved && p.hasField ? text(p.max_von_mises.value) + (p.at_corner ? '*' : '') : p.rigid ? 'rigid' : '–'},
+            show: p => p.solved && p.hasField ? compared(text(p.max_von_mises.value) + (p.at_corner ? '*' : ''), p.max_von_mises.value, before(p)?.stress) : p.rigid ? 'rigid' : '–'},
     ];
     if (hasYield)
         columns.push({name: 'of yield', number: true, value: p => p.utilisation ?? -1, show: p => p.utilisation === null ? '–' : element('span', {class: 'meter'},
             element('span', {class: 'fill' + (p.utilisation > 1 ? ' over' : ''), style: `width:${Math.min(100, 100 * p.utilisation)}%`}),
             element('span', {}, text(100 * p.utilisation, 3) + ' %'))});
-    columns.push({name: 'max |u|' + inBrackets(units.length), number: true, value: p => p.max_displacement.value ?? 0, show: p => p.solved ? text(p.max_displacement.value) : '–'});
+    columns.push({name: 'max |u|' + inBrackets(units.length), number: true, value: p => p.max_displacement.value ?? 0, show: p => p.solved ? compared(text(p.max_displacement.value), p.max_displacement.value, before(p)?.displacement) : '–'});
     const decorate = (part, row) => {
         const index = data.parts.indexOf(part);
         row.setAttribute('data-part', index);
@@ -79,7 +111,10 @@ export function partPanel(data, state, canvas) {
         row.addEventListener('keydown', e => e.key === 'Enter' && canvas.showBox(part.box, 0.8));
         return row;
     };
-    const root = element('div', {class: 'panel'}, element('div', {class: 'scroll'}, sortableTable(columns, data.parts, decorate, 'Parts')));
-    state.on(what => what === 'hover' && markRows(root, 'data-part', state.part));
+    const table = sortableTable(columns, () => data.parts, decorate, 'Parts'), root = element('div', {class: 'panel'}, element('div', {class: 'scroll'}, table));
+    state.on(what => {
+        if (what === 'hover') markRows(root, 'data-part', state.part);
+        if (what === 'data') table.refill();
+    });
     return root;
 }

@@ -69,7 +69,7 @@ TEST(Schemas, ScenesOfTheProjectHaveNoOtherKeys) {
 
 /// A scene that has every object of the format. It need not make sense as a whole.
 const char* const every_object =
-    R"({"abut": 1, "units": {"length": "mm"}, "parameters": {"R": 1}, "materials": {"m": {"E": 1, "nu": 0}},
+    R"({"abut": 1, "units": {"length": "mm"}, "parameters": {"R": 1, "S": {"value": 1, "min": 0, "max": 2}}, "materials": {"m": {"E": 1, "nu": 0}},
   "parts": [
     {"name": "a", "material": "m", "place": {"rotate": 0}, "geometry": {"union": [
       {"rectangle": {"min": [0, 0], "max": [1, 1]}}, {"circle": {"center": [0, 0], "radius": 1}},
