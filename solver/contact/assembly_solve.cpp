@@ -75,8 +75,7 @@ void take_slips_before(const AssemblyProblem& problem, AssemblyRows& all) {
     if (all.friction.empty() || problem.before.empty()) return;
     ENSURE(problem.before.size() == problem.parts.size(), "every part has a displacement before, or none has");
     VectorXd moved = VectorXd::Zero(all.rows.n);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i)
-        moved += rows_times(all.rows.by_part[i], problem.before[i], all.rows.n);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) moved += opening_of(all.rows, i, problem.before[i]);
     for (const FrictionRow& f : all.friction) all.rows.gap0[f.tangential] -= moved[f.tangential];
 }
 
@@ -128,7 +127,7 @@ Remainder remainder_of(const AssemblyProblem& problem, const Rows& rows, const C
     const std::vector<Index> offset = mode_offsets(problem.parts);
     VectorXd opening = VectorXd::Zero(rows.n), load = VectorXd::Zero(offset.back());
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        opening += rows_times(rows.by_part[i], solution.displacement[i], rows.n);
+        opening += opening_of(rows, i, solution.displacement[i]);
         load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * solution.load[i];
     }
     const Index soft = rows.softness.size();
@@ -267,8 +266,8 @@ void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd&
     const Index n = 2 * problem.parts[part].n();
     VectorXd contact_only = multipliers;
     contact_only.tail(static_cast<Index>(problem.constraints.size())).setZero();
-    solution.contact_load[part] = transposed_times(rows.by_part[part], contact_only, static_cast<int>(n));
-    solution.load[part] = problem.parts[part].load + transposed_times(rows.by_part[part], multipliers, static_cast<int>(n));
+    solution.contact_load[part] = load_of(rows, part, contact_only, static_cast<int>(n));
+    solution.load[part] = problem.parts[part].load + load_of(rows, part, multipliers, static_cast<int>(n));
 }
 
 void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,

@@ -69,11 +69,35 @@ struct PartShare {
     VectorXd opening;     // (rows of the assembly)
 };
 
-PartShare share_of(const PartSystem& part, const std::vector<RowEntry>& entries, int n_rows) {
-    if (entries.empty()) return {};
-    if (part.body) return {{}, {}, rows_times(entries, part.prescribed, n_rows)};
-    PartColumns c = columns_of(part, entries);
-    PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), rows_times(entries, part.prescribed, n_rows)};
+/// A part's entries, and its mean rotation as one row more where others turn with it.
+std::vector<RowEntry> with_rotation(const Rows& rows, std::size_t part) {
+    std::vector<RowEntry> entries = rows.by_part[part];
+    const VectorXd& rotation = rows.turning[part].rotation;
+    for (Index i = 0; i < rotation.size(); ++i)
+        if (rotation[i] != 0) entries.push_back({rows.n, static_cast<int>(i), rotation[i]});
+    return entries;
+}
+
+/// Takes the row of the mean rotation, the last, into those that turn with it.
+void fold_rotation(const VectorXd& arm, PartShare& share) {
+    MatrixXd& c = share.compliance;
+    const auto n = static_cast<Index>(share.row.size()) - 1;
+    VectorXd turned = VectorXd::Zero(n);
+    for (Index k = 0; k < n; ++k)
+        if (const Index row = share.row[static_cast<std::size_t>(k)]; row < arm.size()) turned[k] = arm[row];
+    const Eigen::RowVectorXd of_rotation = c.row(n);
+    c.topRows(n) += turned * of_rotation;
+    c.topLeftCorner(n, n) += (of_rotation.head(n).transpose() + of_rotation[n] * turned) * turned.transpose();
+    share.row.pop_back();
+}
+
+PartShare share_of(const PartSystem& part, const Rows& rows, std::size_t i) {
+    if (rows.by_part[i].empty()) return {};
+    if (part.body) return {{}, {}, opening_of(rows, i, part.prescribed)};
+    const bool turns = rows.turning[i].rotation.size() > 0;
+    PartColumns c = turns ? columns_of(part, with_rotation(rows, i)) : columns_of(part, rows.by_part[i]);
+    PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), opening_of(rows, i, part.prescribed)};
+    if (turns) fold_rotation(rows.turning[i].arm, share);
     if (c.is_loaded)
         for (std::size_t k = 0; k < share.row.size(); ++k)
             share.opening[share.row[k]] += share.compliance(static_cast<Index>(k), share.compliance.cols() - 1);
@@ -141,13 +165,16 @@ Compliance sum_of(const std::vector<PartShare>& shares, int m, const VectorXd& s
     return sum;
 }
 
-void add_modes(const PartSystem& part, const std::vector<RowEntry>& entries, Index offset, ContactQp& qp) {
+void add_modes(const PartSystem& part, const Rows& rows, std::size_t i, Index offset, ContactQp& qp) {
     const Index n_modes = part.modes.cols();
     if (n_modes == 0) return;
     qp.mode_load.segment(offset, n_modes) = part.modes.transpose() * part.load;
     // prescribed displacements load a part, too: what their entries add up from is the scale of their rounding
     qp.load_scale = std::max(qp.load_scale, (part.modes.cwiseAbs().transpose() * part.load.cwiseAbs()).maxCoeff());
-    for (const RowEntry& e : entries) qp.modes.row(e.row).segment(offset, n_modes) += e.value * part.modes.row(e.coefficient);
+    for (const RowEntry& e : rows.by_part[i])
+        qp.modes.row(e.row).segment(offset, n_modes) += e.value * part.modes.row(e.coefficient);
+    if (const Turning& t = rows.turning[i]; t.rotation.size() > 0)
+        qp.modes.block(0, offset, t.arm.size(), n_modes) += t.arm * (t.rotation.transpose() * part.modes);
 }
 
 }  // namespace
@@ -161,18 +188,18 @@ std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
 ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale, int threads) {
     const std::vector<Index> offset = mode_offsets(parts);
     const Index m = rows.n, n = offset.back();
-    ENSURE(rows.by_part.size() == parts.size() && rows.gap0.size() == m && rows.weight.size() == m &&
-               static_cast<Index>(rows.unilateral.size()) == m && rows.softness.size() <= m,
+    ENSURE(rows.by_part.size() == parts.size() && rows.turning.size() == parts.size() && rows.gap0.size() == m &&
+               rows.weight.size() == m && static_cast<Index>(rows.unilateral.size()) == m && rows.softness.size() <= m,
            "rows are of these parts, with a gap, a weight and a kind each");
     ContactQp qp{{},        rows.gap0, MatrixXd::Zero(m, n), VectorXd::Zero(n), rows.unilateral, VectorXd::Zero(m),
                  rows.gap0, load_scale};
     std::vector<PartShare> shares(parts.size());
     parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const auto k = static_cast<std::size_t>(i);
-        shares[k] = share_of(parts[k], rows.by_part[k], rows.n);
+        shares[k] = share_of(parts[k], rows, k);
     });
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        add_modes(parts[i], rows.by_part[i], offset[i], qp);
+        add_modes(parts[i], rows, i, offset[i], qp);
         if (shares[i].opening.size() > 0) qp.gap += shares[i].opening;
     }
     qp.compliance = sum_of(shares, rows.n, rows.softness);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solver/contact/traction_arm.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -12,6 +11,7 @@ namespace abut::solver {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 
 /// The entries in the order of their rows, those of one row in the order in which they are given.
 std::vector<RowEntry> sorted_by_row(const std::vector<RowEntry>& entries, int n_rows) {
@@ -88,18 +88,15 @@ Vec2 opening_direction(const InterfacePoint& p, std::size_t side) {
 
 /// One side's entries of a point, on a body with a solution structure.
 void add_structured(Rows& rows, const PartInput& input, std::size_t part, const InterfacePoint& p, std::size_t side,
-                    const Vec2& arm, const PointRows& of) {
+                    const PointRows& of) {
     const DisplacementBasis b = displacement_basis(input, p.element[side], p.x[side]);
     const Vec2 along = opening_direction(p, side);
-    const Vec2 data = b.data.value + b.data.gradient * arm;
     for (std::size_t k = 0; k < of.n; ++k) {
-        rows.gap0[of.row[k]] += of.share[k] * along.dot(data);
+        rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
         for (std::size_t i = 0; i < b.x.functions.size(); ++i)
-            for (int c = 0; c < 2; ++c) {
-                const auto f = static_cast<Index>(i);
-                const double value = b.of(c).value[f] + arm.x() * b.of(c).dx[f] + arm.y() * b.of(c).dy[f];
-                rows.by_part[part].push_back({of.row[k], 2 * b.x.functions[i] + c, of.share[k] * value * along[c]});
-            }
+            for (int c = 0; c < 2; ++c)
+                rows.by_part[part].push_back(
+                    {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
     }
 }
 
@@ -112,23 +109,15 @@ public:
     RunOfPoints& operator=(const RunOfPoints&) = delete;
     ~RunOfPoints() { close(); }
 
-    void add(int element, const Vec2& x, const Vec2& arm, const Vec2& along, const PointRows& of) {
+    void add(int element, const Vec2& x, const Vec2& along, const PointRows& of) {
         if (element != element_ || !is_same(of)) open(element, of);
-        LocalValues vx, vy, dx, dy;
-        const bool has_arm = !arm.isZero(0);
-        if (has_arm) {
-            evaluate(space_.along_x(element), x.x(), vx, dx);
-            evaluate(space_.along_y(element), x.y(), vy, dy);
-        } else {
-            evaluate(space_.along_x(element), x.x(), vx);
-            evaluate(space_.along_y(element), x.y(), vy);
-        }
+        LocalValues vx, vy;
+        evaluate(space_.along_x(element), x.x(), vx);
+        evaluate(space_.along_y(element), x.y(), vy);
         Index k = 0;
         for (Index b = 0; b <= space_.y.degree; ++b)
             for (Index a = 0; a <= space_.x.degree; ++a, ++k) {
-                const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-                double value = vx[i] * vy[j];
-                if (has_arm) value += arm.x() * dx[i] * vy[j] + arm.y() * vx[i] * dy[j];
+                const double value = vx[static_cast<std::size_t>(a)] * vy[static_cast<std::size_t>(b)];
                 for (std::size_t r = 0; r < of.n; ++r)
                     for (Index c = 0; c < 2; ++c) sums_(2 * static_cast<Index>(r) + c, k) += of.share[r] * value * along[c];
             }
@@ -172,11 +161,40 @@ void add_side(Rows& rows, const std::vector<PartSystem>& parts, const Interface&
     RunOfPoints run(input.space, rows.by_part[part]);
     for (std::size_t q = 0; q < face.points.size(); ++q) {
         const InterfacePoint& p = face.points[q];
-        const Vec2 arm = traction_arm(face, p, side);
         if (input.structure)
-            add_structured(rows, input, part, p, side, arm, of[q]);
+            add_structured(rows, input, part, p, side, of[q]);
         else
-            run.add(p.element[side], p.x[side], arm, opening_direction(p, side), of[q]);
+            run.add(p.element[side], p.x[side], opening_direction(p, side), of[q]);
+    }
+}
+
+/// The mean rotation of a part by its coefficients (2n), in its own frame: half the mean curl. A rigid one has no cells, but
+/// moves as a whole: of its coefficients what is no translation.
+VectorXd mean_rotation(const PartSystem& part) {
+    const std::vector<RigidMotion> rigid{{{1, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1}};
+    const Eigen::MatrixXd motions = coefficients_of(part.input.space, rigid);
+    VectorXd rotation = motions.col(2);
+    if (part.body) {
+        for (Index k = 0; k < 2; ++k) rotation -= motions.col(k) * motions.col(k).dot(rotation) / motions.col(k).squaredNorm();
+    } else {
+        const FunctionIntegrals integrals = integrate_functions(part.input);
+        for (Index f = 0; f < integrals.dx.size(); ++f) rotation.segment<2>(2 * f) = Vec2(-integrals.dy[f], integrals.dx[f]);
+    }
+    return rotation / rotation.dot(motions.col(2));
+}
+
+/// Of friction, the interface's points have the gap as drawn.
+void add_turnings(const std::vector<PartSystem>& parts, const Interface& face, int first_row, Rows& rows) {
+    for (int part : face.part) {
+        Turning& turning = rows.turning[static_cast<std::size_t>(part)];
+        if (turning.rotation.size() > 0) continue;
+        turning = {mean_rotation(parts[static_cast<std::size_t>(part)]), VectorXd::Zero(rows.n)};
+    }
+    for (std::size_t q = 0; q < face.points.size(); ++q) {
+        const PointRows of = mortar_rows(face, q, first_row);
+        for (std::size_t k = 0; k < of.n; ++k)
+            for (int part : face.part)
+                rows.turning[static_cast<std::size_t>(part)].arm[of.row[k]] -= 0.5 * of.share[k] * face.points[q].gap;
     }
 }
 
@@ -238,11 +256,13 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
         rows.n += n_rows(face);
     }
     rows.by_part.resize(parts.size());
+    rows.turning.resize(parts.size());
     rows.gap0 = Eigen::VectorXd::Zero(rows.n);
     rows.weight = Eigen::VectorXd::Zero(rows.n);
     rows.unilateral.assign(static_cast<std::size_t>(rows.n), 1);
     for (std::size_t k = 0; k < interfaces.size(); ++k) {
         add_interface(rows, parts, interfaces[k], first_row[k]);
+        if (interfaces[k].friction) add_turnings(parts, interfaces[k], first_row[k], rows);
         if (interfaces[k].bilateral) std::fill_n(rows.unilateral.begin() + first_row[k], n_rows(interfaces[k]), 0);
     }
     add_softness(rows, interfaces, first_row);
@@ -295,6 +315,20 @@ Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eig
     Eigen::VectorXd f = Eigen::VectorXd::Zero(n_coefficients);
     for (const RowEntry& e : entries) f[e.coefficient] += e.value * multipliers[e.row];
     return f;
+}
+
+VectorXd opening_of(const Rows& rows, std::size_t part, const VectorXd& displacement) {
+    VectorXd opening = rows_times(rows.by_part[part], displacement, rows.n);
+    if (const Turning& t = rows.turning[part]; t.rotation.size() > 0)
+        opening.head(t.arm.size()) += t.rotation.dot(displacement) * t.arm;
+    return opening;
+}
+
+VectorXd load_of(const Rows& rows, std::size_t part, const VectorXd& multipliers, int n_coefficients) {
+    VectorXd load = transposed_times(rows.by_part[part], multipliers, n_coefficients);
+    if (const Turning& t = rows.turning[part]; t.rotation.size() > 0)
+        load += t.arm.dot(multipliers.head(t.arm.size())) * t.rotation;
+    return load;
 }
 
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s) {

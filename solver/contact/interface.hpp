@@ -67,10 +67,20 @@ struct RowEntry {
     double value;
 };
 
+/// How a part's mean rotation moves rows: tractions of friction act on the surfaces, but their couples are those of tractions
+/// midway between the bodies, so that what acts on both leaves none. What differs is spread over the whole body: continued from
+/// the surface by gradients there, it would count more the smaller the cells are.
+struct Turning {
+    Eigen::VectorXd
+        rotation;         ///< (2n) its product with coefficients is the mean rotation; empty: no row of the part has an arm
+    Eigen::VectorXd arm;  ///< by row, weighted: D u + arm * mean rotation is what the row opens by
+};
+
 /// Rows of the system over all parts: matrices D by part, gaps of the undeformed bodies, and what kind each row is.
 struct Rows {
     int n = 0;
-    std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once
+    std::vector<std::vector<RowEntry>> by_part;  ///< by row, then coefficient, each pair once; without turnings
+    std::vector<Turning> turning;                ///< by part
     Eigen::VectorXd gap0;                        ///< weighted: integrals of gap times pressure function
     Eigen::VectorXd weight;                      ///< integral of the row's pressure function (1 for constraints)
     Eigen::VectorXd softness;  ///< of the interfaces' rows, weighted: what a unit multiplier opens; empty: no penalty anywhere
@@ -90,6 +100,10 @@ int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const
 /// The products of one part's entries: D u (n_rows), and D'l (n_coefficients).
 Eigen::VectorXd rows_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& u, int n_rows);
 Eigen::VectorXd transposed_times(const std::vector<RowEntry>& entries, const Eigen::VectorXd& multipliers, int n_coefficients);
+
+/// What a displacement of one part opens the rows by (n), and the load (2n) of multipliers on it, turnings included.
+Eigen::VectorXd opening_of(const Rows& rows, std::size_t part, const Eigen::VectorXd& displacement);
+Eigen::VectorXd load_of(const Rows& rows, std::size_t part, const Eigen::VectorXd& multipliers, int n_coefficients);
 
 /// The value of a pressure spline with the given coefficients at s.
 double pressure_at(const KnotVector& pressure, const Eigen::VectorXd& coefficients, double s);

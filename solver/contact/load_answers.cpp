@@ -72,7 +72,7 @@ void LoadAnswers::respond_to_loads(int threads) {
             const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i];
             if (load.size() == 0) continue;
             const PartSystem& part = problem_.parts[i];
-            gaps_.col(j) += rows_times(rows_.rows.by_part[i], response(part, load), rows_.rows.n);
+            gaps_.col(j) += opening_of(rows_.rows, i, response(part, load));
             mode_loads_.col(j).segment(offset[i], part.modes.cols()) = part.modes.transpose() * load;
         }
     });
@@ -106,7 +106,7 @@ void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& me
             for (Index j = 0; j < n_loads; ++j)
                 if (const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i]; load.size() > 0)
                     measures_of_loads_(k, j) += answer.dot(load);
-            measures_of_rows_.row(k) += rows_times(rows_.rows.by_part[i], answer, rows_.rows.n);
+            measures_of_rows_.row(k) += opening_of(rows_.rows, i, answer);
             measures_of_modes_.row(k).segment(offset[i], part.modes.cols()) += weight.transpose() * part.modes;
         }
     });
@@ -190,7 +190,7 @@ std::vector<VectorXd> LoadAnswers::displacements(const VectorXd& factors, const 
     parallel_for(static_cast<int>(displacement.size()), threads, [&](int k) {
         const auto i = static_cast<std::size_t>(k);
         const PartSystem& part = problem_.parts[i];
-        VectorXd load = part.load + transposed_times(rows_.rows.by_part[i], answer.multipliers, 2 * part.n());
+        VectorXd load = part.load + load_of(rows_.rows, i, answer.multipliers, 2 * part.n());
         for (std::size_t j = 0; j < loads_.size(); ++j)
             if (loads_[j].on_part[i].size() > 0) load += factors[static_cast<Index>(j)] * loads_[j].on_part[i];
         displacement[i] = solve(part, load) + part.modes * answer.amplitudes.segment(offset[i], part.modes.cols());

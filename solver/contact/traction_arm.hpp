@@ -5,8 +5,8 @@
 
 namespace abut::solver {
 
-/// From a body's own point to there, in the body's frame; displacements are continued along it by their gradients, which is
-/// exact for rigid motions. Zero of pressures and bonds. Of friction the points have the gap as drawn.
+/// From a body's own point to there, in the body's frame: how it moves is that of the point and the body's mean rotation
+/// (Turning). Zero of pressures and bonds. Of friction the points have the gap as drawn.
 inline Vec2 traction_arm(const Interface& face, const InterfacePoint& p, std::size_t side) {
     if (!face.friction) return {0, 0};
     const Vec2& along = p.normal[side];  // the normal turned left

@@ -98,14 +98,20 @@ ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts, s
     return options;
 }
 
-void refuse_friction_of_penalty(SceneReading& reading, const ContactOptions& options) {
-    if (!options.penalty) return;
+void refuse_friction_where_unknown(SceneReading& reading, const Scene& scene) {
+    const bool is_structured = scene.accuracy.dirichlet == "solution_structure";
+    if (!scene.contacts.penalty && !is_structured) return;
     const auto refuse = [&](const std::string& in) {
-        report_problem(reading, *find_pointer(reading.root, in + "/friction"), "penalty contact has no friction",
-                       "take the friction away, or the penalty formulation (accuracy.method dissertation has it, too)");
+        const JsonValue& friction = *find_pointer(reading.root, in + "/friction");
+        if (scene.contacts.penalty)
+            report_problem(reading, friction, "penalty contact has no friction",
+                           "take the friction away, or the penalty formulation (accuracy.method dissertation has it, too)");
+        else
+            report_problem(reading, friction, "parts held by a solution structure have no friction",
+                           "take the friction away, or accuracy.dirichlet");
     };
-    if (options.friction != 0) refuse("/contacts");
-    for (const PairRule& rule : options.pairs)
+    if (scene.contacts.friction != 0) refuse("/contacts");
+    for (const PairRule& rule : scene.contacts.pairs)
         if (rule.friction.value_or(0) != 0) refuse(rule.where);
 }
 

@@ -109,7 +109,7 @@ void read_sections(SceneReading& reading, Scene& scene) {
         refuse_contact_keys(reading);
         take_dissertation_method(scene);
     }
-    refuse_friction_of_penalty(reading, scene.contacts);
+    refuse_friction_where_unknown(reading, scene);
     if (const JsonValue* output = find_member(root, "output")) scene.output = read_output(reading, *output);
     if (const JsonValue* expect = find_member(root, "expect")) scene.expect = read_expectations(reading, *expect);
     check_cases_of_expectations(reading, scene);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/contact/traction_arm.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -34,25 +33,16 @@ double sample_place(const ContactRun& run, int k) {
     return run.begin + (run.end - run.begin) * (k + 0.5) / samples;
 }
 
-/// What both sides of a contact moved by since the state before.
-std::array<Eigen::VectorXd, 2> moved_since(const SolvedAssembly& solved, const solver::Interface& face) {
-    std::array<Eigen::VectorXd, 2> moved;
-    for (std::size_t side = 0; side < 2; ++side) {
-        moved[side] = solved.solution.displacement[at(face.part[side])];
-        if (!solved.problem.before.empty()) moved[side] -= solved.problem.before[at(face.part[side])];
+/// Of tractions against the slips since the state before; traction: the face's coefficients.
+double work_of_friction(const SolvedAssembly& solved, const solver::Interface& face, const Eigen::VectorXd& traction) {
+    std::vector<int> first_row;
+    const solver::Rows rows = interface_rows(solved.problem.parts, {face}, first_row);
+    Eigen::VectorXd slip = Eigen::VectorXd::Zero(rows.n);
+    for (int part : face.part) {
+        slip += opening_of(rows, at(part), solved.solution.displacement[at(part)]);
+        if (!solved.problem.before.empty()) slip -= opening_of(rows, at(part), solved.problem.before[at(part)]);
     }
-    return moved;
-}
-
-double slip_at(const SolvedAssembly& solved, const solver::Interface& face, const std::array<Eigen::VectorXd, 2>& moved,
-               const solver::InterfacePoint& p) {
-    double slip = 0;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const auto u =
-            solver::displacement_at(solved.grids[at(face.part[side])].input, moved[side], p.element[side], p.x[side]);
-        slip += (side == 0 ? -1 : 1) * p.normal[side].dot(u.value + u.gradient * solver::traction_arm(face, p, side));
-    }
-    return slip;
+    return -traction.head(rows.n).dot(slip);
 }
 
 bool slips(FrictionState state) {
@@ -97,13 +87,12 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
     FrictionSums sums;
     const solver::Interface& face = along_face(solved, contact);
-    const std::array<Eigen::VectorXd, 2> moved = moved_since(solved, face);
     for (const solver::InterfacePoint& p : face.points) {
-        const double weight = p.weight * face.thickness, traction = traction_in(solved, contact, p.s);
+        const double weight = p.weight * face.thickness;
         sums.normal += weight * pressure_in(solved, contact, p.s);
-        sums.shear += weight * traction;
-        if (traction != 0) sums.dissipated -= weight * traction * slip_at(solved, face, moved, p);
+        sums.shear += weight * traction_in(solved, contact, p.s);
     }
+    sums.dissipated = work_of_friction(solved, face, solved.solution.pressure[at(solved.shear_of[contact])]);
     const std::vector<StickBorder> borders = stick_borders(solved, contact);
     for (const ContactRun& run : solved.runs[contact]) {
         std::vector<double> cuts{run.begin};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb friction: sheared cylinders (F1, F2), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to
-// F8), a shrink fit that carries a moment (F9), rough faces (F11), and what holds in every answer (F12).
+// Coulomb friction: sheared cylinders (F1, F2), any profile by its pressures under two loads (F3), a cylinder sheared on a
+// block that is pulled (F4), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to F8), a shrink fit that
+// carries a moment (F9), rough faces (F11), and what holds in every answer (F12).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -80,9 +81,8 @@ double least_dissipated(const Answers& answers) {
     return least;
 }
 
-/// Where little slips the target of 1 % of the pressure leaves more than two of the shear, as it does where two borders of slip
-/// lie within the contact (released), and of the border's place: these are recorded. Steps: pressed, sheared to `share` of the
-/// limit, released, sheared back, and there again.
+/// Where little slips the target of 1 % of the pressure leaves more than two of the shear and of the border's place: these are
+/// recorded. Steps: pressed, sheared to `share` of the limit, released, sheared back, and there again.
 VerifyProblem sheared_cylinders(double share) {
     const Sheared& theory = cylinders;
     const std::optional<double> judged = share < 0.3 ? std::nullopt : std::optional(two_percent);
@@ -91,13 +91,10 @@ VerifyProblem sheared_cylinders(double share) {
                           {{"verification/cattaneo.json", {{"share", share}}}},
                           {}};
     problem.quantities = {
-        {"stick zone over a",
-         [](const Answers& a) { return contact_of_step(a, 1).friction->stick_length / 2 / cylinders.a; },
-         std::sqrt(1 - share),
-         {},
-         1},
+        {"stick zone over a", [](const Answers& a) { return contact_of_step(a, 1).friction->stick_length / 2 / cylinders.a; },
+         std::sqrt(1 - share), judged, 1},
         traction("there", 1, judged, [=](double x) { return theory.loaded(share, x); }),
-        traction("released", 2, {}, [=](double x) { return theory.unloaded(share, 0, x); }),
+        traction("released", 2, judged, [=](double x) { return theory.unloaded(share, 0, x); }),
         traction("back", 3, judged, [=](double x) { return -theory.loaded(share, x); }),
         traction("there again", 4, judged, [=](double x) { return theory.loaded(share, x); }),
         {"shear force over the load", [=](const Answers& a) { return contact_of_step(a, 1).friction->utilisation.value_or(0); },
@@ -192,6 +189,65 @@ VerifyProblem rough() {
             {{"difference of displacements", difference, 0, 1e-9, 1}}};
 }
 
+/// Ciavarella and Jaeger: shear is mu times what the pressure grew by in the step before, when it was pressed by Q / mu more.
+/// Deviation in the mean square, of the bound's.
+double shear_error(const Answers& answers) {
+    constexpr double mu = 0.4;
+    const ContactProfile& p = answers.at(2).contacts.at(0).profile;
+    const ContactResult &less = answers.at(0).contacts.at(0), &pressed = answers.at(1).contacts.at(0);
+    const auto pressure = [](const ContactResult& c, double x) {
+        const double value = pressure_at_x(c, x);
+        return std::isfinite(value) ? value : 0.0;
+    };
+    double difference = 0, bound = 0;
+    for (std::size_t k = 0; k + 1 < p.x.size(); ++k) {
+        const double x = 0.5 * (p.x[k] + p.x[k + 1]), length = std::abs(p.x[k + 1] - p.x[k]);
+        const double shear = 0.5 * (p.shear[k] + p.shear[k + 1]), all = mu * pressure(pressed, x);
+        difference += length * std::pow(shear - (all - mu * pressure(less, x)), 2);
+        bound += length * all * all;
+    }
+    return std::sqrt(difference / bound);
+}
+
+VerifyProblem any_profile() {
+    return {"F3-profile",
+            "a flat punch with fillets, pressed in two steps, then sheared by half of what makes it slip",
+            {{"verification/friction_profile.json"}},
+            {{"shear, L2 error over that of mu p", shear_error, 0, 0.02, 1}}};
+}
+
+/// Where a contact sticks, along x.
+struct Stretch {
+    double begin = 0, end = 0;
+    double middle() const { return 0.5 * (begin + end); }
+    double half_width() const { return 0.5 * std::abs(end - begin); }
+};
+Stretch sticking(const ContactResult& contact) {
+    const ContactProfile& p = contact.profile;
+    Stretch stretch;
+    bool sticks = false;
+    for (std::size_t k = 0; k + 1 < p.x.size(); ++k) {
+        const double between = 0.5 * (p.x[k] + p.x[k + 1]);
+        if (p.state[k] != "stick" && p.state[k + 1] == "stick" && !sticks) stretch.begin = between;
+        if (p.state[k] == "stick" && p.state[k + 1] != "stick") stretch.end = between;
+        sticks = sticks || p.state[k + 1] == "stick";
+    }
+    return stretch;
+}
+
+/// Nowell and Hills: a = 0.01, p0 = 250, mu = 0.3, half of the limit, a pull of 45.
+VerifyProblem pulled_block() {
+    constexpr double a = 0.01, moved = 45 / (4 * 0.3 * 250), three_percent = 0.03;
+    const auto zone = [](const Answers& answers) { return sticking(answers.at(1).contacts.at(0)); };
+    return {
+        "F4-pull",
+        "a cylinder sheared on a block that is pulled: the stick zone moves and keeps its width",
+        {{"verification/fretting.json"}},
+        {{"half width of the stick zone over a", [=](const Answers& answers) { return zone(answers).half_width() / a; },
+          std::sqrt(0.5), three_percent, 1},
+         {"its middle over a", [=](const Answers& answers) { return zone(answers).middle() / a; }, -moved, three_percent, 1}}};
+}
+
 }  // namespace verify_friction
 
 std::vector<VerifyProblem> friction_problems() {
@@ -200,6 +256,8 @@ std::vector<VerifyProblem> friction_problems() {
     for (const auto& group : {slopes(), ladders(), limits()}) problems.insert(problems.end(), group.begin(), group.end());
     problems.push_back(shrink_fit());
     problems.push_back(rough());
+    problems.push_back(any_profile());
+    problems.push_back(pulled_block());
     return problems;
 }
 

@@ -124,6 +124,40 @@ TEST(Interface, PeriodicRowsWrapAround) {
     EXPECT_NEAR(pressure_at(face.pressure, all, 0), 1.5, 1e-14);  // mean of the two functions that meet at a knot
 }
 
+TEST(Interface, TractionsOfFrictionLeaveNoCouple) {
+    Setting s;
+    Interface along = s.problem.interfaces[0];
+    along.bilateral = true;
+    along.friction = 0.3;
+    for (InterfacePoint& p : along.points)
+        for (Vec2& n : p.normal) n = Vec2(-n.y(), n.x());
+    s.problem.interfaces.push_back(along);
+    const Rows rows = interface_rows(s.problem.parts, s.problem.interfaces, s.first_row);
+    const Eigen::Index n = n_rows(along);
+    VectorXd opening = VectorXd::Zero(rows.n);
+    const VectorXd multipliers = VectorXd::LinSpaced(rows.n, 1, 3);
+    Resultant sum;
+    for (std::size_t part = 0; part < 2; ++part) {
+        const SplineSpace& space = s.problem.parts[part].input.space;
+        opening += opening_of(rows, part, coefficients_of(space, RigidMotion{{0.3, -0.2}, 0.7, {0.5, 3}}));
+        const Resultant own = resultant_of(space, load_of(rows, part, multipliers, 2 * s.problem.parts[part].n()));
+        sum.force += own.force;
+        sum.moment += own.moment;
+    }
+    EXPECT_LT(opening.norm(), 1e-14);
+    EXPECT_LT(sum.force.norm(), 1e-14);
+    EXPECT_LT(std::abs(sum.moment), 1e-14);
+    // they act on the faces themselves: the rows of the gap's own are those of no gap
+    for (InterfacePoint& p : s.problem.interfaces[1].points) p.gap = 0;
+    const Rows closed = interface_rows(s.problem.parts, s.problem.interfaces, s.first_row);
+    for (std::size_t part = 0; part < 2; ++part) {
+        const VectorXd u = VectorXd::LinSpaced(2 * s.problem.parts[part].n(), -1, 1);
+        EXPECT_EQ(rows_times(rows.by_part[part], u, rows.n), rows_times(closed.by_part[part], u, rows.n));
+        EXPECT_NEAR((opening_of(rows, part, u) - opening_of(closed, part, u)).tail(n).norm(),
+                    std::abs(rows.turning[part].rotation.dot(u)) * rows.turning[part].arm.norm(), 1e-14);
+    }
+}
+
 TEST(Interface, RefusesWhatDoesNotFit) {
     Setting s;
     EXPECT_THROW(all_coefficients(s.problem.interfaces[0], VectorXd::Ones(s.rows.n - 1)), std::logic_error);
