@@ -33,7 +33,7 @@ const std::map<std::string, std::vector<std::string>> rooms{
       "implicit"}},
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
-     {"base", "io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "session",
+     {"base", "io", "scene", "results", "contact", "plan", "motion", "discretization", "solution", "answers", "analysis", "session",
       "report", "inspection", "verification", "study", "batch", "reference"}}};
 
 /// What every floor may use; it knows none of them.
