@@ -31,6 +31,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
         Rest there{placed(drawn, conditions, placements), std::move(placements)};
+        // parts that press on each other overlap where their rigid motions have them: contact presses them apart
+        if (there.scene.contacts.overlap == "report") there.scene.contacts.overlap = "press_fit";
         Outcome answer;
         try {
             answer = solve_adaptively(there.scene, conditions, options, seconds);

@@ -101,7 +101,7 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 }
 
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                               double drag) {
+                               const Resisted& by) {
     double smallest = moving.list.front().size, pull = 0;
     Index n = static_cast<Index>(gaps.size()) + moving.n;
     for (const MovingPart& p : moving.list) {
@@ -110,7 +110,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
     }
     if (pull == 0) pull = 1;  // prescribed motions alone
-    const double stiffness = pull / (spring_closing * smallest);
+    const double stiffness = pull / (by.closing * smallest);
     solver::ContactQp qp;
     qp.mode_load = VectorXd::Zero(moving.n);
     qp.load_scale = pull;
@@ -122,7 +122,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
             if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
         qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
-        for (Index j = p.first; j < p.first + p.n(); ++j) rows.drag(j, drag * own / (step_fraction * p.size));
+        for (Index j = p.first; j < p.first + p.n(); ++j) rows.drag(j, by.drag * own / (step_fraction * p.size));
     }
     qp.gap = qp.drawn_gap;
     return qp;

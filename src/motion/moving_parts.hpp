@@ -46,12 +46,15 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 
 /// Of a part's size: how far it may go in a step.
 inline constexpr double step_fraction = 0.1;
-/// Of the smallest part's size: how far the loads press the springs along the gaps together.
-inline constexpr double spring_closing = 1e-5;
+/// How a step is resisted: closing: of the smallest part's size, how far the loads press the springs along the gaps together;
+/// drag: of the parts' loads over a step's length, on every motion.
+struct Resisted {
+    double closing, drag;
+};
 
-/// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads; drag: of the parts'
-/// loads over a step's length, on every motion. leads: by part, as far as this step is to go.
+/// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
+/// as this step is to go.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                               double drag);
+                               const Resisted& by);
 
 }  // namespace abut

@@ -120,7 +120,6 @@ std::string why_not_followed(const Scene& scene) {
 
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
     Scene scene = drawn;
-    if (scene.contacts.overlap == "report") scene.contacts.overlap = "press_fit";
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const Placement& p = placements[i];
         if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;

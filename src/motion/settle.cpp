@@ -22,6 +22,10 @@ using Eigen::VectorXd;
 constexpr int max_steps = 300;
 /// Of the smaller part's extent: overlaps that a step may leave, by the curvature of faces and the turns of parts.
 constexpr double step_overlap = 0.01;
+/// Of the smallest part's size: how far the loads press the springs along the gaps together, on the way and at rest.
+constexpr double spring_closing = 1e-5, closing_at_rest = 1e-8;
+/// Of a motion: smaller digits are the rounding of these springs.
+constexpr double rest_digits = 1e-7;
 /// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
 /// over a step's length times a factor between this and one.
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
@@ -100,11 +104,11 @@ private:
         return leads;
     }
 
-    /// The same, no farther than a step may go; prescribed motions wait for the loads to do theirs.
-    std::vector<Lead> leads_of_step(double drag) const {
+    /// A share of the same, no farther than a step may go.
+    std::vector<Lead> leads_of_step(double share) const {
         std::vector<Lead> leads = leads_from_here();
         for (std::size_t i = 0; i < leads.size(); ++i)
-            leads[i].left *= drag > least_drag ? 0 : 1 / std::max(1.0, steps_to(leads[i], sizes_[i]) / reach_);
+            leads[i].left *= share / std::max(1.0, steps_to(leads[i], sizes_[i]) / reach_);
         return leads;
     }
 
@@ -136,6 +140,7 @@ private:
         std::vector<double> may_move(scene_.parts.size(), 0);
         for (const MovingPart& b : moving_.list) may_move[at(b.part)] = step_fraction * b.size;
         closing_ = closing_rows(scene_, rules_, may_move);
+        for (ClosingRow& row : closing_.rows) row.gap -= apart_;
     }
 
     /// From the present place to rest.
@@ -144,11 +149,7 @@ private:
         int under_least = 0;
         reach_ = 1;
         for (int k = 0; k < max_steps; ++k) {
-            VectorXd a = step_under(drag);
-            for (double far = farthest(a); far > reach_ && drag < most_drag; far = farthest(a)) {
-                drag = std::min(most_drag, drag * std::clamp(far / reach_, 2.0, 100.0));
-                a = step_under(drag);
-            }
+            VectorXd a = next_step(drag);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
             if (!advance(a)) {
                 reach_ *= 0.5;
@@ -158,16 +159,48 @@ private:
             if (const int gone = part_that_left(); gone >= 0) return never(gone);
             const bool is_least = drag <= least_drag && is_where_led();
             under_least += is_least ? 1 : 0;
-            if (is_least && (farthest(a) * step_fraction <= settled || under_least >= last_steps)) return rest();
+            if (is_least && (farthest(a) * step_fraction <= settled || under_least >= last_steps)) {
+                touch();
+                return rest();
+            }
             if (farthest(a) < 0.5 * reach_) drag = std::max(least_drag, drag * drag_step);
             reach_ = std::min(1.0, 2 * reach_);
         }
         return lost();
     }
 
+    /// At rest parts all but touch, and are not pressed into each other by the springs of the way: where they overlap by
+    /// however little, faces beside a corner would be found to press.
+    void touch() {
+        constexpr int steps = 3;
+        constexpr double apart = 3;  // times what the springs are pressed by
+        spring_closing_ = closing_at_rest;
+        apart_ = apart * closing_at_rest * *std::min_element(sizes_.begin(), sizes_.end());
+        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
+        put();
+        for (int k = 0; k < steps; ++k)
+            if (const VectorXd a = step_under(least_drag); farthest(a) <= reach_) advance(a);
+        spring_closing_ = spring_closing;
+        apart_ = 0;
+    }
+
+    /// The amplitudes of a step no longer than it may be; raises the drag where that takes it. Prescribed motions wait for the
+    /// loads to do theirs, and then go as far as these follow.
+    VectorXd next_step(double& drag) const {
+        constexpr double least_share = 0.05;
+        double share = drag <= least_drag ? 1 : 0;
+        VectorXd a = step_under(drag, share);
+        for (double far = farthest(a); far > reach_ && drag < most_drag; far = farthest(a)) {
+            share = share > least_share ? 0.5 * share : 0;
+            if (share == 0) drag = std::min(most_drag, drag * std::clamp(far / reach_, 2.0, 100.0));
+            a = step_under(drag, share);
+        }
+        return a;
+    }
+
     /// A little of every motion that the gaps closed here do not resist.
     VectorXd neutral_push() const {
-        const solver::ContactQp qp = step_problem(moving_, closing_.rows, leads_of_step(least_drag), least_drag);
+        const solver::ContactQp qp = step_problem(moving_, closing_.rows, leads_of_step(0), {closing_at_rest, least_drag});
         const VectorXd gap = qp.drawn_gap + qp.modes * settle_rigidly(qp).amplitudes;
         const Index n = moving_.n;
         Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(n, n);
@@ -205,9 +238,9 @@ private:
         return unstable.parts.empty() ? end : unstable;
     }
 
-    /// Amplitudes of the step from here; what no load drives stays.
-    VectorXd step_under(double drag) const {
-        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(drag), drag)).amplitudes;
+    /// Amplitudes of the step from here, with a share of what is prescribed; what no load drives stays.
+    VectorXd step_under(double drag, double share = 0) const {
+        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(share), {spring_closing_, drag})).amplitudes;
     }
 
     /// The longest motion, in steps' lengths.
@@ -242,7 +275,6 @@ private:
 
     void put() {
         scene_ = placed(drawn_, conditions_, placements_);
-        scene_.contacts.overlap = drawn_.contacts.overlap;
         moving_ = moving_parts(scene_, conditions_, sizes_);
         look();
     }
@@ -286,10 +318,9 @@ private:
     Settling rest() {
         Settling settling{Settling::End::rests, "", {}, {}};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
-            end_lead(i);
-            const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < spring_closing * sizes_[i];
-            settling.placements.push_back(
-                is_rounding ? Placement{} : without_rounding(placements_[i], centers_[i], sizes_[i], spring_closing));
+            const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < rest_digits * sizes_[i];
+            settling.placements.push_back(is_rounding ? Placement{}
+                                                      : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
             if (!is_far(moved(i), placements_[i].angle, sizes_[i])) continue;
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
@@ -309,6 +340,7 @@ private:
     MovingParts moving_;
     Closing closing_;
     double reach_ = 1;  // of a step
+    double spring_closing_ = spring_closing, apart_ = 0;
 };
 
 }  // namespace
