@@ -15,6 +15,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/number_text.hpp"
+#include "src/motion/settle.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"
 #include "src/results/result.hpp"
@@ -29,11 +30,11 @@ namespace abut {
 
 namespace {
 
-/// Whether a scene that does not ask for it is symmetric is looked at here only: it costs some closest points. Parts left out
-/// show in a result by themselves.
+/// Parts left out show in a result by themselves.
 std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
+    plan.push_back(large_motion_effect(settle(scene, conditions)));
     plan.push_back(left_out_effect(scene, conditions));
     return plan;
 }

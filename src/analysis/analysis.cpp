@@ -14,8 +14,8 @@
 #include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
 #include "src/analysis/effect_answers.hpp"
+#include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
-#include "src/analysis/placement.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/unpaired_touches.hpp"
 #include "src/answers/contact_results.hpp"
@@ -168,39 +168,15 @@ std::vector<std::pair<std::string, double>> fine_stages(Stopwatches& seconds) {
             {"recovery", seconds["recovery"]}};
 }
 
-bool has_answer(const Outcome& out) {
-    return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
-}
-
-/// The analysis of the parts where they are drawn, and where they go far before they rest, again from there: the scene that it
-/// ends with, if another.
-std::optional<Scene> follow_to_rest(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
-                                    Stopwatches& seconds, Outcome& out, Result& result) {
-    constexpr int most_placements = 5;
-    std::optional<Scene> rest;
-    for (int k = 0; k < most_placements && has_answer(out); ++k) {
-        std::optional<PlacedScene> placed = placed_at_rest(rest ? *rest : drawn, out.solved);
-        if (!placed) break;
-        Outcome there;
-        try {
-            there = solve_adaptively(placed->scene, conditions, options, seconds);
-        } catch (const InputError&) { break; }  // overlaps of parts that press on each other: no better place
-        if (!has_answer(there)) break;
-        out = std::move(there);
-        rest = std::move(placed->scene);
-        result.warnings.push_back("analysed where the loads take it, " + first_few(placed->moved) + " from where it was " +
-                                  (k == 0 ? "drawn" : "before") + ": places and displacements are those from there");
-    }
-    return rest;
-}
-
 /// An analysis on its way: what is known of it before anything is solved.
 struct Begun {
     ResolvedConditions conditions;
     Result result;
+    Settling settling{};
+    std::optional<Rest> rest{};  ///< where parts settle
 };
 
-Begun begin_analysis(const Scene& drawn) {
+Begun begin_analysis(const Scene& drawn, Stopwatches& seconds) {
     Begun begun;
     Result& result = begun.result;
     result.title = drawn.title;
@@ -217,6 +193,10 @@ Begun begin_analysis(const Scene& drawn) {
     check_probes(drawn);
     begun.conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, begun.conditions);
+    const auto begin = std::chrono::steady_clock::now();
+    begun.settling = settle(drawn, begun.conditions);
+    begun.rest = rest_of(drawn, begun.conditions, begun.settling);
+    seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return begun;
 }
 
@@ -227,13 +207,13 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     const ResolvedConditions& conditions = begun.conditions;
     Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
-    // the dissertation's method is one solution, from where parts are drawn
-    std::optional<Scene> rest =
-        is_by_dissertation(drawn) ? std::nullopt : follow_to_rest(drawn, conditions, options, seconds, out, result);
-    const Scene& scene = rest ? *rest : drawn;
+    std::optional<Rest> rest = std::move(begun.rest);
+    follow_motion(drawn, conditions, options, seconds, out, rest);
+    const Scene& scene = rest ? rest->scene : drawn;
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
     fill_parts(scene, out.solved, result);
+    tell_motion(drawn, rest, begun.settling, out, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),
@@ -283,8 +263,8 @@ Stopwatches fresh_stopwatches() {
 Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     Stopwatches seconds = fresh_stopwatches();
-    Begun begun = begin_analysis(scene);
-    Outcome out = solve_adaptively(scene, begun.conditions, options, seconds);
+    Begun begun = begin_analysis(scene, seconds);
+    Outcome out = solve_adaptively(begun.rest ? begun.rest->scene : scene, begun.conditions, options, seconds);
     return finish_analysis(scene, std::move(begun), std::move(out), options, begin, seconds);
 }
 
@@ -308,11 +288,21 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     for (const LoadCase& c : scene.cases) {
         scenes.push_back(scene_of_case(scene, c));
         scenes.back().loads_of_all_cases = acting_loads(scene);
-        begun.push_back(with_case_named(c, [&] { return begin_analysis(scenes.back()); }));
+        begun.push_back(with_case_named(c, [&] { return begin_analysis(scenes.back(), seconds); }));
     }
-    std::vector<CaseProblem> problems;
-    for (std::size_t k = 0; k < scenes.size(); ++k) problems.push_back({&scenes[k], &begun[k].conditions});
-    std::vector<Outcome> outcomes = solve_cases_adaptively(scene, problems, options, seconds);
+    std::vector<CaseProblem> problems;  // where parts move far, grids are no longer common
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        if (!begun[k].rest) problems.push_back({&scenes[k], &begun[k].conditions});
+    std::vector<Outcome> common;
+    if (!problems.empty()) common = solve_cases_adaptively(scene, problems, options, seconds);
+    std::reverse(common.begin(), common.end());
+    std::vector<Outcome> outcomes;
+    for (const Begun& b : begun) {
+        if (b.rest) outcomes.push_back(solve_adaptively(b.rest->scene, b.conditions, options, seconds));
+        if (b.rest) continue;
+        outcomes.push_back(std::move(common.back()));
+        common.pop_back();
+    }
     std::vector<CaseResult> results;
     PartConditions known;
     for (std::size_t k = 0; k < scenes.size(); ++k)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts where the loads take them. Contact is paired where parts are drawn; a part that is free to move and goes far before it
-// rests is paired anew where it has gone.
+// Parts that go far in a solution: the contacts of a part that is free to move are paired anew where it has gone.
 #pragma once
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "src/motion/placement.hpp"
 #include "src/solution/solved_assembly.hpp"
 
 namespace abut {
@@ -13,19 +12,8 @@ namespace abut {
 /// A part's rigid motion in a solution: what its free motions make up of its displacement, in assembly coordinates.
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid);
 
-/// A scene whose parts stand where they came to rest.
-struct PlacedScene {
-    Scene scene;
-    std::vector<std::string> moved;  ///< "pin by (0, -4)", "lever by (0.1, -2) and 3.5 degrees"
-};
-
-/// The scene with its parts where they came to rest. Nothing where no part moves by more than `placed_fraction` of its own
-/// size, or a load is given by expressions of the place or a support prescribes a motion. Edges keep their numbers and
-/// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
-std::optional<PlacedScene> placed_at_rest(const Scene& scene, const SolvedAssembly& solved);
-
-/// The motion of a part, over its size, from which on it is placed: pairs of curved faces that were found where a part was
-/// drawn err by about the square of that.
-inline constexpr double placed_fraction = 0.05;
+/// Where a solution has the parts, by part of the scene that was solved. Nothing where no part moves by more than
+/// `placed_fraction` of its own size, or parts are not followed (why_not_followed).
+std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

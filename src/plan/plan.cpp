@@ -102,7 +102,6 @@ std::vector<Effect> plan_effects(const Scene& scene) {
                    " or more: its volume strain is projected onto splines of one degree less",
                scene.analysis != Analysis::plane_stress ? "every Poisson's ratio is below " + number_text(projection_from, 2)
                                                         : "not plane strain"),
-        effect("large displacement", false, "", "small displacements are assumed; checked after the solution"),
     };
     if (scene.analysis == Analysis::axisymmetric) effects.push_back(effect("axisymmetry", true, why_axisymmetric(scene), ""));
     return effects;

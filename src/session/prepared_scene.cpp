@@ -9,7 +9,6 @@
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "src/analysis/analyzed.hpp"
-#include "src/analysis/placement.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/answers/motion_text.hpp"
@@ -17,6 +16,7 @@
 #include "src/base/index.hpp"
 #include "src/discretization/load_vector.hpp"
 #include "src/io/number_text.hpp"
+#include "src/motion/settle.hpp"
 #include "src/scene/load_cases.hpp"
 #include "src/session/contact_reader.hpp"
 
@@ -30,7 +30,7 @@ struct SomeLoads {
     ResolvedConditions conditions;
 };
 
-/// all: of the drawn scene, which has the loads as they are given; at: where its parts are.
+/// all: has the loads as they are given; at_rest: has the parts where they are.
 template <class Takes>
 SomeLoads with_loads(const Scene& all, const ResolvedConditions& conditions, const Scene& at_rest, const Takes& takes) {
     SomeLoads some{at_rest, {conditions.supports, {}}};
@@ -101,7 +101,7 @@ struct PreparedScene::State {
     Eigen::VectorXd last_factors{};
     solver::LoadAnswer last{};
 
-    const Scene& at_rest() const { return analyzed.rest ? *analyzed.rest : scene; }
+    const Scene& at_rest() const { return analyzed.rest ? analyzed.rest->scene : scene; }
     SolvedAssembly& solved() { return analyzed.outcome.solved; }
     const SolvedAssembly& solved() const { return analyzed.outcome.solved; }
     bool is_answered() const { return analyzed.result.status == "ok"; }
@@ -156,10 +156,14 @@ std::vector<solver::DisplacementMeasure> PreparedScene::State::measures() {
 void PreparedScene::State::prepare(const Scene& drawn) {
     const ResolvedConditions conditions = resolve_conditions(drawn);
     // what always acts stays in the parts' own loads
-    Scene under_factors = scene_of_case(drawn, {"", factors, ""});
+    const Scene under_factors = scene_of_case(drawn, {"", factors, ""});
     const ResolvedConditions under = resolve_conditions(under_factors);
+    const auto at_their_place = [&](const Scene& with_their_loads, const ResolvedConditions& on) {
+        return analyzed.rest ? placed(with_their_loads, on, analyzed.rest->placements) : with_their_loads;
+    };
+    const Scene always_loaded = at_their_place(under_factors, under), loaded = at_their_place(drawn, conditions);
     const SomeLoads own =
-        with_loads(under_factors, under, at_rest(), [&](const Load& load) { return is_fixed(drawn, load.name); });
+        with_loads(always_loaded, under, at_rest(), [&](const Load& load) { return is_fixed(drawn, load.name); });
     solver::UnitLoad always = unit_load(own);
     own_scale = always.scale;
     for (const PreloadState& cut : solved().preloads) own_scale = std::max(own_scale, cut.force);
@@ -173,8 +177,8 @@ void PreparedScene::State::prepare(const Scene& drawn) {
     for (const auto& [name, factor] : factors) {
         if (is_fixed(drawn, name)) continue;
         names.push_back(name);
-        const SomeLoads loads =
-            with_loads(drawn, conditions, at_rest(), [&, &own_name = name](const Load& load) { return load.name == own_name; });
+        const SomeLoads loads = with_loads(loaded, conditions, at_rest(),
+                                           [&, &own_name = name](const Load& load) { return load.name == own_name; });
         units.push_back(unit_load(loads));
         scales.push_back(units.back().scale);
         SomeLoads nothing_else = loads;

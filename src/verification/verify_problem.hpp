@@ -59,6 +59,7 @@ std::vector<VerifyProblem> preload_problems();       ///< H2: tightened bolts
 std::vector<VerifyProblem> spin_problems();          ///< E5
 std::vector<VerifyProblem> thermal_problems();       ///< E7, and interference by temperature
 std::vector<VerifyProblem> friction_problems();      ///< F: friction, at the limit of rest and between
+std::vector<VerifyProblem> motion_problems();        ///< L: parts that go far before they rest
 std::vector<VerifyProblem> axisymmetric_problems();  ///< R: cylinders, spheres, discs, press fits and Hertz around an axis
 
 }  // namespace abut

@@ -33,8 +33,8 @@ const std::map<std::string, std::vector<std::string>> rooms{
       "implicit"}},
     {"solver", {"linear_algebra", "splines", "assembly", "terms", "parts", "contact", "recovery", "beam"}},
     {"src",
-     {"base", "io", "scene", "results", "contact", "plan", "discretization", "solution", "answers", "analysis", "session",
-      "report", "live", "inspection", "verification", "study", "batch", "reference"}}};
+     {"base", "io", "scene", "results", "contact", "plan", "motion", "discretization", "solution", "answers", "analysis",
+      "session", "report", "live", "inspection", "verification", "study", "batch", "reference"}}};
 
 /// What every floor may use; it knows none of them.
 const std::string common_room = "src/base/";

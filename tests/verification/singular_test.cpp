@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut::singular_test {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/follow_motion.hpp"
+
+#include "src/analysis/placement.hpp"
+#include "src/base/index.hpp"
+#include "src/contact/candidates.hpp"
+#include "src/results/findings.hpp"
+
+namespace abut {
+
+namespace {
+
+bool has_answer(const Outcome& out) {
+    return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
+}
+
+}  // namespace
+
+std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
+    if (settling.end != Settling::End::rests) return std::nullopt;
+    find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
+    return Rest{placed(drawn, conditions, settling.placements), settling.placements};
+}
+
+void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
+                   Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
+    constexpr int most_placements = 5;
+    for (int k = 0; k < most_placements && has_answer(out); ++k) {
+        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
+        if (!more) break;
+        std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
+        for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
+        Rest there{placed(drawn, conditions, placements), std::move(placements)};
+        // parts that press on each other overlap where their rigid motions have them: contact presses them apart
+        if (there.scene.contacts.overlap == "report") there.scene.contacts.overlap = "press_fit";
+        Outcome answer;
+        try {
+            answer = solve_adaptively(there.scene, conditions, options, seconds);
+        } catch (const InputError&) { break; }  // overlaps of parts that press on each other: no better place
+        if (!has_answer(answer)) break;
+        out = std::move(answer);
+        rest = std::move(there);
+    }
+}
+
+void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Settling& settling, Outcome& out, Result& result) {
+    if (settling.end == Settling::End::never && has_answer(out))
+        out.solved.failure = "the loads move parts that nothing holds: " + settling.why +
+                             ". Add a support, or a part that it can rest on, or draw it where it comes to rest";
+    if (settling.end == Settling::End::lost && has_answer(out))
+        tell({{0, "", "parts move far before they rest, and " + settling.why + ": this is the answer where they are drawn",
+               "the parts' place of rest is not known"}},
+             "displacement", result);
+    Effect row = large_motion_effect(settling);
+    if (rest) {
+        Settling there{Settling::End::rests, "", rest->placements, {}};
+        std::vector<std::string> moved;
+        for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
+            const double size = bounding_box(drawn.parts[i].part).diagonal();
+            const Vec2 center = centroid(drawn.parts[i].part);
+            const Placement& p = rest->placements[i];
+            if (!is_far(p.of(center) - center, p.angle, size)) continue;
+            there.parts.push_back(drawn.parts[i].name);
+            moved.push_back(placement_text(drawn.parts[i].name, p, center, size));
+        }
+        there.why = first_few(moved);
+        row = large_motion_effect(there);
+        result.warnings.push_back("analysed where the loads take it, " + there.why +
+                                  " from where it was drawn: places and displacements are those from there");
+    }
+    result.effects.push_back(std::move(row));
+}
+
+}  // namespace abut

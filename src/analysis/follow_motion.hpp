@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The analysis where parts come to rest.
+#pragma once
+#include <optional>
+
+#include "src/analysis/adaptive.hpp"
+#include "src/motion/settle.hpp"
+
+namespace abut {
+
+/// The place of rest that parts settle at as rigid bodies, if that is far from where they are drawn.
+std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling);
+
+/// Where the solution goes far from the place that it was paired at (`rest`, or as drawn), solves again from there, a few times
+/// at most.
+void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
+                   Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest);
+
+/// Says who was moved how far, and what is in doubt about it: an answer where the parts are drawn, which nothing holds there,
+/// is none.
+void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Settling& settling, Outcome& out, Result& result);
+
+}  // namespace abut

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/closing_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/base/index.hpp"
+
+namespace abut {
+
+namespace {
+
+constexpr int samples = 8;    // intervals along a zone
+constexpr int halvings = 12;  // of an interval, towards the least gap on either side
+constexpr int search_steps = 40;
+
+/// The gaps of one zone.
+class ZoneRows {
+public:
+    ZoneRows(const Scene& scene, const Candidate& zone, double far, std::vector<ClosingRow>& rows)
+        : scene_(scene), c_(zone), far_(far), rows_(rows) {}
+
+    void append() {
+        std::vector<geometry::FacingPair> pairs;
+        bool curved = false;
+        for (int k = 0; k <= samples; ++k) {
+            pairs.push_back(pair_at(place(k)));
+            curved = curved || pairs.back().on1.curvature != 0 || pairs.back().on2.curvature != 0;
+        }
+        for (int k = 0; k <= samples; ++k)
+            if (curved || k == 0 || k == samples) take(pairs[at(k)]);
+        if (!curved) return;
+        for (int k = 0; k <= samples; ++k) {
+            const auto gap = [&](int i) { return pairs[at(std::clamp(i, 0, samples))].gap; };
+            if (gap(k) <= gap(k - 1) && gap(k) <= gap(k + 1)) append_around(place(k - 1), place(k + 1));
+        }
+    }
+
+private:
+    double place(int k) const {
+        const double share = static_cast<double>(std::clamp(k, 0, samples)) / samples;
+        return (1 - share) * c_.zone.begin1 + share * c_.zone.end1;
+    }
+
+    geometry::FacingPair pair_at(double s) const {
+        const double share = (s - c_.zone.begin1) / (c_.zone.end1 - c_.zone.begin1);
+        return pair_from_first(part_of(scene_, c_.first), part_of(scene_, c_.second), c_.zone, s,
+                               (1 - share) * c_.zone.begin2 + share * c_.zone.end2);
+    }
+
+    void take(const geometry::FacingPair& p) {
+        if (p.found && p.gap <= far_) rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap});
+    }
+
+    /// A round part in a hollow is pressed towards its own centre, however wide the hollow.
+    static Vec2 normal_of(const geometry::FacingPair& p) {
+        if (p.on1.curvature * p.on2.curvature >= 0) return p.normal;
+        return std::abs(p.on1.curvature) > std::abs(p.on2.curvature) ? p.on1.normal : Vec2(-p.on2.normal);
+    }
+
+    /// About the least gap between two places.
+    void append_around(double begin, double end) {
+        constexpr double golden = 0.381966011250105;
+        double low = begin, high = end;
+        for (int i = 0; i < search_steps; ++i) {
+            const double a = low + golden * (high - low), b = high - golden * (high - low);
+            (pair_at(a).gap < pair_at(b).gap ? high : low) = pair_at(a).gap < pair_at(b).gap ? b : a;
+        }
+        const double least = 0.5 * (low + high);
+        take(pair_at(least));
+        double offset = 0.5 * (end - begin);
+        for (int i = 0; i < halvings; ++i) {
+            offset *= 0.5;
+            for (const double s : {least - offset, least + offset})
+                if (s > c_.zone.begin1 && s < c_.zone.end1) take(pair_at(s));
+        }
+    }
+
+    const Scene& scene_;
+    const Candidate& c_;
+    double far_;
+    std::vector<ClosingRow>& rows_;
+};
+
+/// A corner that points at a face has no zone: the closest points are its row.
+void append_corner(const Meeting& m, double touching, std::vector<ClosingRow>& rows) {
+    if (!m.unpaired || m.closest->distance <= touching) return;
+    const Vec2 across = m.closest->x2 - m.closest->x1;
+    rows.push_back({m.first, m.second, m.closest->x1, m.closest->x2, across / across.norm(), m.closest->distance});
+}
+
+}  // namespace
+
+Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move) {
+    Closing closing;
+    const PartReach reach(scene);
+    const int n = static_cast<int>(scene.parts.size());
+    for (int i = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j) {
+            const double far = may_move[at(i)] + may_move[at(j)];
+            if (far == 0 || !reach.within(i, j, far)) continue;
+            const Meeting m = meet(scene, rules, reach, i, j, {far, far, far});
+            for (const Candidate& c : m.candidates) ZoneRows(scene, c, far, closing.rows).append();
+            append_corner(m, reach.touching(i, j), closing.rows);
+            if (m.overlap) closing.deepest = std::max(closing.deepest, m.overlap->depth / reach.size(i, j));
+        }
+    return closing;
+}
+
+}  // namespace abut

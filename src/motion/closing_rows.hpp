@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where parts that move as rigid bodies may meet: gaps at points of their facing edges.
+#pragma once
+#include <vector>
+
+#include "src/contact/candidates.hpp"
+
+namespace abut {
+
+/// A gap that must not close: of two points on one line along the normal, which runs from the first part to the second.
+struct ClosingRow {
+    int first, second;  ///< parts
+    Vec2 x1, x2, normal;
+    double gap;  ///< negative: they overlap
+};
+
+/// The gaps between parts where they are, and the deepest overlap, over the extent of the smaller part.
+struct Closing {
+    std::vector<ClosingRow> rows;
+    double deepest = 0;
+};
+
+/// Finds the gaps that parts can close by moving as far as `may_move` says, by part (0: it does not). Along curved faces the
+/// points lie closer and closer to where the gap is least, so that forces there find their direction. rules: of the drawn
+/// scene.
+Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move);
+
+}  // namespace abut

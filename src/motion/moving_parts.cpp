@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/moving_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/linear_algebra/dense.hpp"
+#include "src/base/index.hpp"
+#include "src/plan/support_wrenches.hpp"
+
+namespace abut {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using geometry::Screw;
+
+/// An orthonormal basis of what wrenches (about the origin) leave free.
+Eigen::Matrix3Xd free_motions(const std::vector<Screw>& wrenches, const Vec2& center, double arm) {
+    constexpr double free = 1e-9;
+    Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
+    for (const Screw& w : wrenches) {
+        const Vec2 force(w[0], w[1]);
+        const Eigen::Vector3d row(w[0], w[1], (w[2] - geometry::cross(center, force)) / arm);
+        held += row.normalized() * row.normalized().transpose();
+    }
+    if (wrenches.empty()) return Eigen::Matrix3d::Identity();
+    const solver::SymmetricEigen eigen = solver::symmetric_eigen(held);
+    return eigen.vectors.leftCols((eigen.values.array() < free).count());
+}
+
+/// A force's power in a part's motions.
+VectorXd power(const MovingPart& p, const Vec2& force, double moment) {
+    return p.motions.transpose() * Eigen::Vector3d(force.x(), force.y(), moment / p.arm);
+}
+
+/// The rows of a step's problem, one after the other.
+class Rows {
+public:
+    Rows(const MovingParts& moving, Index n, solver::ContactQp& qp) : moving_(moving), qp_(qp) {
+        qp.modes = Eigen::MatrixXd::Zero(n, moving.n);
+        qp.drawn_gap = qp.foundation = VectorXd::Zero(n);
+        qp.unilateral.assign(static_cast<std::size_t>(n), 0);
+    }
+
+    void gap(const ClosingRow& row, double stiffness) {
+        qp_.drawn_gap[k_] = row.gap;
+        qp_.unilateral[static_cast<std::size_t>(k_)] = 1;
+        side(row.first, row.x1, -row.normal);
+        side(row.second, row.x2, row.normal);
+        qp_.foundation[k_++] = stiffness;
+    }
+    /// A part's motion (translation, turn times arm) by so much.
+    void lead(const MovingPart& p, Index component, double by, double stiffness) {
+        qp_.modes.row(k_).segment(p.first, p.n()) = p.motions.row(component);
+        qp_.drawn_gap[k_] = -by;
+        qp_.foundation[k_++] = stiffness;
+    }
+    void drag(Index amplitude, double stiffness) {
+        qp_.modes(k_, amplitude) = 1;
+        qp_.foundation[k_++] = stiffness;
+    }
+
+private:
+    void side(int part, const Vec2& x, const Vec2& along) {
+        if (moving_.of_part[at(part)] < 0) return;
+        const MovingPart& p = moving_.list[at(moving_.of_part[at(part)])];
+        qp_.modes.row(k_).segment(p.first, p.n()) += power(p, along, geometry::cross(x - p.center, along)).transpose();
+    }
+
+    const MovingParts& moving_;
+    solver::ContactQp& qp_;
+    Index k_ = 0;
+};
+
+}  // namespace
+
+Eigen::Vector3d MovingPart::motion(const VectorXd& amplitudes) const {
+    Eigen::Vector3d m = motions * own(amplitudes);
+    m[2] /= arm;
+    return m;
+}
+
+MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes) {
+    const std::vector<std::vector<Screw>> held = support_wrenches(scene, conditions);
+    const std::vector<RigidLoad> loads = rigid_loads(scene, conditions);
+    MovingParts moving;
+    moving.of_part.assign(scene.parts.size(), -1);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+        MovingPart p{static_cast<int>(i), centroid(scene.parts[i].part), sizes[i], 0.5 * sizes[i], {}, moving.n, loads[i]};
+        p.motions = free_motions(held[i], p.center, p.arm);
+        if (p.n() == 0) continue;
+        p.pull = p.load.force.norm() + std::abs(p.load.moment) / p.arm;
+        moving.n += p.n();
+        moving.pull = std::max(moving.pull, p.pull);
+        moving.of_part[i] = static_cast<int>(moving.list.size());
+        moving.list.push_back(std::move(p));
+    }
+    return moving;
+}
+
+solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                               const Resisted& by) {
+    double smallest = moving.list.front().size, pull = 0;
+    Index n = static_cast<Index>(gaps.size()) + moving.n;
+    for (const MovingPart& p : moving.list) {
+        smallest = std::min(smallest, p.size);
+        pull += p.pull;
+        for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
+    }
+    if (pull == 0) pull = 1;  // prescribed motions alone
+    const double stiffness = pull / (by.closing * smallest);
+    solver::ContactQp qp;
+    qp.mode_load = VectorXd::Zero(moving.n);
+    qp.load_scale = pull;
+    Rows rows(moving, n, qp);
+    for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
+    for (const MovingPart& p : moving.list) {
+        const Lead& lead = leads[at(p.part)];
+        for (Index c = 0; c < 3; ++c)
+            if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
+        qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
+        const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
+        for (Index j = p.first; j < p.first + p.n(); ++j) rows.drag(j, by.drag * own / (step_fraction * p.size));
+    }
+    qp.gap = qp.drawn_gap;
+    return qp;
+}
+
+}  // namespace abut

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of a scene that may move as rigid bodies, and one step of their motion.
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "solver/contact/contact_qp.hpp"
+#include "src/motion/closing_rows.hpp"
+#include "src/motion/rigid_loads.hpp"
+
+namespace abut {
+
+/// What supports prescribe of a part's motion (translation of its middle, turn), and what of it is still to come.
+struct Lead {
+    std::array<bool, 3> is_given{false, false, false};
+    Eigen::Vector3d left{0, 0, 0};
+};
+
+/// A part that may move: what its supports leave it to do, about its middle.
+struct MovingPart {
+    int part;
+    Vec2 center;
+    double size, arm;          ///< diagonal of its box as drawn, and half of it: turns times arm count like translations
+    Eigen::Matrix3Xd motions;  ///< orthonormal; rows: translation of the middle, turn times arm
+    Eigen::Index first = 0;    ///< among all amplitudes
+    RigidLoad load{};
+    double pull = 0;  ///< the size of its loads
+
+    Eigen::Index n() const { return motions.cols(); }
+    Eigen::VectorXd own(const Eigen::VectorXd& amplitudes) const { return amplitudes.segment(first, n()); }
+    /// Translation of the middle, and turn.
+    Eigen::Vector3d motion(const Eigen::VectorXd& amplitudes) const;
+};
+
+/// All of them.
+struct MovingParts {
+    std::vector<MovingPart> list{};
+    std::vector<int> of_part{};  ///< by part of the scene: index into list, or -1
+    Eigen::Index n = 0;          ///< amplitudes
+    double pull = 0;             ///< of the strongest loads
+};
+
+/// Finds what may move in a scene; sizes: by part, diagonals of boxes as drawn.
+MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes);
+
+/// Of a part's size: how far it may go in a step.
+inline constexpr double step_fraction = 0.1;
+/// How a step is resisted: closing: of the smallest part's size, how far the loads press the springs along the gaps together;
+/// drag: of the parts' loads over a step's length, on every motion.
+struct Resisted {
+    double closing, drag;
+};
+
+/// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
+/// as this step is to go.
+solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                               const Resisted& by);
+
+}  // namespace abut

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/base/index.hpp"
+#include "src/io/number_text.hpp"
+#include "src/scene/dissertation_method.hpp"
+
+namespace abut {
+
+namespace {
+
+double without_digits_below(double digit, double value) {
+    return digit > 0 ? digit * std::round(value / digit) : value;
+}
+
+bool varies_by_place(const Load& load) {
+    return !load.value[0].is_constant() || !load.value[1].is_constant();
+}
+
+bool prescribes_motion(const Support& s) {
+    const auto is_zero = [](const Expression& e) { return e.is_constant() && e.constant() == 0; };
+    if (s.kind == Support::Kind::displacement) return (s.x && !is_zero(s.value[0])) || (s.y && !is_zero(s.value[1]));
+    return s.rigid_x.value_or(0) != 0 || s.rigid_y.value_or(0) != 0 || s.rigid_rotation.value_or(0) != 0;
+}
+
+bool has_small_motion(const Scene& scene) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(),
+                       [&](const Support& s) { return prescribes_motion(s) && !is_led_far(scene, s); });
+}
+
+void hold_there(Support& s) {
+    for (std::optional<double>* value : {&s.rigid_x, &s.rigid_y, &s.rigid_rotation})
+        if (*value) *value = 0;
+}
+
+bool is_by_place(const PairRule& rule) {
+    return std::any_of(rule.between.begin(), rule.between.end(), [](const Selector& s) { return s.near || s.box || s.facing; });
+}
+
+/// Grid lines are given in assembly coordinates turned by -angle.
+void move_grid(const Placement& p, GridOptions& grid) {
+    grid.angle += p.angle;
+    const double c = std::cos(grid.angle), s = std::sin(grid.angle);
+    const Vec2 by(c * p.shift.x() + s * p.shift.y(), -s * p.shift.x() + c * p.shift.y());
+    for (double& x : grid.x) x += by.x();
+    for (double& y : grid.y) y += by.y();
+    for (GridOptions::Halved& box : grid.refine) {
+        box.low += by;
+        box.high += by;
+    }
+}
+
+void move_load(const Scene& drawn, const std::vector<EdgePortion>& on, const std::vector<Placement>& placements, Load& load) {
+    if (load.at && !on.empty()) load.at = placements[at(on.front().part)].of(*load.at);
+    for (std::size_t i = 0; load.kind == Load::Kind::preload && i < drawn.parts.size(); ++i)
+        if (drawn.parts[i].name == load.part)
+            load.across = {placements[i].of(load.across[0]), placements[i].of(load.across[1])};
+}
+
+}  // namespace
+
+Vec2 Placement::turned(const Vec2& v) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Placement about_center(const Vec2& center, const Vec2& translation, double rotation) {
+    Placement p{rotation, {0, 0}};
+    p.shift = center + translation - p.turned(center);
+    return p;
+}
+
+Placement along_screw(const Vec2& center, const Vec2& translation, double rotation) {
+    constexpr double straight = 1e-8;  // radians: the second order is rounding
+    const double w = rotation, along = std::abs(w) < straight ? 1 : std::sin(w) / w,
+                 across = std::abs(w) < straight ? 0.5 * w : (1 - std::cos(w)) / w;
+    return about_center(center, along * translation + across * geometry::left_of(translation), rotation);
+}
+
+Placement followed_by(const Placement& first, const Placement& then) {
+    return {first.angle + then.angle, then.of(first.shift)};
+}
+
+Placement without_rounding(const Placement& placement, const Vec2& center, double size, double digits) {
+    const Vec2 translation = placement.of(center) - center;
+    const double digit = digits * std::max(translation.norm(), size * std::abs(placement.angle));
+    return about_center(center, {without_digits_below(digit, translation.x()), without_digits_below(digit, translation.y())},
+                        without_digits_below(digit / size, placement.angle));
+}
+
+bool is_far(const Vec2& translation, double turn, double size) {
+    return std::max(translation.norm(), 0.5 * size * std::abs(turn)) > placed_fraction * size || std::abs(turn) > placed_turn;
+}
+
+bool is_led_far(const Scene& scene, const Support& support) {
+    if (support.kind != Support::Kind::rigid) return false;
+    return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& part) {
+        return part.name == support.part && is_far({support.rigid_x.value_or(0), support.rigid_y.value_or(0)},
+                                                   support.rigid_rotation.value_or(0), bounding_box(part.part).diagonal());
+    });
+}
+
+std::string why_not_followed(const Scene& scene) {
+    if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
+    if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
+    if (scene.in_steps) return "steps are followed from where parts are drawn";
+    if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
+        return "a load is given by expressions of the place";
+    if (has_small_motion(scene)) return "a support prescribes a motion";
+    const std::vector<PairRule>& rules = scene.contacts.pairs;
+    if (std::any_of(rules.begin(), rules.end(), is_by_place)) return "a rule of contacts.pairs is for edges at a place";
+    if (std::any_of(rules.begin(), rules.end(), [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; }))
+        return "bonds hold as drawn";
+    return "";
+}
+
+Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
+    Scene scene = drawn;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
+        const Placement& p = placements[i];
+        if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
+        ScenePart& part = scene.parts[i];
+        part.part = geometry::transformed(part.part, std::cos(p.angle), std::sin(p.angle), p.shift);
+        for (Probe& probe : scene.output.probes)
+            if (probe.part == part.name) probe.at = p.of(probe.at);
+        for (Support& support : scene.supports)
+            if (support.part == part.name)
+                for (Vec2& x : support.at) x = p.of(x);
+        if (const auto grid = scene.accuracy.grids.find(part.name); grid != scene.accuracy.grids.end())
+            move_grid(p, grid->second);
+    }
+    for (Support& support : scene.supports)
+        if (is_led_far(drawn, support)) hold_there(support);
+    for (std::size_t k = 0; k < scene.loads.size(); ++k) move_load(drawn, conditions.loads[k], placements, scene.loads[k]);
+    return scene;
+}
+
+std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size) {
+    constexpr double told = 1e-3;  // of its size, by what a turn moves the part's rim
+    const Vec2 by = placement.of(center) - center;
+    std::string text = part + " by (" + number_text(by.x(), 3) + ", " + number_text(by.y(), 3) + ")";
+    if (std::abs(placement.angle) * size > told * size)
+        text += " and " + number_text(placement.angle * 180 / std::numbers::pi, 2) + " degrees";
+    return text;
+}
+
+}  // namespace abut

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts away from where they were drawn: finite rigid motions, and the scene with its parts there.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/plan/boundary_conditions.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// A part's finite rigid motion: x goes to x turned about the origin by the angle, and then moved by the shift.
+struct Placement {
+    double angle = 0;  ///< radians, counter-clockwise; whole turns count
+    Vec2 shift{0, 0};
+
+    Vec2 turned(const Vec2& v) const;
+    Vec2 of(const Vec2& x) const { return turned(x) + shift; }
+};
+
+/// The motion along a screw: that of a body whose point at the centre goes along `translation` while it turns evenly. What
+/// turns about a point stays on its circles.
+Placement along_screw(const Vec2& center, const Vec2& translation, double rotation);
+/// The same motion with the point at the centre moved by `translation` in the end.
+Placement about_center(const Vec2& center, const Vec2& translation, double rotation);
+/// One motion after the other.
+Placement followed_by(const Placement& first, const Placement& then);
+/// Without digits below a small part of the motion: these are rounding, and would turn parts out of the symmetry that they were
+/// drawn with. size: of the part, center: its middle.
+Placement without_rounding(const Placement& placement, const Vec2& center, double size, double digits = 1e-6);
+
+/// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold: those of curved faces err
+/// by about the square of it.
+inline constexpr double placed_fraction = 0.05;
+/// From this turn on (radians) forces have other levers: they err by it times a part's height over its width.
+inline constexpr double placed_turn = 0.01;
+
+/// Is a motion farther than the pairing of edges where a part stood before is good for? size: the diagonal of the part's box.
+bool is_far(const Vec2& translation, double turn, double size);
+
+/// Does a support prescribe so large a motion of its part as a whole that the part is moved there, and held?
+bool is_led_far(const Scene& scene, const Support& support);
+
+/// Why parts are taken where they are drawn, however far they go; empty: they are followed. Something is given that means
+/// another thing elsewhere (a load by expressions of the place, a prescribed motion, a rule for edges near a point), bonds hold
+/// as drawn, or the scene asks for it.
+std::string why_not_followed(const Scene& scene);
+
+/// The scene with its parts moved from where they are drawn, by part. What belongs to a part goes with it: probes, held points,
+/// lines of action, cuts, grids; supports that prescribed a large motion hold it there. Edges keep their numbers and
+/// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
+Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements);
+
+/// Where parts come to rest: the scene with its parts there, and how they go there from where they are drawn, by part.
+struct Rest {
+    Scene scene;
+    std::vector<Placement> placements;
+};
+
+/// "pin by (0, -4)", "lever by (0.1, -2) and 3.5 degrees"; center: of the part as drawn.
+std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size);
+
+}  // namespace abut

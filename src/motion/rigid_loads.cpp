@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/rigid_loads.hpp"
+
+#include "geometry/curves/gauss.hpp"
+#include "src/base/index.hpp"
+#include "src/plan/loads.hpp"
+
+namespace abut {
+
+namespace {
+
+void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions,
+                   const std::vector<Vec2>& centers, std::vector<RigidLoad>& on) {
+    constexpr int pieces = 8, points = 6;
+    const geometry::GaussRule& rule = geometry::gauss_rule(points);
+    if (portions.empty()) return;
+    const EdgeTraction spread = edge_traction(scene, load, portions);
+    for (const EdgePortion& p : portions) {
+        const geometry::Curve& curve = part_of(scene, p.part).edges[at(p.edge)].curve;
+        const double h = (p.t1 - p.t0) / pieces;
+        for (int k = 0; k < pieces; ++k)
+            for (std::size_t q = 0; q < rule.points.size(); ++q) {
+                const double t = p.t0 + h * (k + rule.points[q]);
+                const Vec2 x = point(curve, t);
+                const double area = h * rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
+                const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
+                on[at(p.part)].force += force;
+                on[at(p.part)].moment += geometry::cross(x - centers[at(p.part)], force);
+            }
+    }
+}
+
+/// Forces per volume are constant over the part, or those of a spin, which act in the centroid, too.
+void add_volume_load(const Scene& scene, const Load& load, int part, const Vec2& center, RigidLoad& on) {
+    if (load.kind == Load::Kind::part_moment) {
+        on.moment += load.value[0].constant();
+        return;
+    }
+    const ScenePart& own = scene_part(scene, part);
+    const double volume = area(own.part);
+    on.force += volume * own.thickness * volume_force(scene, load, part, part_measure(own.part, load, volume), center);
+}
+
+}  // namespace
+
+std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions& conditions) {
+    std::vector<RigidLoad> on(scene.parts.size());
+    std::vector<Vec2> centers;
+    for (const ScenePart& part : scene.parts) centers.push_back(centroid(part.part));
+    for (std::size_t k = 0; k < scene.loads.size(); ++k) {
+        const Load& load = scene.loads[k];
+        if (load.kind == Load::Kind::temperature || load.kind == Load::Kind::preload) continue;
+        if (is_edge_load(load)) add_edge_load(scene, load, conditions.loads[k], centers, on);
+        for (std::size_t i = 0; !is_edge_load(load) && i < on.size(); ++i)
+            if (const int part = static_cast<int>(i); acts_on_volume_of(scene, load, part))
+                add_volume_load(scene, load, part, centers[i], on[i]);
+    }
+    return on;
+}
+
+}  // namespace abut

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the loads of a scene are to its parts as rigid bodies.
+#pragma once
+#include <vector>
+
+#include "src/plan/boundary_conditions.hpp"
+
+namespace abut {
+
+/// The resultant of all loads on one part.
+struct RigidLoad {
+    Vec2 force{0, 0};
+    double moment = 0;  ///< about the part's centroid
+};
+
+/// By part. Loads that vary by the place are not resolved (why_not_followed).
+std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions& conditions);
+
+}  // namespace abut

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the loads take the parts of an assembly before anything deforms: its parts as rigid bodies without friction, by finite
+// motions.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/motion/placement.hpp"
+#include "src/results/result.hpp"
+
+namespace abut {
+
+/// What the loads do to parts as they are drawn.
+struct Settling {
+    enum class End {
+        not_asked,  ///< parts are not followed in this scene
+        stays,      ///< no part goes farther than the pairing of drawn edges is good for
+        rests,      ///< parts go to `placements`, and rest there
+        never,      ///< nothing stops a part, or it balances where the least push ends that
+        lost        ///< no place of rest was found
+    };
+    End end = End::not_asked;
+    std::string why{};                    ///< in words; of `rests`: who goes how far
+    std::vector<Placement> placements{};  ///< by part, from where they are drawn; of `rests`
+    std::vector<std::string> parts{};     ///< those that go far, or that nothing stops
+};
+
+/// Follows the loads. Every step is one convex problem: the loads' work, stiff springs along the gaps at the present place, and
+/// a drag that keeps motions within what was searched; pairs are found anew after each. Ends where loads and pressures balance
+/// without the drag. Cost: a search for pairs and some dense steps in three unknowns a part, for each of some tens of steps;
+/// one of each where nothing goes far.
+Settling settle(const Scene& drawn, const ResolvedConditions& conditions);
+
+/// The plan's row of it.
+Effect large_motion_effect(const Settling& settling);
+
+}  // namespace abut

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the supports of a scene hold of its parts as rigid bodies [Grishin10, section 2.2].
+#pragma once
+#include <vector>
+
+#include "geometry/interfaces/screw.hpp"
+#include "src/plan/boundary_conditions.hpp"
+
+namespace abut {
+
+/// Where moments of a scene's wrenches are measured: about the middle of all parts, in their size.
+geometry::ScrewScale screw_scale(const Scene& scene);
+
+/// By part: the wrenches of each support that holds it, springs among them, reduced to a basis; about the origin.
+std::vector<std::vector<geometry::Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions);
+
+}  // namespace abut

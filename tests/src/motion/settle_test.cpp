@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where rigid parts come to rest, against statics and geometry by hand.
+#include "src/motion/settle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "src/motion/rigid_loads.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::settle_test {
+namespace {
+
+constexpr double of_size = 1e-4;  // what a place of rest is known to
+
+Scene scene_of(const std::string& parts, const std::string& supports, const std::string& loads, const std::string& more = "") {
+    return read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3, "density": 2}}, "parts": [)" + parts +
+                               R"(], "supports": [)" + supports + R"(], "loads": [)" + loads + "]" + more + "}",
+                           "s.json");
+}
+
+Settling settling_of(const Scene& scene) {
+    return settle(scene, resolve_conditions(scene));
+}
+
+Vec2 way(const Scene& scene, const Settling& settling, std::size_t part) {
+    const Vec2 c = centroid(scene.parts.at(part).part);
+    return settling.placements.at(part).of(c) - c;
+}
+
+std::string part(const std::string& name, const std::string& geometry) {
+    return R"({"name": ")" + name + R"(", "material": "m", "geometry": )" + geometry + "}";
+}
+
+const std::string floor_part = part("floor", R"({"rectangle": {"min": [-50, -10], "max": [50, 0]}})");
+const std::string held_floor = R"({"on": "floor/bottom", "fix": ["x", "y"]})";
+
+std::string hole_and_pin(double r, const Vec2& at) {
+    return part("plate", R"({"difference": [{"rectangle": {"min": [-30, -30], "max": [30, 30]}, "name": "p"},
+                                            {"circle": {"center": [0, 0], "radius": 10}, "name": "h"}]})") +
+           ", " +
+           part("pin", R"({"circle": {"center": [)" + std::to_string(at.x()) + ", " + std::to_string(at.y()) +
+                           R"(], "radius": )" + std::to_string(r) + "}}");
+}
+
+TEST(Settle, APinFindsTheBottomOfItsHoleFromAnywhere) {
+    for (const Vec2& at : {Vec2(0, 4), Vec2(4, 0), Vec2(0, 0), Vec2(-2, -3), Vec2(0.1, 3.9)})
+        for (const double degrees : {-90.0, 23.0}) {
+            const Vec2 along(std::cos(degrees * std::numbers::pi / 180), std::sin(degrees * std::numbers::pi / 180));
+            const Scene scene = scene_of(hole_and_pin(6, at), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                                         R"({"part": "pin", "force": [)" + std::to_string(100 * along.x()) + ", " +
+                                             std::to_string(100 * along.y()) + "]}");
+            const Settling settling = settling_of(scene);
+            ASSERT_EQ(settling.end, Settling::End::rests) << at.transpose() << " " << degrees << settling.why;
+            const Vec2 rest = at + way(scene, settling, 1);
+            EXPECT_NEAR((rest - 4 * along).norm(), 0, 12 * of_size) << at.transpose() << " " << degrees;
+            EXPECT_EQ(settling.placements.at(0).shift, Vec2(0, 0));
+            EXPECT_EQ(settling.parts, std::vector<std::string>{"pin"});
+        }
+}
+
+TEST(Settle, WhatGoesNotFarStays) {
+    const Scene scene = scene_of(hole_and_pin(9.9, {0, 0}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                                 R"({"part": "pin", "force": [0, -100]})");
+    EXPECT_EQ(settling_of(scene).end, Settling::End::stays);
+    EXPECT_FALSE(large_motion_effect(settling_of(scene)).on);
+}
+
+TEST(Settle, ABlockLiesFlush) {
+    for (const double tilt : {-30.0, -4.0, 1.0, 10.0}) {
+        const Scene scene = scene_of(floor_part + R"(, {"name": "block", "material": "m", "place": {"rotate": )" +
+                                         std::to_string(tilt) + R"(, "translate": [0, 7]},
+                                         "geometry": {"rectangle": {"min": [-5, 0], "max": [5, 6]}}})",
+                                     held_floor, R"({"gravity": [0, -1]})");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << tilt;
+        EXPECT_NEAR(settling.placements.at(1).angle, -tilt * std::numbers::pi / 180, of_size) << tilt;
+        EXPECT_NEAR(centroid(scene.parts.at(1).part).y() + way(scene, settling, 1).y(), 3, 12 * of_size) << tilt;
+    }
+}
+
+TEST(Settle, ABlockThatIsPushedTips) {
+    // the load acts beyond its edge: it falls on its side
+    const Scene scene =
+        scene_of(floor_part + R"(, {"name": "block", "material": "m", "place": {"rotate": -30, "translate": [0, 3]},
+                                     "geometry": {"rectangle": {"min": [-2, 0], "max": [2, 10]}}})",
+                 held_floor, R"({"part": "block", "force": [0, -1]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR(settling.placements.at(1).angle, -60 * std::numbers::pi / 180, of_size);
+}
+
+TEST(Settle, NamesWhatNothingStopsHoweverSmallItsLoad) {
+    for (const double push : {1.0, 1e-2, 1e-4}) {
+        const Scene scene = scene_of(floor_part + ", " + part("disc", R"({"circle": {"center": [0, 5], "radius": 5}})"),
+                                     held_floor, R"({"part": "disc", "force": [)" + std::to_string(push) + ", -100]}");
+        const Settling settling = settling_of(scene);
+        EXPECT_EQ(settling.end, Settling::End::never) << push << settling.why;
+        EXPECT_EQ(settling.parts, std::vector<std::string>{"disc"});
+        EXPECT_NE(settling.why.find("disc by ("), std::string::npos) << settling.why;
+    }
+}
+
+TEST(Settle, AStopEndsASlideUnderASmallLoad) {
+    const Scene scene =
+        scene_of(floor_part + ", " + part("stop", R"({"rectangle": {"min": [12, 0], "max": [22, 10]}})") + ", " +
+                     part("disc", R"({"circle": {"center": [0, 5], "radius": 5}})"),
+                 held_floor + R"(, {"on": "stop/top", "fix": ["x", "y"]})", R"({"part": "disc", "force": [0.01, -100]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(scene, settling, 2) - Vec2(7, 0)).norm(), 0, 14 * of_size);
+}
+
+TEST(Settle, WhatGoesFartherThanItsSizeIsLostUnlessItIsSurrounded) {
+    const std::string far_stop = part("stop", R"({"rectangle": {"min": [30, 0], "max": [40, 10]}})");
+    const Scene scene =
+        scene_of(floor_part + ", " + far_stop + ", " + part("disc", R"({"circle": {"center": [0, 5], "radius": 5}})"),
+                 held_floor + R"(, {"on": "stop/top", "fix": ["x", "y"]})", R"({"part": "disc", "force": [1, -100]})");
+    EXPECT_EQ(settling_of(scene).end, Settling::End::never);
+    const Scene hole = scene_of(hole_and_pin(2, {0, 8}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                                R"({"part": "pin", "force": [0, -1]})");
+    EXPECT_EQ(settling_of(hole).end, Settling::End::rests);
+}
+
+/// A bar on its round tip falls; a disc rolls nowhere.
+TEST(Settle, TellsAnUnstableBalance) {
+    for (const double height : {2.0, 40.0}) {
+        const Scene scene = scene_of(
+            floor_part + ", " +
+                part("bar", R"({"union": [{"rectangle": {"min": [-3, 3], "max": [3, )" + std::to_string(3 + height) +
+                                R"(]}, "name": "shaft"}, {"circle": {"center": [0, 5], "radius": 5}, "name": "tip"}]})"),
+            held_floor, R"({"gravity": [0, -1]})");
+        const Settling settling = settling_of(scene);
+        EXPECT_EQ(settling.end, height > 10 ? Settling::End::never : Settling::End::stays) << height << settling.why;
+    }
+}
+
+/// The groove's support turns it, the wedge in it goes along.
+TEST(Settle, PrescribedMotionsTakePartsAlong) {
+    Scene scene = read_scene(ABUT_SOURCE_DIR "/data/verification/turned_wedge.json", {{"turn", 90}});
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_EQ(settling.placements.at(0).angle, std::numbers::pi / 2);
+    EXPECT_NEAR(settling.placements.at(1).angle, std::numbers::pi / 2, of_size);
+}
+
+TEST(Settle, OnePartPushesAnother) {
+    const Scene scene = scene_of(floor_part + ", " + part("stop", R"({"rectangle": {"min": [12, 0], "max": [22, 10]}})") +
+                                     ", " + part("first", R"({"rectangle": {"min": [-14, 0], "max": [-4, 6]}})") + ", " +
+                                     part("second", R"({"rectangle": {"min": [-2, 0], "max": [8, 6]}})"),
+                                 held_floor + R"(, {"on": "stop/top", "fix": ["x", "y"]})",
+                                 R"({"part": "first", "force": [10, -10]}, {"part": "second", "force": [0, -10]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(scene, settling, 2) - Vec2(6, 0)).norm(), 0, 14 * of_size);
+    EXPECT_NEAR((way(scene, settling, 3) - Vec2(4, 0)).norm(), 0, 14 * of_size);
+}
+
+TEST(Settle, AGuidedPartKeepsToItsGuide) {
+    const Scene scene = scene_of(floor_part + ", " + part("ram", R"({"rectangle": {"min": [-3, 8], "max": [3, 20]}})"),
+                                 held_floor + R"(, {"on": ["ram/left", "ram/right"], "symmetry": true})",
+                                 R"({"part": "ram", "force": [50, -10]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(scene, settling, 1) - Vec2(0, -8)).norm(), 0, 14 * of_size);
+    EXPECT_EQ(settling.placements.at(1).angle, 0);
+}
+
+TEST(Settle, IsNotAskedWhereSomethingElseHolds) {
+    const std::string two = hole_and_pin(6, {0, 0}), held = R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                      load = R"({"part": "pin", "force": [0, -1]})";
+    EXPECT_EQ(settling_of(scene_of(two, held, load, R"(, "contacts": {"friction": 0.1})")).end, Settling::End::not_asked);
+}
+
+TEST(RigidLoads, AreForcesAndMomentsAboutTheMiddle) {
+    const Scene scene = scene_of(part("plate", R"({"rectangle": {"min": [1, 2], "max": [5, 4]}})"),
+                                 R"({"on": "plate/bottom", "fix": ["x", "y"]})",
+                                 R"({"on": "plate/right", "pressure": 3}, {"gravity": [0, -10]}, {"part": "plate", "moment": 7},
+                                    {"on": "plate/top", "force": [4, 0]})");
+    const RigidLoad load = rigid_loads(scene, resolve_conditions(scene)).at(0);
+    EXPECT_NEAR((load.force - Vec2(-3 * 2 + 4, -10 * 2 * 8)).norm(), 0, 1e-11);
+    EXPECT_NEAR(load.moment, 7 - 4 * 1, 1e-11);
+}
+
+}  // namespace
+}  // namespace abut::settle_test
