@@ -231,7 +231,8 @@ private:
         Settling unstable{Settling::End::never, "", {}, {}};
         for (std::size_t i = 0; i < before.size(); ++i) {
             const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
-            if (!is_far(by, placements_[i].angle - before[i].angle, sizes_[i])) continue;
+            constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
+            if (by.norm() <= sizes_[i] && std::abs(placements_[i].angle - before[i].angle) <= tipped) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
