@@ -59,6 +59,7 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
             const double size = bounding_box(drawn.parts[i].part).diagonal();
             const Vec2 center = centroid(drawn.parts[i].part);
             const Placement& p = rest->placements[i];
+            if (p.angle != 0 || p.shift != Vec2(0, 0)) result.parts[i].placement = {p.of(center) - center, p.angle};
             if (!is_far(p.of(center) - center, p.angle, size)) continue;
             there.parts.push_back(drawn.parts[i].name);
             moved.push_back(placement_text(drawn.parts[i].name, p, center, size));

@@ -105,6 +105,7 @@ bool is_led_far(const Scene& scene, const Support& support) {
 }
 
 std::string why_not_followed(const Scene& scene) {
+    if (!scene.follows_motion) return "\"motion\" is \"off\"";
     if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
     if (scene.in_steps) return "steps are followed from where parts are drawn";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The assembly as it was drawn: parts, contacts, supports and loads.
+// The assembly where it was analysed, and as it was drawn: parts, contacts, supports and loads.
 #include <algorithm>
+#include <cmath>
 
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
@@ -23,6 +24,20 @@ std::string part_shapes(const Result& result, const View& view) {
         svg += path(path_data(result.geometry[i], view), "fill=\"" + part_color(static_cast<int>(i)) +
                                                              "\" fill-rule=\"evenodd\" stroke=\"#444\" stroke-width=\"0.9\"");
     return svg;
+}
+
+/// Parts that were moved, where they were drawn.
+std::vector<geometry::Part> drawn_parts(const Result& result) {
+    std::vector<geometry::Part> drawn;
+    for (std::size_t i = 0; i < result.geometry.size() && i < result.parts.size(); ++i) {
+        if (!result.parts[i].placement) continue;
+        const auto& [by, turn] = *result.parts[i].placement;
+        const Vec2 middle = geometry::centroid(result.geometry[i]);
+        const double c = std::cos(turn), s = -std::sin(turn);
+        const Vec2 turned(c * middle.x() - s * middle.y(), s * middle.x() + c * middle.y());
+        drawn.push_back(geometry::transformed(result.geometry[i], c, s, middle - by - turned));
+    }
+    return drawn;
 }
 
 /// Names on parts that have the room; all of them are in the legend.
@@ -123,8 +138,10 @@ PictureSize picture_size(const Box2& model) {
 }
 
 std::string assembly_section(const Result& result) {
-    const Box2 box = model_box(result);
+    Box2 box = model_box(result);
     if (box.empty()) return "";
+    const std::vector<geometry::Part> drawn = drawn_parts(result);
+    for (const geometry::Part& part : drawn) box.extend(geometry::bounding_box(part));
     const PictureSize size = picture_size(box);
     const View view = model_view(box, size.width, size.max_height);
     Box2 frame;
@@ -134,12 +151,18 @@ std::string assembly_section(const Result& result) {
 
     std::string svg = open_svg(view.width, view.height, "the assembly") + model_axes(view, result.length_unit);
     svg += part_shapes(result, view);
+    for (const geometry::Part& part : drawn)
+        svg += path(path_data(part, view), "fill=\"none\" stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4 3\"");
     svg += support_signs(result.support_marks, view, places) + load_arrows(result, view, places);
     svg += contact_marks(result, view, places);
     svg += part_names(result, view, places) + "</svg>\n";
     return "<section><h2>Assembly</h2>\n<div class=\"row\">" +
-           figure(svg, "Parts, contacts, supports and loads, as drawn", size.width) + "<div class=\"legends\">\n" +
-           part_legend(result) + sign_legend(result) + contact_list(result) + "</div></div></section>\n";
+           figure(svg,
+                  std::string("Parts, contacts, supports and loads, ") +
+                      (drawn.empty() ? "as drawn" : "where the loads take the parts; dashed: where they were drawn"),
+                  size.width) +
+           "<div class=\"legends\">\n" + part_legend(result) + sign_legend(result) + contact_list(result) +
+           "</div></div></section>\n";
 }
 
 }  // namespace abut::report

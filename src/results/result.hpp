@@ -63,6 +63,12 @@ struct PartResult {
     int unknowns = 0;
     bool solved = true;  ///< false: carries nothing and was not analysed
     bool rigid = false;  ///< moves as one body: no unknowns, no stress
+    /// How it went from where it was drawn to where it was analysed.
+    struct Moved {
+        Vec2 translation{0, 0};  ///< of its centroid
+        double rotation = 0;     ///< radians
+    };
+    std::optional<Moved> placement{};  ///< unset: it was analysed where it was drawn
     ValueAt max_displacement, max_von_mises;
     std::optional<double> max_displacement_error;  ///< estimated, relative; unset where there is none
     std::optional<double> max_von_mises_error;     ///< estimated, relative; unset where there is none

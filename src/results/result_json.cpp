@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "src/io/build_id.hpp"
 #include "src/results/functional_json.hpp"
@@ -98,6 +99,9 @@ Json part(const PartResult& p) {
            {"cells", cells_of(p)},
            {"self_check", self_check_of(p)}};
     if (!p.level.empty()) j["level"] = p.level;
+    if (p.placement)
+        j["placement"] = {{"translation", vector(p.placement->translation)},
+                          {"rotation", number(p.placement->rotation * 180 / std::numbers::pi)}};
     return j;
 }
 

@@ -54,6 +54,8 @@ void read_general(SceneReading& reading, Scene& scene) {
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
         if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
+    if (const JsonValue* motion = find_member(root, "motion"))
+        scene.follows_motion = read_word(reading, *motion, {{"auto", "off"}, {}}) != "off";
 }
 
 void read_all_parts(SceneReading& reading, Scene& scene) {
@@ -220,7 +222,7 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     scene.file = document.file;
     refuse_symmetry(reading);
     const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "cases", "steps", "contacts", "accuracy", "output", "expect"},
+                      "assembly", "supports", "loads", "cases", "steps", "contacts", "motion", "accuracy", "output", "expect"},
                      {}};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);

@@ -69,6 +69,9 @@ TEST(Placement, TakesAlongWhatBelongsToThePart) {
 TEST(Placement, SaysWhyPartsAreNotFollowed) {
     Scene scene = read_scene_text(scene_text, "s.json");
     EXPECT_EQ(why_not_followed(scene), "");
+    scene.follows_motion = false;
+    EXPECT_NE(why_not_followed(scene).find("off"), std::string::npos);
+    scene.follows_motion = true;
     scene.loads.at(0).value[1] = parse_expression("-x", {}, true);
     EXPECT_NE(why_not_followed(scene).find("expressions"), std::string::npos);
 }

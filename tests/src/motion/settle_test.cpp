@@ -171,6 +171,8 @@ TEST(Settle, IsNotAskedWhereSomethingElseHolds) {
     const std::string two = hole_and_pin(6, {0, 0}), held = R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                       load = R"({"part": "pin", "force": [0, -1]})";
     EXPECT_EQ(settling_of(scene_of(two, held, load, R"(, "contacts": {"friction": 0.1})")).end, Settling::End::not_asked);
+    EXPECT_EQ(settling_of(scene_of(two, held, load, R"(, "motion": "off")")).end, Settling::End::not_asked);
+    EXPECT_EQ(settling_of(scene_of(two, held, load, R"(, "motion": "auto")")).end, Settling::End::rests);
 }
 
 TEST(RigidLoads, AreForcesAndMomentsAboutTheMiddle) {
