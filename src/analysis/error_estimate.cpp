@@ -55,11 +55,13 @@ double missing_share(const PressureChange& c, double change, const std::optional
     return std::max(missing_at_least, most);
 }
 
-/// The error inside by interval: a share of the change, and no less than it was where the knots stand no closer.
+/// The error inside by interval: a share of the change, and no less than it was where the knots stand no closer; but beside
+/// corners, whose error it is that the rest has.
 void fill_local(const ContactRecord& now, const PressureChange& c, double share, ContactError& e) {
+    const bool keeps = !has_corner(now);
     double square = 0;
     for (std::size_t i = 0; i < c.local.size(); ++i) {
-        const double its = std::max(share * share * c.local[i].square, c.local[i].kept);
+        const double its = std::max(share * share * c.local[i].square, keeps ? c.local[i].kept : 0);
         square += its;
         e.local.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
     }

@@ -51,9 +51,11 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
         tell({{0, "", "parts move far before they rest, and " + settling.why + ": this is the answer where they are drawn",
                "the parts' place of rest is not known"}},
              "displacement", result);
+    if (!settling.unstable.empty())
+        result.warnings.push_back(settling.unstable + ": this is the answer as long as nothing does");
     Effect row = large_motion_effect(settling);
     if (rest) {
-        Settling there{Settling::End::rests, "", rest->placements, {}};
+        Settling there{Settling::End::rests, "", rest->placements, {}, ""};
         std::vector<std::string> moved;
         for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
             const double size = bounding_box(drawn.parts[i].part).diagonal();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/motion/rigid_loads.hpp"
 
+#include <cmath>
+
 #include "geometry/curves/gauss.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/loads.hpp"
@@ -9,8 +11,28 @@ namespace abut {
 
 namespace {
 
+/// Of what loads add up from: resultants below are the rounding of places far from the origin.
+constexpr double balanced = 1e-9;
+
+/// What the loads of one part add up to, and from.
+struct LoadSum {
+    RigidLoad load;
+    double forces = 0, moments = 0;  ///< magnitudes
+
+    void add(const Vec2& force, double moment) {
+        load.force += force;
+        load.moment += moment;
+        forces += force.norm();
+        moments += std::abs(moment);
+    }
+    RigidLoad resultant() const {
+        return {load.force.norm() > balanced * forces ? load.force : Vec2(0, 0),
+                std::abs(load.moment) > balanced * moments ? load.moment : 0};
+    }
+};
+
 void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgePortion>& portions,
-                   const std::vector<Vec2>& centers, std::vector<RigidLoad>& on) {
+                   const std::vector<Vec2>& centers, std::vector<LoadSum>& on) {
     constexpr int pieces = 8, points = 6;
     const geometry::GaussRule& rule = geometry::gauss_rule(points);
     if (portions.empty()) return;
@@ -24,27 +46,26 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
                 const Vec2 x = point(curve, t);
                 const double area = h * rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
                 const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
-                on[at(p.part)].force += force;
-                on[at(p.part)].moment += geometry::cross(x - centers[at(p.part)], force);
+                on[at(p.part)].add(force, geometry::cross(x - centers[at(p.part)], force));
             }
     }
 }
 
 /// Forces per volume are constant over the part, or those of a spin, which act in the centroid, too.
-void add_volume_load(const Scene& scene, const Load& load, int part, const Vec2& center, RigidLoad& on) {
+void add_volume_load(const Scene& scene, const Load& load, int part, const Vec2& center, LoadSum& on) {
     if (load.kind == Load::Kind::part_moment) {
-        on.moment += load.value[0].constant();
+        on.add({0, 0}, load.value[0].constant());
         return;
     }
     const ScenePart& own = scene_part(scene, part);
     const double volume = area(own.part);
-    on.force += volume * own.thickness * volume_force(scene, load, part, part_measure(own.part, load, volume), center);
+    on.add(volume * own.thickness * volume_force(scene, load, part, part_measure(own.part, load, volume), center), 0);
 }
 
 }  // namespace
 
 std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions& conditions) {
-    std::vector<RigidLoad> on(scene.parts.size());
+    std::vector<LoadSum> on(scene.parts.size());
     std::vector<Vec2> centers;
     for (const ScenePart& part : scene.parts) centers.push_back(centroid(part.part));
     for (std::size_t k = 0; k < scene.loads.size(); ++k) {
@@ -55,7 +76,9 @@ std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions&
             if (const int part = static_cast<int>(i); acts_on_volume_of(scene, load, part))
                 add_volume_load(scene, load, part, centers[i], on[i]);
     }
-    return on;
+    std::vector<RigidLoad> resultants;
+    for (const LoadSum& sum : on) resultants.push_back(sum.resultant());
+    return resultants;
 }
 
 }  // namespace abut

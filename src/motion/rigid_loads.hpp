@@ -7,7 +7,7 @@
 
 namespace abut {
 
-/// The resultant of all loads on one part.
+/// The resultant of all loads on one part; 0 where they balance each other but for rounding.
 struct RigidLoad {
     Vec2 force{0, 0};
     double moment = 0;  ///< about the part's centroid

@@ -47,6 +47,7 @@ bool has_fits(const ContactOptions& contacts) {
 
 std::string why_not_settled(const Scene& scene) {
     if (const std::string why = why_not_followed(scene); !why.empty()) return why;
+    if (scene.parts.size() < 2) return "there is nothing to rest on";
     if (has_friction(scene.contacts)) return "friction may hold parts where they are drawn";
     if (has_fits(scene.contacts)) return "fits hold parts where they are drawn";
     return "";
@@ -222,21 +223,31 @@ private:
         });
     }
 
-    /// A balance that a little push ends is none.
+    /// A balance that a little push ends is none, where the part's own loads end it: a bar on its tip. What others press, like
+    /// the discs of a column, is balanced as it was drawn.
     Settling pushed(Settling end) {
         const std::vector<Placement> before = placements_;
         const VectorXd push = neutral_push();
         if (push.norm() == 0 || !advance(push) || !goes_on(push, step_under(least_drag))) return end;
         walk();
-        Settling unstable{Settling::End::never, "", {}, {}};
+        Settling unstable{Settling::End::never, "", {}, {}, ""};
+        bool is_by_own_loads = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
             const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
             constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
             if (by.norm() <= sizes_[i] && std::abs(placements_[i].angle - before[i].angle) <= tipped) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
+            is_by_own_loads = is_by_own_loads || pull_on(i) > 0;
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
-        return unstable.parts.empty() ? end : unstable;
+        if (!unstable.parts.empty() && is_by_own_loads) return unstable;
+        end.unstable = unstable.why;
+        return end;
+    }
+
+    double pull_on(std::size_t part) const {
+        const int moving = moving_.of_part[part];
+        return moving < 0 ? 0 : moving_.list[at(moving)].pull;
     }
 
     /// Amplitudes of the step from here, with a share of what is prescribed; what no load drives stays.
@@ -309,15 +320,16 @@ private:
         return {Settling::End::never,
                 words(at(part)) + ", farther than its own size, and nothing stops it before",
                 {},
-                {drawn_.parts[at(part)].name}};
+                {drawn_.parts[at(part)].name},
+                ""};
     }
 
     Settling lost() const {
-        return {Settling::End::lost, "no place of rest was found in " + std::to_string(max_steps) + " steps", {}, {}};
+        return {Settling::End::lost, "no place of rest was found in " + std::to_string(max_steps) + " steps", {}, {}, ""};
     }
 
     Settling rest() {
-        Settling settling{Settling::End::rests, "", {}, {}};
+        Settling settling{Settling::End::rests, "", {}, {}, ""};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < rest_digits * sizes_[i];
             settling.placements.push_back(is_rounding ? Placement{}
@@ -326,7 +338,7 @@ private:
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
         }
-        if (settling.parts.empty()) return {Settling::End::stays, "no part goes far from where it is drawn"};
+        if (settling.parts.empty()) return {Settling::End::stays, "no part goes far from where it is drawn", {}, {}, ""};
         return settling;
     }
 

@@ -24,6 +24,7 @@ struct Settling {
     std::string why{};                    ///< in words; of `rests`: who goes how far
     std::vector<Placement> placements{};  ///< by part, from where they are drawn; of `rests`
     std::vector<std::string> parts{};     ///< those that go far, or that nothing stops
+    std::string unstable{};               ///< not empty: the balance is held only as long as nothing pushes it, in words
 };
 
 /// Follows the loads. Every step is one convex problem: the loads' work, stiff springs along the gaps at the present place, and

@@ -45,8 +45,8 @@ TEST_F(Outputs, ResultsHaveTheKeysOfTheirSchema) {
     for (const std::string& scene :
          {std::string("written.json"), data + "scenes/pin_bracket.json", data + "scenes/case_b.json",
           data + "scenes/clevis.json", data + "scenes/bolted_flange.json", data + "verification/shrink_fit_rz.json",
-          data + "verification/heated_pin.json", std::string("bonded.json"), std::string("structure.json"),
-          std::string("loose.json"), std::string("moving.json")}) {
+          data + "verification/heated_pin.json", data + "verification/lever_on_stop.json", std::string("bonded.json"),
+          std::string("structure.json"), std::string("loose.json"), std::string("moving.json")}) {
         abut({"analyze", scene, "-o", "out", "--quiet"});
         EXPECT_EQ(in_lines(check.faults(written("out/result.json"))), "") << scene;
         fs::remove_all(folder_ / "out");

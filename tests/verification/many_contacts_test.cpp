@@ -80,7 +80,7 @@ TEST(ManyContacts, EveryDiscOfAPackingIsInBalance) {
     }
     for (const auto& [name, force] : sum) {
         if (name == "lid") on_lid = force.y();
-        if (name[0] == 'd') EXPECT_LT(force.norm(), 1e-9 * 400) << name;
+        if (name[0] == 'd') { EXPECT_LT(force.norm(), 1e-9 * 400) << name; }
     }
     EXPECT_NEAR(on_lid, 400, 1e-9 * 400);
 }

@@ -81,7 +81,7 @@ const char* const every_object =
       {"bezier": {"points": [[0, 0], [1, 1]]}}, {"nurbs": {"degree": 1, "knots": [0, 0, 1, 1], "points": [[0, 0], [1, 1]]}}]]}},
     {"name": "c", "material": "m", "geometry": {"dxf": {"file": "none.dxf"}}},
     {"name": "d", "material": "m", "geometry": {"mesh": {"file": "none.stl", "section": {"axis": "z"}}}},
-    {"name": "e", "material": "m", "geometry": {"step": {"file": "none.step", "section": {"axis": "z"}}}}],
+    {"name": "e", "material": "m", "array": {"count": 2, "step": [1, 0]}, "geometry": {"step": {"file": "none.step", "section": {"axis": "z"}}}}],
   "assembly": {"file": "none.dxf", "parts": {"LAYER": {"material": "m"}}},
   "supports": [{"on": {"part": "a", "near": [0, 0]}, "displacement": {"x": 0}}, {"part": "a", "rigid": {"rotation": 0}},
     {"on": "a/*", "spring": {"normal": 1}}],

@@ -38,6 +38,7 @@ void collect(const Json& node, const std::string& place, std::map<std::string, S
 
 /// The place of the value in a scene, as a JSON pointer.
 const std::map<std::string, std::string> places{
+    {"/properties/motion", "/motion"},
     {"/properties/analysis", "/analysis"},
     {"/$defs/place/properties/mirror", "/parts/0/place/mirror"},
     {"/$defs/section/properties/axis", "/parts/1/geometry/mesh/section/axis"},
