@@ -10,6 +10,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
+#include "src/io/number_text.hpp"
 #include "src/scene/dissertation_method.hpp"
 
 namespace abut {
@@ -31,7 +32,7 @@ constexpr double most_cells = 4e6;
 
 void refuse_too_many(double columns, double rows, const std::string& where) {
     if (columns * rows > most_cells)
-        throw InputError(where, "this asks for a grid of about " + std::to_string(static_cast<long>(columns * rows)) + " cells",
+        throw InputError(where, "this asks for a grid of about " + number_text(columns * rows, 2) + " cells",
                          "at most " + std::to_string(static_cast<long>(most_cells)) + " are possible for one part");
 }
 
