@@ -69,9 +69,9 @@ TEST(Plan, SaysWhyOfEveryEffect) {
         EXPECT_FALSE(e.why.empty()) << e.name;
         EXPECT_TRUE(names.insert(e.name).second) << e.name << " twice";
     }
-    EXPECT_EQ(names, (Names{"elasticity", "contact", "rigid parts", "edge loads", "body force", "gravity", "rigid supports",
-                            "interference", "bonding", "friction", "springs", "temperature", "preload", "spin",
-                            "incompressibility"}));
+    EXPECT_EQ(names,
+              (Names{"elasticity", "contact", "rigid parts", "edge loads", "body force", "gravity", "rigid supports",
+                     "interference", "bonding", "friction", "springs", "temperature", "preload", "spin", "incompressibility"}));
 }
 
 TEST(Plan, IncompressibilityIsForPlaneStrainNearAHalf) {
