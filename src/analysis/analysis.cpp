@@ -125,6 +125,19 @@ void note_own_factors(const Scene& scene, const Outcome& out, Result& result) {
                                    ": factorised by abut itself, since its volume strain is projected");
 }
 
+/// Sound answers meet the conditions of contact to rounding, 1e-12 and less.
+void tell_contact_residual(const SolvedAssembly& solved, Result& result) {
+    constexpr double noted = 1e-6;
+    if (!std::any_of(solved.runs.begin(), solved.runs.end(), [](const auto& runs) { return !runs.empty(); })) return;
+    const double residual = solved.solution.residual;
+    result.solver.contact_residual = residual;
+    if (residual <= noted) return;
+    const std::string text = "the conditions of contact are met to " + number_text(residual, 2) + " only";
+    tell({{residual, "", text + ", of the largest pressure or closing: pressures may be wrong by more than their errors say",
+           text}},
+         "contact_residual", result);
+}
+
 void fill_answers(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, int threads,
                   Stopwatches& seconds, Result& result) {
     const SolvedAssembly& solved = out.solved;
@@ -139,6 +152,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     for (const PreloadState& cut : solved.preloads)
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
+    tell_contact_residual(solved, result);
     fill_errors(out, result);
     fill_missed(scene, out, result);
     const auto begin = std::chrono::steady_clock::now();

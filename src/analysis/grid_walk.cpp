@@ -330,13 +330,14 @@ private:
         return false;
     }
 
-    /// Where one part has as many cells as it may, others may still have too few.
+    /// Where one part has as many cells as it may, others may still have too few. The first estimates are of coarse grids, and
+    /// rise as often as they fall: two passes tell.
     bool is_improving() const {
-        constexpr double worthwhile = 0.7;
+        constexpr double worthwhile = 0.5;
         const std::size_t n = out_.errors.size();
-        if (n < comparable_from_ + 3 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 2].contact_pressure)
+        if (n < comparable_from_ + 4 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 3].contact_pressure)
             return true;
-        return *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 2].contact_pressure;
+        return *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 3].contact_pressure;
     }
 
     bool is_reached() const {

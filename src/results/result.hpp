@@ -239,6 +239,8 @@ struct Result {
         int groups = 0, contact_problems = 0;         ///< of parts that do not interact; those that have contact
         std::optional<double> assembled_condition{};  ///< by the dissertation's method: as its table 5.2 has it
         std::optional<int> increments{};              ///< of the step, where there are steps
+        /// Violation of the conditions of contact by the answer, of its largest pressure and closing; where there is contact.
+        std::optional<double> contact_residual{};
     } solver;
     std::vector<std::pair<std::string, double>>
         timing;  ///< import, geometry, assembly, solve, recovery, output, total (seconds)

@@ -198,6 +198,7 @@ Json solver(const Result& r) {
            {"groups", r.solver.groups},
            {"contact_problems", r.solver.contact_problems}};
     if (r.solver.increments) j["increments"] = *r.solver.increments;
+    if (r.solver.contact_residual) j["contact_residual"] = number(*r.solver.contact_residual);
     if (r.solver.assembled_condition) j["assembled_condition"] = number(*r.solver.assembled_condition);
     return j;
 }

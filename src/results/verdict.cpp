@@ -12,8 +12,8 @@ namespace abut {
 
 namespace {
 
-/// Forces and moments without balance, of the largest resultant: what the coarsest accuracy level would not leave of anything
-/// else.
+/// Forces and moments without balance, of the largest resultant, and violations of the conditions of contact: what the coarsest
+/// accuracy level would not leave of anything else.
 constexpr double largest_residual = 1e-2;
 
 bool has_reason(const Result& result, const std::string& kind) {
@@ -82,6 +82,7 @@ std::vector<std::string> not_finite_in(const Result& r) {
               finite(r.accuracy.estimate),
           "the estimated errors");
     check(finite(r.solver.condition_estimate), "the condition number");
+    check(finite(r.solver.contact_residual), "the conditions of contact");
     return names;
 }
 
@@ -132,6 +133,9 @@ std::string impossible_in(const Result& result) {
         add(text, "numbers are not finite (" + first_few(names) + ")");
     if (result.strain_energy < -result.energy_rounding)
         add(text, "the strain energy is below zero (" + number_text(result.strain_energy, 3) + ")");
+    if (result.solver.contact_residual.value_or(0) > largest_residual)
+        add(text, "the conditions of contact are violated by " + percent_text(*result.solver.contact_residual) +
+                      " of the largest pressure or closing");
     if (result.equilibrium.relative_residual > largest_residual)
         add(text, "forces are out of balance by " + percent_text(result.equilibrium.relative_residual) + " of the largest");
     if (result.equilibrium.relative_moment_residual > largest_residual)

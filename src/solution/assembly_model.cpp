@@ -112,7 +112,21 @@ bool are_rigid(const Scene& scene, const Candidate& c, const PartOnGrid& first, 
                      "draw them as one part, or make one of them elastic");
 }
 
+/// By solver part, of all candidates.
+std::vector<FacesByCell> faces_of_contact(const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
+    std::vector<FacesByCell> faces(solved.grids.size());
+    for (const Candidate& c : candidates) {
+        const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
+        const geometry::FacingZone& z = c.zone;
+        if (a >= 0) note_faces(solved.grids[at(a)], z.chain1, z.begin1, z.end1, faces[at(a)]);
+        if (b >= 0)
+            note_faces(solved.grids[at(b)], z.chain2, std::min(z.begin2, z.end2), std::max(z.begin2, z.end2), faces[at(b)]);
+    }
+    return faces;
+}
+
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
+    const std::vector<FacesByCell> faces = faces_of_contact(candidates, solved);
     for (const Candidate& c : candidates) {
         const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
         solved.interface_of.push_back(-1);
@@ -122,7 +136,7 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
         const bool has_friction = c.friction > 0 && !c.bonded;
         MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
-        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b});
+        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces);
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
         call.count(contact.face.points.size());

@@ -54,7 +54,13 @@ MiddlePair pair_in_middle(const Scene& scene, const ContactInterface& c, double 
     return found;
 }
 
-std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const PartOnGrid& first, const PartOnGrid& second) {
+/// The size of a cell along the boundary, of the splines that are this face's alone.
+double own_size_along(const PartOnGrid& g, const geometry::ChainPoint& p, const FacesByCell& faces) {
+    return size_along(g, p) * faces_sharing(g, p, faces);
+}
+
+std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const PartOnGrid& first, const PartOnGrid& second,
+                           const FacesByCell& faces1, const FacesByCell& faces2) {
     const std::vector<double> b = crossings_of_both(scene, c.zone, first, second);
     const double c1 = compliance(scene, first), c2 = compliance(scene, second);
     const auto& rule = geometry::gauss_rule(points_per_piece);
@@ -77,8 +83,8 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
             piece.length += rule.weights[q] * whole * length_rate;
             if (q != rule.points.size() / 2) continue;
             double size = std::numeric_limits<double>::infinity();
-            if (c1 >= compliance_share * (c1 + c2)) size = size_along(first, pair.on1);
-            if (c2 >= compliance_share * (c1 + c2)) size = std::min(size, size_along(second, pair.on2));
+            if (c1 >= compliance_share * (c1 + c2)) size = own_size_along(first, pair.on1, faces1);
+            if (c2 >= compliance_share * (c1 + c2)) size = std::min(size, own_size_along(second, pair.on2, faces2));
             const bool halved = first.cells.grid.tree || second.cells.grid.tree;
             piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * size;
         }
@@ -182,14 +188,15 @@ int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
 }
 
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
-                                const PartOnGrid& second, std::array<int, 2> solver_part) {
+                                const PartOnGrid& second, std::array<int, 2> solver_part,
+                                const std::vector<FacesByCell>& faces) {
     const GapRule drawn{candidate.closing, candidate.no_overlap};
     if (scene.contacts.penalty) return make_penalty_interface(scene, candidate.zone, first, second, solver_part, drawn);
     ContactInterface c;
     c.drawn = drawn;
     c.part = {first.part, second.part};
     c.zone = candidate.zone;
-    const std::vector<Piece> pieces = measure(scene, c, first, second);
+    const std::vector<Piece> pieces = measure(scene, c, first, second, faces[at(solver_part[0])], faces[at(solver_part[1])]);
     if (pieces.empty()) return c;
     const std::vector<double> count = make_table(pieces, c);
     const Knots knots = place_knots(count, c, double_knots(count, c, candidate.ends));

@@ -9,6 +9,7 @@
 #include "solver/contact/assembly_solve.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/discretization/discretize.hpp"
+#include "src/solution/shared_cells.hpp"
 
 namespace abut {
 
@@ -48,9 +49,11 @@ struct ContactInterface {
     Pairing pairing = Pairing::middle;
 };
 
-/// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it.
+/// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it. faces: of all candidates, by solver
+/// part.
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
-                                const PartOnGrid& second, std::array<int, 2> solver_part);
+                                const PartOnGrid& second, std::array<int, 2> solver_part,
+                                const std::vector<FacesByCell>& faces);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);

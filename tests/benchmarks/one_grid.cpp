@@ -66,7 +66,7 @@ double system_seconds(const OneGrid& problem, const PartOnGrid& g, Eigen::Vector
 double interface_seconds(const OneGrid& problem, const SolvedAssembly& solved) {
     return thread_seconds_of([&] {
         for (const Candidate& c : problem.candidates)
-            make_interface(problem.scene, c, solved.grids[0], solved.grids[1], {0, 1});
+            make_interface(problem.scene, c, solved.grids[0], solved.grids[1], {0, 1}, std::vector<FacesByCell>(2));
     });
 }
 

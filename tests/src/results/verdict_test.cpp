@@ -118,5 +118,13 @@ TEST(Impossible, ForcesOrMomentsOutOfBalance) {
     EXPECT_EQ(impossible_in(r).find("moments are out of balance by 1.1 %"), 0u) << impossible_in(r);
 }
 
+TEST(Impossible, ConditionsOfContactThatAreNotMet) {
+    Result r = reached();
+    r.solver.contact_residual = 0.9e-2;
+    EXPECT_EQ(impossible_in(r), "");
+    r.solver.contact_residual = 0.7;
+    EXPECT_EQ(impossible_in(r), "the conditions of contact are violated by 70 % of the largest pressure or closing");
+}
+
 }  // namespace
 }  // namespace abut::verdict_test
