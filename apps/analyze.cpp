@@ -139,6 +139,7 @@ CommandSpec analyze_spec() {
             {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
              {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
              {"--case", "NAME", "the load case of this name alone, as if the scene had no others"},
+             {"--format", "F", "also write these, with commas between: vtu (ParaView), svg, png (pictures), json, csv, html"},
              {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
              {"--plan", "", "print which effects would be computed and why, and stop"},
              {"--json", "", "print the result (or the plan) as JSON instead of a table"},
@@ -163,6 +164,7 @@ int analyze_command(const Arguments& arguments) {
     const double reading_seconds = watch.seconds();
     refuse_guesses(scene, arguments);
     override_accuracy(scene.accuracy, arguments);
+    add_formats(scene.output, value_or(arguments, "--format", ""));
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {
         const std::vector<Effect> plan = whole_plan(scene);

@@ -118,6 +118,10 @@ Response LiveServer::State::serve(const Request& request, const std::string& pat
         return response_to(request, http::status::ok, json_type, model.news(number_after(query, "after="), longest_wait));
     if (is_get && path == "report") return response_to(request, http::status::ok, html_type, model.report());
     if (is_post && path == "act") return response_to(request, http::status::ok, json_type, model.act(request.body()));
+    if (is_post && path == "conditions") {
+        model.set_conditions(request.body());
+        return response_to(request, http::status::ok, json_type, "{}");
+    }
     if (is_post && path == "save") return response_to(request, http::status::ok, json_type, model.save_scene(request.body()));
     return response_to(request, http::status::not_found, json_type, "");
 }

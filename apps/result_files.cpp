@@ -7,15 +7,19 @@
 #include <cstddef>
 #include <ctime>
 #include <filesystem>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
 #include "apps/output_folder.hpp"
+#include "apps/png_file.hpp"
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/whole_file.hpp"
 #include "src/io/write_file.hpp"
+#include "src/report/field_file.hpp"
+#include "src/report/picture_files.hpp"
 #include "src/report/report.hpp"
 #include "src/results/result_units.hpp"
 
@@ -23,7 +27,7 @@ namespace abut {
 
 namespace {
 
-const std::vector<std::string> writable_formats{"json", "csv", "html"};
+const std::vector<std::string> writable_formats{"json", "csv", "html", "vtu", "svg", "png"};
 
 bool holds(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
@@ -66,6 +70,25 @@ void remove_file(const std::string& folder, const std::string& name) {
     std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
 }
 
+/// Removes the pictures of an earlier run, whose contacts may have been others.
+void remove_pictures(const std::string& folder) {
+    std::vector<std::string> names{"assembly", "stress", "displacement"};
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (const std::string name = entry.path().stem().string(); name.rfind("contact_", 0) == 0) names.push_back(name);
+    for (const std::string& name : names)
+        for (const char* ending : {".svg", ".png"}) remove_file(folder, name + ending);
+}
+
+/// As files that any program shows: png goes by way of svg, which stays only where it is asked for.
+void write_pictures(const Result& result, const std::string& folder, const std::vector<std::string>& formats) {
+    for (const PictureFile& picture : picture_files(result)) {
+        write_file(folder, picture.name + ".svg", picture.svg);
+        if (holds(formats, "png")) write_png(folder, picture.name, picture.name + ".svg");
+        if (!holds(formats, "svg")) remove_file(folder, picture.name + ".svg");
+    }
+}
+
 /// Removes what an earlier run with load cases has written into the folder, which its cases.json lists.
 void remove_cases(const std::string& folder) {
     const std::string list = path_in(folder, "cases.json");
@@ -73,11 +96,12 @@ void remove_cases(const std::string& folder) {
     if (!std::filesystem::exists(list, ignored)) return;
     for (const std::string& own : folders_of_cases(read_whole_file(list))) {
         const std::string path = path_in(folder, own);
-        for (const char* file : {"result.json", "report.html"}) remove_file(path, file);
+        for (const char* file : {"result.json", "report.html", "fields.vtu"}) remove_file(path, file);
+        remove_pictures(path);
         remove_contacts_from(0, path);
         std::filesystem::remove(path, ignored);  // if nothing else is there
     }
-    for (const char* file : {"cases.json", "envelope.csv"}) remove_file(folder, file);
+    for (const char* file : {"cases.json", "envelope.csv", "fields.pvd"}) remove_file(folder, file);
 }
 
 }  // namespace
@@ -85,11 +109,25 @@ void remove_cases(const std::string& folder) {
 void check_formats(const Scene& scene) {
     std::vector<Problem> problems;
     for (const std::string& format : scene.output.formats) {
-        if (holds(writable_formats, format)) continue;
-        problems.push_back({scene.file + " /output/formats", "the format '" + shortened(format) + "' is not supported",
-                            "use " + listed(writable_formats)});
+        if (!holds(writable_formats, format))
+            problems.push_back({scene.file + " /output/formats", "the format '" + shortened(format) + "' is not supported",
+                                "use " + listed(writable_formats)});
+        else if (format == "png" && !can_write_png())
+            problems.push_back({scene.file + " /output/formats",
+                                std::string("pictures as png are made by ") + png_program + ", which is not installed",
+                                "install it (apt-get install librsvg2-bin), or write svg"});
     }
     if (!problems.empty()) throw InputError(std::move(problems));
+}
+
+void add_formats(Output& output, const std::string& words) {
+    std::istringstream list(words);
+    for (std::string word; std::getline(list, word, ',');) {
+        if (!holds(writable_formats, word))
+            throw InputError("--format", "the format '" + shortened(word) + "' is not supported",
+                             "give some of " + listed(writable_formats) + ", with commas between");
+        if (!holds(output.formats, word)) output.formats.push_back(word);
+    }
 }
 
 void complete_import_time(Result& result, double seconds) {
@@ -113,7 +151,11 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
     const Stopwatch output;
     set_time(result, "output", 0);
     remove_cases(folder);
+    remove_pictures(folder);
+    remove_file(folder, "fields.vtu");
     if (holds(formats, "csv")) write_contacts(result, folder);
+    if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
+    if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, folder, formats);
     set_time(result, "total", since_start.seconds());
     if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model));
     set_time(result, "output", output.seconds());
@@ -125,13 +167,17 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
                         const std::vector<std::string>& formats, const Stopwatch& since_start) {
     remove_cases(folder);
-    remove_file(folder, "result.json");
+    for (const char* file : {"result.json", "fields.vtu"}) remove_file(folder, file);
+    remove_pictures(folder);
     remove_contacts_from(0, folder);
+    std::vector<std::pair<std::string, std::string>> series;
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
         write_results(cases[k].result, models[k], own, formats, since_start);
+        series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
     }
+    if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
     if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, models));
     write_file(folder, "cases.json", cases_json(cases));  // in any case: it lists the folders

@@ -14,14 +14,18 @@ namespace abut {
 /// Checks the scene's formats before the analysis, not after it: throws InputError if one cannot be written.
 void check_formats(const Scene& scene);
 
+/// Adds formats to the scene's own: words with commas between them. Throws InputError where one is not known.
+void add_formats(Output& output, const std::string& words);
+
 /// Adds the time of reading the scene to the timing, where the analysis has not stated it.
 void complete_import_time(Result& result, double seconds);
 
 /// What is known of the model; the run began when `since_start` did.
 ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const Stopwatch& since_start);
 
-/// Writes the formats asked for; removes the contact_<k>.csv of an earlier run with more contacts. `since_start` runs since the
-/// program's start: the timing "total" and "output" are completed with it, up to the writing of result.json, which comes last.
+/// Writes the formats asked for; removes what an earlier run left in the folder and this one does not write. `since_start` runs
+/// since the program's start: the timing "total" and "output" are completed with it, up to the writing of result.json, which
+/// comes last.
 void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start);
 

@@ -33,13 +33,23 @@ std::string motion_words(const geometry::Screw& twist, const geometry::ScrewScal
     return "rotates about " + point_text(c + Vec2(-at_center.y(), at_center.x()) / twist[2], scale.size);
 }
 
-std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion) {
+PartTwist twist_of(const SolvedAssembly& solved, const solver::PartMotion& motion) {
     const PartOnGrid& g = solved.grids[static_cast<std::size_t>(motion.part)];
     const solver::RigidMotion& m = motion.motion;
     const Vec2 v = g.frame.vector_to_global(m.at({0, 0})), origin = g.frame.to_global({0, 0});
-    const geometry::Screw twist(v.x() + m.rotation * origin.y(), v.y() - m.rotation * origin.x(), m.rotation);
+    return {g.part, {v.x() + m.rotation * origin.y(), v.y() - m.rotation * origin.x(), m.rotation}};
+}
+
+std::vector<PartTwist> twists_of(const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions) {
+    std::vector<PartTwist> twists;
+    for (const solver::PartMotion& motion : motions) twists.push_back(twist_of(solved, motion));
+    return twists;
+}
+
+std::string motion_text(const Scene& scene, const SolvedAssembly& solved, const solver::PartMotion& motion) {
+    const PartOnGrid& g = solved.grids[static_cast<std::size_t>(motion.part)];
     return scene.parts[static_cast<std::size_t>(g.part)].name + " " +
-           motion_words(twist, {g.frame.to_global(m.center), g.size});
+           motion_words(twist_of(solved, motion).twist, {g.frame.to_global(motion.motion.center), g.size});
 }
 
 std::string motions_text(const Scene& scene, const SolvedAssembly& solved, const std::vector<solver::PartMotion>& motions) {

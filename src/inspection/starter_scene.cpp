@@ -191,7 +191,9 @@ std::string starter_scene(const SketchReading& reading, const ImportOptions& opt
     const Scene& scene = reading.scene;
     const SceneUnits units = units_for(scene.length_unit);
     std::ostringstream out;
-    out << "// Begun by abut init. Fill in a support and a load, at the end, then run: abut analyze THIS_FILE\n{\n"
+    out << (choice.is_pointed_at
+                ? "// Begun by abut live.\n{\n"
+                : "// Begun by abut init. Fill in a support and a load, at the end, then run: abut analyze THIS_FILE\n{\n")
         << "  \"abut\": 1,\n  \"title\": " << quoted(std::filesystem::path(scene.file).stem().string()) << ",\n"
         << "  \"units\": " << units_line(reading.drawing, units) << "\n"
         << "  \"analysis\": \"plane_stress\",  // or \"plane_strain\"\n  \"thickness\": "
@@ -204,6 +206,10 @@ std::string starter_scene(const SketchReading& reading, const ImportOptions& opt
     out << "  },\n";
     write_edges(out, scene);
     write_contacts(out, scene, contacts);
+    if (choice.is_pointed_at) {
+        out << "  \"supports\": [],\n  \"loads\": []\n}\n";
+        return out.str();
+    }
     write_to_fill_in(out, "supports", "hold", "\"fix\": [\"x\", \"y\"]", extreme_edge(scene, -1));
     out << ",\n";
     write_to_fill_in(out, "loads", "load", "\"force\": [0, -100]", extreme_edge(scene, 1));

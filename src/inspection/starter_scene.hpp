@@ -15,6 +15,7 @@ struct StarterChoice {
     std::string material = "steel";
     std::optional<double> thickness{};  ///< in the scene's unit; unset: 1, to be checked
     std::string folder{};               ///< where the scene will stand; empty: not known
+    bool is_pointed_at = false;         ///< supports and loads come by pointing at them: there are none yet
 };
 
 /// The text of a scene that imports the file as `options` read it, with its parts and, in comments, their edges and the

@@ -38,8 +38,24 @@ private:
         copied_ = place_;
     }
 
+    /// What is to be added to an object or a list, as its text.
+    std::string added(const JsonValue& value) const {
+        std::string text;
+        const std::string prefix = value.pointer + "/";
+        for (auto own = value_at_.lower_bound(prefix); own != value_at_.end() && own->first.rfind(prefix, 0) == 0; ++own) {
+            const std::string key = own->first.substr(prefix.size());
+            const bool is_list = value.kind == JsonValue::Kind::array;
+            const auto is_there = [&](const JsonValue& item) { return item.pointer == own->first; };
+            if (key.find('/') != std::string::npos || is_list != (key == "-")) continue;
+            if (std::any_of(value.items.begin(), value.items.end(), is_there)) continue;
+            text += (text.empty() ? "" : ", ") + (is_list ? "" : "\"" + key + "\": ") + own->second;
+        }
+        return text;
+    }
+
     void edit_items(const JsonValue& value) {
         ++place_;  // the bracket
+        std::size_t end = place_;
         for (const JsonValue& item : value.items) {
             skip_blanks();
             if (value.kind == JsonValue::Kind::object) {
@@ -48,11 +64,16 @@ private:
                 ++place_;  // the colon
             }
             edit(item);
+            end = place_;
             skip_blanks();
             if (text_[place_] == ',') ++place_;
         }
         skip_blanks();
         ++place_;
+        const std::string more = value_at_.contains(value.pointer) ? "" : added(value);
+        if (more.empty()) return;
+        result_ += text_.substr(copied_, end - copied_) + (value.items.empty() ? "" : ", ") + more;
+        copied_ = end;
     }
 
     void skip_string() {

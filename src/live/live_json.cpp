@@ -2,6 +2,7 @@
 #include "src/live/live_json.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -67,6 +68,32 @@ LiveJson contact_answer(const ContactAnswer& c) {
             {"profile", profile}};
 }
 
+LiveJson setting_control(const LiveSetting& s) {
+    constexpr std::array<const char*, 4> words{"friction", "rule", "pair", "place"};
+    return {{"key", s.key},     {"kind", words[static_cast<std::size_t>(s.kind)]},
+            {"parts", s.parts}, {"value", s.value},
+            {"min", s.least},   {"max", s.most}};
+}
+
+LiveJson twist_list(const std::vector<PartTwist>& twists) {
+    LiveJson list = LiveJson::array();
+    for (const PartTwist& t : twists) list.push_back({{"part", t.part}, {"twist", {t.twist[0], t.twist[1], t.twist[2]}}});
+    return list;
+}
+
+/// By part of the result: the directions in which its supports let it slide, all contacts left aside.
+LiveJson slides(const Result& result) {
+    LiveJson list = LiveJson::array();
+    for (const PartResult& part : result.parts) {
+        LiveJson own = LiveJson::array();
+        for (const PartMobility& m : result.as_drawn.parts)
+            for (const Screw& twist : m.twists)
+                if (m.part == part.name && twist[2] == 0) own.push_back({twist[0], twist[1]});
+        list.push_back(own);
+    }
+    return list;
+}
+
 LiveJson problem_list(const std::vector<Problem>& problems) {
     LiveJson list = LiveJson::array();
     for (const Problem& p : problems) list.push_back({{"where", p.where}, {"what", p.what}, {"hint", p.hint}});
@@ -103,6 +130,29 @@ void read_parameters_moved(const LiveJson& j, const LiveControls& controls, Live
             throw InputError(where, number_text(number, 6) + " is not between " + number_text(range.least, 6) + " and " +
                                         number_text(range.most, 6));
         inputs.parameters[name] = number;
+    }
+}
+
+void read_settings_moved(const LiveJson& j, const LiveControls& controls, LiveInputs& inputs) {
+    if (!j.is_object()) throw InputError("/settings", "expected an object of lists of numbers");
+    std::vector<std::string> keys;
+    for (const LiveSetting& s : controls.settings) keys.push_back(s.key);
+    inputs.settings.clear();
+    for (const auto& [key, value] : j.items()) {
+        const std::string where = "/settings/" + shortened(key);
+        const auto own = std::find(keys.begin(), keys.end(), key);
+        if (own == keys.end()) throw InputError(where, "nothing of this name can be set", nearest_name_hint(key, keys));
+        const LiveSetting& s = controls.settings[static_cast<std::size_t>(own - keys.begin())];
+        if (!value.is_array() || value.size() != s.value.size())
+            throw InputError(where, "expected a list of as many numbers as it has: " + std::to_string(s.value.size()));
+        std::vector<double> numbers;
+        for (const LiveJson& number : value) {
+            numbers.push_back(finite_number(number, where));
+            if (numbers.back() < s.least || numbers.back() > s.most)
+                throw InputError(where, number_text(numbers.back(), 6) + " is not between " + number_text(s.least, 6) +
+                                            " and " + number_text(s.most, 6));
+        }
+        if (numbers != s.value) inputs.settings[key] = numbers;
     }
 }
 
@@ -143,7 +193,9 @@ std::string controls_json(const Scene& scene, const LiveControls& controls) {
                {"remembers", controls.remembers},
                {"parameters", LiveJson::array()},
                {"loads", LiveJson::array()},
-               {"cases", LiveJson::array()}};
+               {"cases", LiveJson::array()},
+               {"settings", LiveJson::array()}};
+    for (const LiveSetting& s : controls.settings) j["settings"].push_back(setting_control(s));
     for (const ParameterRange& p : controls.parameters)
         j["parameters"].push_back(
             {{"name", p.name}, {"value", p.value}, {"min", p.least}, {"max", p.most}, {"where", p.where}});
@@ -153,24 +205,37 @@ std::string controls_json(const Scene& scene, const LiveControls& controls) {
 }
 
 std::string inputs_json(const LiveInputs& inputs, const std::string& client, long version) {
-    return dumped({{"client", client}, {"version", version}, {"parameters", inputs.parameters}, {"loads", inputs.loads}});
+    return dumped({{"client", client},
+                   {"version", version},
+                   {"parameters", inputs.parameters},
+                   {"loads", inputs.loads},
+                   {"settings", inputs.settings}});
 }
 
-std::string whole_json(const Result& result, const ModelFacts& model, bool is_draft, long version) {
+std::string whole_json(const Result& result, const ModelFacts& model, bool is_draft, const LiveSettings& settings,
+                       long version) {
     const LiveJson j{{"version", version},
                      {"draft", is_draft},
                      {"status", result.status},
                      {"verdict", verdict_word(verdict_of(result))},
                      {"sentence", verdict_sentence(result)},
-                     {"warnings", result.warnings}};
+                     {"warnings", result.warnings},
+                     {"settings", settings},
+                     {"slides", slides(result)},
+                     {"driven", twist_list(result.driven)}};
     std::string text = dumped(j);
     text.pop_back();
     return text + ",\"data\":" + report::page_data(result, model) + "}";
 }
 
 std::string answer_json(const Answer& answer, long version) {
-    LiveJson j{{"version", version},      {"status", answer.status},       {"message", answer.message},
-               {"doubts", answer.doubts}, {"contacts", LiveJson::array()}, {"probes", LiveJson::array()}};
+    LiveJson j{{"version", version},
+               {"status", answer.status},
+               {"message", answer.message},
+               {"doubts", answer.doubts},
+               {"contacts", LiveJson::array()},
+               {"probes", LiveJson::array()},
+               {"driven", twist_list(answer.driven)}};
     for (const ContactAnswer& c : answer.contacts) j["contacts"].push_back(contact_answer(c));
     for (const ProbeAnswer& p : answer.probes)
         j["probes"].push_back({{"part", p.part}, {"at", pair(p.at)}, {"displacement", pair(p.displacement)}});
@@ -179,6 +244,21 @@ std::string answer_json(const Answer& answer, long version) {
 
 std::string fields_json(const Result& prepared, const std::vector<PartField>& fields, long version) {
     return "{\"version\":" + std::to_string(version) + ",\"fields\":" + report::fields_data(prepared.geometry, fields) + "}";
+}
+
+std::string edges_json(const Scene& scene, const std::string& text) {
+    constexpr double drawn_turn = 0.1;  // radians between points of a curve
+    LiveJson list = LiveJson::array();
+    for (const ScenePart& part : scene.parts)
+        for (const geometry::Edge& edge : part.part.edges) {
+            const int steps = std::max(1, static_cast<int>(std::ceil(turning(edge.curve, 0, 1) / drawn_turn)));
+            LiveJson points = LiveJson::array();
+            for (int q = 0; q <= steps; ++q) points.push_back(pair(point(edge.curve, static_cast<double>(q) / steps)));
+            list.push_back({{"name", part.name + "/" + edge.name}, {"points", points}});
+        }
+    const LiveJson whole = LiveJson::parse(text, nullptr, false, true);
+    const auto own = [&](const char* key) { return whole.is_object() && whole.contains(key) ? whole[key] : LiveJson::array(); };
+    return dumped({{"edges", list}, {"supports", own("supports")}, {"loads", own("loads")}});
 }
 
 std::string problems_json(const std::vector<Problem>& problems) {
@@ -191,13 +271,28 @@ std::string saved_json(const std::string& path) {
 
 LiveRequest read_live_request(const std::string& text, const Scene& scene, const LiveControls& controls,
                               const LiveInputs& before) {
-    const LiveJson j = request_object(text, {"client", "after", "parameters", "loads"});
+    const LiveJson j = request_object(text, {"client", "after", "parameters", "loads", "settings"});
     LiveRequest request{"", 0, before};
     if (j.contains("client") && j["client"].is_string()) request.client = j["client"].get<std::string>();
     if (j.contains("after")) request.after = static_cast<long>(std::clamp(finite_number(j["after"], "/after"), -1.0, 1e15));
     if (j.contains("parameters")) read_parameters_moved(j["parameters"], controls, request.inputs);
     if (j.contains("loads")) read_loads_moved(j["loads"], scene, request.inputs);
+    if (j.contains("settings")) read_settings_moved(j["settings"], controls, request.inputs);
     return request;
+}
+
+std::map<std::string, std::string> read_conditions_request(const std::string& text) {
+    const LiveJson j = request_object(text, {"supports", "loads"});
+    std::map<std::string, std::string> value_at;
+    for (const auto& [key, value] : j.items()) {
+        if (!value.is_array()) throw InputError("/" + key, "expected a list");
+        value_at["/" + key] = dumped(value);
+    }
+    return value_at;
+}
+
+std::string json_text(const std::string& words) {
+    return dumped(words);
 }
 
 std::string read_save_request(const std::string& text) {
@@ -214,7 +309,7 @@ std::string read_save_request(const std::string& text) {
 std::string scene_text_with(const std::string& text, const Scene& scene, const LiveControls& controls,
                             const LiveInputs& inputs) {
     const JsonDocument document = parse_json(text, scene.file);
-    std::map<std::string, std::string> value_at;
+    std::map<std::string, std::string> value_at = settings_as_text(text, scene, controls.settings, inputs.settings);
     for (const ParameterRange& p : controls.parameters)
         if (inputs.parameters.at(p.name) != p.value) value_at[p.where + "/value"] = dumped(inputs.parameters.at(p.name));
     for (std::size_t k = 0; k < scene.loads.size(); ++k) {

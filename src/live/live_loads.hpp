@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "src/live/live_settings.hpp"
 #include "src/scene/scene.hpp"
 #include "src/session/prepared_scene.hpp"
 
@@ -16,6 +17,7 @@ struct LiveInputs {
     /// By load of the scene: its factor, or the two components of a force. A force that was not turned goes with the parameters
     /// that it is made of.
     std::vector<std::vector<double>> loads;
+    LiveSettings settings{};  ///< those that were moved
     bool operator==(const LiveInputs&) const = default;
 };
 

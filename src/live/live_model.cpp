@@ -16,6 +16,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/io/file_stamp.hpp"
+#include "src/io/json_edit.hpp"
 #include "src/io/whole_file.hpp"
 #include "src/io/write_file.hpp"
 #include "src/live/live_json.hpp"
@@ -52,8 +53,6 @@ struct DrawnScene {
 DrawnScene read_drawn(const std::string& path, const std::map<std::string, double>& parameters,
                       const std::function<void(Accuracy&)>& set_accuracy) {
     DrawnScene drawn;
-    if (ending_of(path) != ".json")
-        throw InputError(path, "this is no scene", "abut init writes one for a drawing, mesh or STEP file");
     drawn.controls.parameters = parameter_ranges(path);
     drawn.scene = read_scene(path, parameters);
     drawn.sources = model_sources(drawn.scene);
@@ -85,10 +84,20 @@ struct PreparedLive {
     }
 
     bool answers(const LiveInputs& other) const {
-        return other.parameters == inputs.parameters && prepared->needs_preparing(unit_factors(drawn.scene, other)).empty();
+        return other.parameters == inputs.parameters && other.settings == inputs.settings &&
+               prepared->needs_preparing(unit_factors(drawn.scene, other)).empty();
     }
     ModelFacts facts() const { return model_facts(scene_under(drawn.scene, inputs), drawn.sources); }
 };
+
+/// Pairs that were known keep their settings where they don't touch at the moment.
+void keep_pairs(const std::vector<LiveSetting>& before, std::vector<LiveSetting>& settings) {
+    for (const LiveSetting& old : before) {
+        const auto is_old = [&](const LiveSetting& s) { return s.key == old.key; };
+        if (old.kind == LiveSetting::Kind::pair && std::none_of(settings.begin(), settings.end(), is_old))
+            settings.push_back(old);
+    }
+}
 
 struct LivePiece {
     long serial = 0;
@@ -130,6 +139,7 @@ struct LiveModel::State {
         publish("inputs", inputs_json(inputs, client, version));
     }
     void take_drawn(DrawnScene read);
+    void take_settings(PreparedLive& made);
     std::string news_after(long after) const;
     std::unique_lock<std::mutex> alone() {
         return one_at_a_time ? std::unique_lock(computing) : std::unique_lock<std::mutex>();
@@ -154,13 +164,27 @@ struct LiveModel::State {
 };
 
 void LiveModel::State::take_drawn(DrawnScene read) {
+    const std::vector<LiveSetting> before = std::move(drawn.controls.settings);
     drawn = std::move(read);
+    drawn.controls.settings = live_settings(drawn.scene, {});
     LiveInputs given{{}, live_loads(drawn.scene)};
     if (!drawn.scene.cases.empty()) given.loads = live_loads(drawn.scene, drawn.scene.cases.front());
     for (const ParameterRange& p : drawn.controls.parameters) given.parameters[p.name] = p.value;
     prepared = nullptr;
+    if (!options.drawing.empty()) {  // what is pointed at changes neither parts nor contacts
+        given.settings = inputs.settings;
+        keep_pairs(before, drawn.controls.settings);
+        publish("edges", edges_json(drawn.scene, read_whole_file(path)));
+    }
     publish("controls", controls_json(drawn.scene, drawn.controls));
     take_inputs(std::move(given), "");
+}
+
+/// Contacts that were found have settings.
+void LiveModel::State::take_settings(PreparedLive& made) {
+    std::vector<LiveSetting> found = live_settings(drawn.scene, made.result.contacts);
+    keep_pairs(drawn.controls.settings, found);
+    made.drawn.controls.settings = drawn.controls.settings = std::move(found);
 }
 
 std::string LiveModel::State::news_after(long after) const {
@@ -224,13 +248,17 @@ void LiveModel::State::analyse(Hold& hold, bool is_draft) {
     };
     std::shared_ptr<PreparedLive> made;
     std::vector<Problem> problems;
-    std::string whole, controls;
+    std::string whole;
     try {
         const auto own = alone();
+        const std::vector<LiveSetting> settings = now.controls.settings;
         if (!under.parameters.empty()) now = read_drawn(path, under.parameters, options.set_accuracy);
-        controls = controls_json(now.scene, now.controls);
+        if (!under.settings.empty()) {
+            now.scene = with_settings(std::move(now.scene), settings, under.settings);
+            now.controls.loads = model_facts(now.scene, now.sources).loads;
+        }
         made = std::make_shared<PreparedLive>(std::move(now), under, is_draft, analyze_options);
-        whole = whole_json(made->result, made->facts(), is_draft, of_version);
+        whole = whole_json(made->result, made->facts(), is_draft, under.settings, of_version);
     } catch (const GivenUp&) {
     } catch (const InputError& error) { problems = error.problems(); } catch (const std::exception& error) {
         problems = {{path, std::string("an error in the program itself: ") + error.what(), "please report it with the file"}};
@@ -241,7 +269,8 @@ void LiveModel::State::analyse(Hold& hold, bool is_draft) {
     if (!problems.empty()) return refuse(of_version, problems);
     if (!made || file_stamp(path) != stamp) return;
     prepared = made;
-    publish("controls", controls);  // where loads act goes with the geometry
+    take_settings(*made);
+    publish("controls", controls_json(made->drawn.scene, made->drawn.controls));  // where loads act goes with the geometry
     publish("whole", whole);
     publish("problems", problems_json({}));
     pieces.erase("answer");
@@ -344,6 +373,16 @@ std::string LiveModel::news(long after, std::chrono::milliseconds wait) {
     return s.news_after(after);
 }
 
+void LiveModel::set_conditions(const std::string& request) {
+    State& s = *state_;
+    if (s.options.drawing.empty())
+        throw InputError(s.path, "supports and loads are pointed at for drawings alone", "write them into the scene's file");
+    const std::string text = with_values(read_whole_file(s.path), read_conditions_request(request));
+    read_scene_text(text, s.path);  // throws where they are wrong
+    const std::filesystem::path file(s.path);
+    write_file(file.parent_path().string(), file.filename().string(), text);
+}
+
 std::string LiveModel::save_scene(const std::string& request) {
     State& s = *state_;
     const std::string name = read_save_request(request);
@@ -351,9 +390,11 @@ std::string LiveModel::save_scene(const std::string& request) {
     if (!s.drawn.scene.cases.empty())
         throw InputError(s.path, "the scene has " + case_word(s.drawn.scene) + "s, which are factors of its loads",
                          "change the factors in the file");
-    const std::string text = scene_text_with(read_whole_file(s.path), s.drawn.scene, s.drawn.controls, s.inputs);
+    std::string text = scene_text_with(read_whole_file(s.path), s.drawn.scene, s.drawn.controls, s.inputs);
     hold.unlock();
-    const std::filesystem::path folder = std::filesystem::path(s.path).parent_path();
+    const bool is_of_drawing = !s.options.drawing.empty();
+    const std::filesystem::path home = is_of_drawing ? s.options.drawing : s.path, folder = home.parent_path();
+    if (is_of_drawing) text = with_values(text, {{"/assembly/file", json_text(home.filename().string())}});
     if (std::filesystem::exists(folder / name))
         throw InputError((folder / name).string(), "is there already", "give another name");
     write_file(folder.string(), name, text);

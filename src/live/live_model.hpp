@@ -14,6 +14,9 @@ struct LiveOptions {
     int threads = 0;                                ///< at most; 0: one for each processor
     std::function<void(Accuracy&)> set_accuracy{};  ///< what is asked for instead of the scene's; may be empty
     std::chrono::milliseconds rest{300};            ///< after the last move the accuracy asked for is computed
+    /// Of a scene that was begun for a drawing, in a file that is nobody else's: the drawing. Its supports and loads are
+    /// pointed at in the page, and it is saved beside the drawing. Empty: the scene's file is the user's, and only read.
+    std::string drawing{};
 };
 
 /// What pages show is told as news: pieces of JSON, each with the serial number of its last change. Numbers that were moved get
@@ -21,9 +24,10 @@ struct LiveOptions {
 /// thread of its own; after a rest both as accurately as was asked for, which is given up where something is moved meanwhile.
 /// The scene's file is watched, and read anew where it was written. May be called from many threads.
 ///
-/// Pieces: `controls` (what may be moved, and how far), `inputs` (the numbers as they are), `whole` (an analysis, as page_data
-/// has it, with its verdict), `answer` (contacts under other loads on the grids of the last whole), `fields` (of that answer),
-/// `problems` (what is wrong with the scene or with what was moved; an empty list: nothing).
+/// Pieces: `controls` (what may be moved, and how far), `edges` (of the scene of a drawing, to point at), `inputs` (the numbers
+/// as they are), `whole` (an analysis, as page_data has it, with its verdict), `answer` (contacts under other loads on the
+/// grids of the last whole), `fields` (of that answer), `problems` (what is wrong with the scene or with what was moved; an
+/// empty list: nothing).
 class LiveModel {
 public:
     /// Reads the scene. Throws InputError where it is wrong.
@@ -34,12 +38,16 @@ public:
     /// Lets everybody go who waits; nothing is computed any more.
     void stop();
 
-    /// Takes {"client", "after", "parameters", "loads"} as JSON text: numbers that were moved, all of them or some. Returns the
-    /// news after the serial number `after`, with the answer to these numbers where it takes milliseconds. Throws InputError
-    /// for what is no such text, and for numbers that the scene does not have.
+    /// Takes {"client", "after", "parameters", "loads", "settings"} as JSON text: numbers that were moved, all of them or some.
+    /// Returns the news after the serial number `after`, with the answer to these numbers where it takes milliseconds. Throws
+    /// InputError for what is no such text, and for numbers that the scene does not have.
     std::string act(const std::string& request);
     /// The news after a serial number; waits for some as long as something is being computed, at most so long.
     std::string news(long after, std::chrono::milliseconds wait);
+
+    /// Takes {"supports", "loads"} as a scene has them in place of those that the scene of a drawing has; what follows is news.
+    /// Throws InputError where they are wrong, or where the file is the user's.
+    void set_conditions(const std::string& request);
 
     /// Writes the scene with its numbers as they are beside its file, under the name in {"name"}: comments and all else stay.
     /// Returns {"saved": path}. Throws InputError where there is a file of that name.

@@ -46,8 +46,9 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
         const std::string number = contact_number(k);
         forces.push_back({number, c.between[0], c.between[1], c.interface,
                           c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 5),
-                          number_text(c.moment, 5), number_text(c.max_pressure.value, 5), peak_error(c),
-                          place_text(c.max_pressure.at, size), percent_or_dash(c.error_estimate)});
+                          number_text(rounded_off(c.moment, c.force.norm() * model_size(result)), 5),
+                          number_text(c.max_pressure.value, 5), peak_error(c), place_text(c.max_pressure.at, size),
+                          percent_or_dash(c.error_estimate)});
         shapes.push_back({number, joined(c.edges[0], ", "), joined(c.edges[1], ", "), number_text(c.contact_length, 5),
                           ends_text(c.ends, size), number_text(c.gap_min, 4) + " to " + number_text(c.gap_max, 4),
                           number_text(c.max_penetration, 3)});
@@ -79,11 +80,11 @@ std::string reaction_table(const Result& result, const ResultUnits& u) {
     double force = 0, moment = 0;
     for (const Reaction& r : result.reactions) {
         force = std::max(force, r.force.norm());
-        moment = std::max(moment, std::abs(r.moment));
+        moment = std::max({moment, std::abs(r.moment), r.force.norm() * model_size(result)});
     }
     Rows rows;
     for (const Reaction& r : result.reactions)
-        rows.push_back({count_text(r.support), r.label, r.method, r.why,
+        rows.push_back({count_text(r.support + 1), r.label, r.method, r.why,
                         pair_text({rounded_off(r.force.x(), force), rounded_off(r.force.y(), force)}, 5),
                         number_text(rounded_off(r.moment, moment), 5)});
     return subsection("Reactions", html_table({{"support", true},

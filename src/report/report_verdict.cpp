@@ -55,8 +55,12 @@ std::string warnings_box(const Result& result) {
     for (const std::string& note : result.notes) html += "<p class=\"facts\">" + escape_xml(note) + "</p>\n";
     if (result.warnings.empty()) return html;
     html += "<div class=\"warnings\"><b>" + counted(result.warnings.size(), "warning") + "</b>\n<ul>\n";
-    for (const std::string& warning : result.warnings) html += "<li>" + escape_xml(warning) + "</li>\n";
-    return html + "</ul></div>\n";
+    constexpr std::size_t most_shown = 7;
+    for (std::size_t k = 0; k < result.warnings.size(); ++k) {
+        if (k == most_shown) html += "</ul>\n<details><summary>and more</summary>\n<ul>\n";
+        html += "<li>" + escape_xml(result.warnings[k]) + "</li>\n";
+    }
+    return html + (result.warnings.size() > most_shown ? "</ul></details></div>\n" : "</ul></div>\n");
 }
 
 }  // namespace abut::report

@@ -10,6 +10,7 @@
 #include "src/io/text_table.hpp"
 #include "src/results/case_result.hpp"
 #include "src/results/result_units.hpp"
+#include "src/results/warning_lines.hpp"
 
 namespace abut {
 
@@ -110,8 +111,7 @@ std::string case_rows(const Cases& cases) {
 
 /// What all cases warn of once, then what single ones do.
 std::string remarks(const Cases& cases) {
-    std::string text;
-    std::vector<std::string> told;
+    std::vector<std::string> told, lines;
     for (const CaseResult& c : cases)
         for (const std::string& warning : c.result.warnings) {
             if (std::find(told.begin(), told.end(), warning) != told.end()) continue;
@@ -121,9 +121,9 @@ std::string remarks(const Cases& cases) {
                 const auto& all = other.result.warnings;
                 if (std::find(all.begin(), all.end(), warning) != all.end()) in += (in.empty() ? "" : ", ") + other.name;
             }
-            text += "warning (" + in + "): " + warning + "\n";
+            lines.push_back("in " + in + ": " + warning);
         }
-    return text;
+    return warning_lines(lines);
 }
 
 }  // namespace

@@ -226,6 +226,12 @@ struct Reason {
     std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
 };
 
+/// A motion of a part: a twist about the origin of assembly coordinates, of no particular size.
+struct PartTwist {
+    int part = -1;  ///< of the scene
+    Screw twist{0, 0, 0};
+};
+
 /// The answer. With status "failed" it holds what is known, and `message` says why.
 struct Result {
     std::string title, status = "ok", message;  ///< status: ok, failed
@@ -282,6 +288,7 @@ struct Result {
     std::vector<PartField> fields;         ///< parallel to parts; empty where not analysed
     std::vector<SupportMark> support_marks;
     std::vector<LoadMark> load_marks;
+    std::vector<PartTwist> driven{};  ///< failed: the motions in which the loads move what nothing holds
 };
 
 /// The text of result.json (data/schema/result.schema.json); deterministic but for timing.

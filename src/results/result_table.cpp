@@ -7,12 +7,15 @@
 #include "src/results/result.hpp"
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
+#include "src/results/warning_lines.hpp"
 
 namespace abut {
 
 namespace {
 
 using Row = TextRow;
+
+constexpr std::size_t most_open_lines = 3;  ///< more contacts that stay open share one line
 
 std::string pressure_text(const ContactResult& contact) {
     std::string text = number_text(contact.max_pressure.value, 4);
@@ -23,17 +26,35 @@ std::string pressure_text(const ContactResult& contact) {
     return text;
 }
 
+/// Numbers of contacts, from 1, with runs put together: "5 to 9, 17".
+std::string number_ranges(const std::vector<std::size_t>& numbers) {
+    std::string text;
+    for (std::size_t i = 0, end = 0; i < numbers.size(); i = end) {
+        for (end = i + 1; end < numbers.size() && numbers[end] == numbers[end - 1] + 1;) ++end;
+        text += (text.empty() ? "" : ", ") + contact_number(numbers[i]);
+        if (end - i > 1) text += (end - i == 2 ? ", " : " to ") + contact_number(numbers[end - 1]);
+    }
+    return text;
+}
+
 std::string contact_rows(const Result& result, const ResultUnits& units) {
     if (result.contacts.empty()) return "no contacts\n";
-    std::vector<Row> rows{{"contact", "parts", "edges", "status", heading("force on first", units.force),
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < result.contacts.size(); ++k)
+        if (result.contacts[k].kind == "contact" && result.contacts[k].status == "open") open.push_back(k);
+    if (open.size() <= most_open_lines) open.clear();
+    std::vector<Row> rows{{"contact", "between", "status", heading("force on first", units.force),
                            heading("max pressure", units.stress), heading("length", units.length)}};
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& c = result.contacts[k];
-        rows.push_back({contact_number(k), c.parts[0] + " - " + c.parts[1], c.between[0] + " - " + c.between[1],
+        if (std::binary_search(open.begin(), open.end(), k)) continue;
+        rows.push_back({contact_number(k), c.between[0] + " - " + c.between[1],
                         c.kind == "contact" ? c.status : c.kind + ", " + c.status, pair_text(c.force, 4), pressure_text(c),
                         number_text(c.contact_length, 4)});
     }
-    return aligned(rows);
+    std::string text = rows.size() > 1 ? aligned(rows) : "";
+    if (!open.empty()) text += counted(open.size(), "open contact") + ": " + number_ranges(open) + "\n";
+    return text;
 }
 
 std::string reaction_rows(const Result& result, const ResultUnits& units) {
@@ -42,10 +63,10 @@ std::string reaction_rows(const Result& result, const ResultUnits& units) {
     double force = 0, moment = 0;
     for (const Reaction& r : result.reactions) {
         force = std::max(force, r.force.norm());
-        moment = std::max(moment, std::abs(r.moment));
+        moment = std::max({moment, std::abs(r.moment), r.force.norm() * model_size(result)});
     }
     for (const Reaction& r : result.reactions)
-        rows.push_back({std::to_string(r.support), r.label,
+        rows.push_back({std::to_string(r.support + 1), r.label,
                         pair_text({rounded_off(r.force.x(), force), rounded_off(r.force.y(), force)}, 4),
                         number_text(rounded_off(r.moment, moment), 4)});
     return "\n" + aligned(rows);
@@ -100,7 +121,7 @@ std::string result_table(const Result& result) {
     if (!failed) text += summary(result);
     if (result.unknowns > 0) text += effort(result);
     for (const std::string& note : result.notes) text += "note: " + note + "\n";
-    for (const std::string& warning : result.warnings) text += "warning: " + warning + "\n";
+    text += warning_lines(result.warnings);
     if (!failed) text += last_lines(result);
     return text;
 }

@@ -19,7 +19,7 @@ std::vector<std::string> read_formats(SceneReading& reading, const JsonValue& va
     std::vector<std::string> formats;
     if (!check_list(reading, value, 1, "formats")) return formats;
     for (const JsonValue& item : value.items) {
-        const auto format = read_word(reading, item, {{"json", "csv", "html"}, {"vtu", "svg", "png"}});
+        const auto format = read_word(reading, item, {{"json", "csv", "html", "vtu", "svg", "png"}, {}});
         if (format && std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     }
     return formats;

@@ -40,7 +40,8 @@ struct ProbeAnswer {
 
 /// The answer to loads at given factors, in the scene's units and assembly coordinates.
 struct Answer {
-    std::string status = "ok", message;   ///< status: ok, failed; then the message says why and nothing else is filled in
+    std::string status = "ok", message;   ///< status: ok, failed; then the message says why, and what follows is empty
+    std::vector<PartTwist> driven{};      ///< failed: as of the result
     std::vector<ContactAnswer> contacts;  ///< as in the result that was prepared
     std::vector<ProbeAnswer> probes;
     /// Why it may be less accurate than what was prepared: contact where the interfaces are coarse, or beyond them.

@@ -288,6 +288,7 @@ Answer PreparedScene::answer(const LoadFactors& factors) {
     s.last = s.answers->answer(s.last_factors);
     if (!s.last.mechanism.empty() || !s.last.converged) {
         answer.status = "failed";
+        answer.driven = twists_of(s.solved(), s.last.mechanism);
         answer.message = s.last.mechanism.empty() ? "the contact iterations did not converge"
                                                   : "the loads move a part that nothing holds: " +
                                                         motions_text(s.scene, s.solved(), s.last.mechanism);

@@ -41,7 +41,7 @@ WRONG = {
     "friction below zero": block(contacts={"friction": -0.3}),
     "steps without any": block(steps=[]),
     "a load that is a moment and a force": block(loads=[{"on": "block/top", "moment": 3, "force": [0, 1]}]),
-    "a format that is not supported yet": block(output={"formats": ["vtu"]}),
+    "a format that is not known": block(output={"formats": ["pdf"]}),
     "a schema that is no text": block(**{"$schema": 1}),
     "a known answer without a tolerance": block(expect=[{"quantity": "reactions[0].force[1]", "value": 1}]),
     "a level that is no whole number": block(parts=[block()["parts"][0] | {"level": 1.5}]),

@@ -13,11 +13,11 @@ const mostZoom = 1e5;
 
 export class Canvas {
     constructor(element, data, state) {
-        Object.assign(this, {element, data, state, coarseness: 1, frame: 0, transform: zoomIdentity, listeners: [], overlays: [], isTaken: () => false});
+        Object.assign(this, {element, data, state, coarseness: 1, frame: 0, transform: zoomIdentity, listeners: [], overlays: [], takers: [], clickTakers: []});
         this.context = element.getContext('2d');
         this.scratch = document.createElement('canvas');
         // What lies over the picture may take a drag for itself.
-        const starts = event => (!event.ctrlKey || event.type === 'wheel') && !event.button && (event.type === 'wheel' || !this.isTaken(event));
+        const starts = event => (!event.ctrlKey || event.type === 'wheel') && !event.button && (event.type === 'wheel' || !this.takers.some(takes => takes(event)));
         this.zoom = zoom().filter(starts).scaleExtent([0.3, mostZoom]).on('zoom', event => {
             this.transform = event.transform;
             this.draw(true);

@@ -11,10 +11,10 @@ export class ForceHandles {
         Object.assign(this, {live, canvas, dragged: -1, scale: 0});
         this.fit();
         canvas.overlays.push(() => this.draw());
-        canvas.isTaken = event => {
+        canvas.takers.push(event => {
             const touch = event.touches?.[0] ?? event;
             return this.at(touch.clientX, touch.clientY) >= 0;
-        };
+        });
         canvas.element.addEventListener('pointerdown', event => this.begin(event));
         canvas.element.addEventListener('pointermove', event => this.move(event));
         canvas.element.addEventListener('pointerup', () => this.end());

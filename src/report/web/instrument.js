@@ -6,6 +6,7 @@ import {Canvas} from './canvas.js';
 import {text, withUnit} from './colors.js';
 import {element} from './dom.js';
 import {Legend} from './legend.js';
+import {savePicture} from './picture.js';
 import {ContactPlot} from './plot.js';
 import {quantities, valueAt} from './quantities.js';
 import {State, layers, modes} from './state.js';
@@ -81,7 +82,8 @@ function toolbar(state, canvas) {
         mode.value = state.mode;
     });
     return element('div', {class: 'toolbar', role: 'toolbar', 'aria-label': 'View'}, quantity, mode, deformation(state), layerMenu(state),
-        element('button', {type: 'button', class: 'small', id: 'fit', title: 'Show all (double click, or f)', click: () => canvas.fit()}, 'Fit'), themeButton(state));
+        element('button', {type: 'button', class: 'small', id: 'fit', title: 'Show all (double click, or f)', click: () => canvas.fit()}, 'Fit'),
+        element('button', {type: 'button', class: 'small', id: 'picture', title: 'Saves the picture as it is, with its scale, as PNG', click: () => savePicture(canvas)}, 'Picture'), themeButton(state));
 }
 
 /// What is under the pointer, in words.
@@ -129,6 +131,7 @@ function followPointer(canvas, data, state, tip) {
     surface.addEventListener('click', event => {
         if (event.detail > 1 || !from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4) return;
         const box = surface.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
+        if (canvas.clickTakers.some(takes => takes(event))) return;
         const near = state.has('contacts') ? canvas.pickContact(x, y, 8) : null, hit = canvas.pick(x, y);
         const old = state.pins.findIndex(pin => Math.hypot(...canvas.samplePixel(pin).map((v, k) => v - [x, y][k])) < 8);
         if (old >= 0) state.pins.splice(old, 1);
@@ -168,6 +171,7 @@ export function start(data, root, ...more) {
     const hint = element('p', {class: 'hint'}, 'Wheel zooms, drag moves, double click fits, click pins a label. Keys: arrows + - f q d c space.');
     root.replaceChildren(toolbar(state, canvas), element('div', {class: 'columns'}, element('div', {class: 'main-column'}, element('div', {class: 'with-legend'}, stage, new Legend(state).root), hint, plot.root),
         element('div', {class: 'side-column'}, ...more, element('h2', {}, 'Contacts'), contactPanel(data, state, canvas), element('h2', {}, 'Parts'), partPanel(data, state, canvas))));
+    plot.make();
     followPointer(canvas, data, state, tip);
     keyboard(canvas, state, root);
 

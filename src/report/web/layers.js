@@ -7,7 +7,7 @@ import {sampleAt} from './raster.js';
 export const contactColor = '#d3102b', shearColor = '#7b2fbf', gapColor = '#1864ab', slipColor = '#2b8a3e';
 const openColor = '#f08300', pickColor = '#e8590c';
 const fanShare = 0.045, fanMost = 110;  // the largest pressure: of the model's size, and in pixels
-const arrowLength = 64;
+const arrowLength = 64, mostNumbers = 10;
 
 export function label(canvas, words, x, y, {color = canvas.ink, side = 1, bold = false} = {}) {
     if (x < -20 || y < -20 || x > canvas.width + 20 || y > canvas.height + 20) return;
@@ -169,7 +169,13 @@ export function drawContacts(canvas) {
     c.lineCap = 'butt';
     c.lineWidth = 1;
     if (state.has('contacts'))
-        for (const contact of canvas.data.contacts) drawNumber(canvas, contact);
+        for (const contact of numbered(canvas.data.contacts, state)) drawNumber(canvas, contact);
+}
+
+/// Contacts that show their numbers: those of the largest pressures, and those that are looked at.
+function numbered(contacts, state) {
+    const order = contacts.map((_, k) => k).sort((a, b) => contacts[b].peak - contacts[a].peak || a - b), most = new Set(order.slice(0, mostNumbers));
+    return contacts.filter((c, k) => most.has(k) || state.contact === k || state.hovered === k);
 }
 
 function anchorOf(contact) {

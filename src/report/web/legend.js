@@ -7,6 +7,7 @@ export class Legend {
     constructor(state) {
         this.state = state;
         this.title = element('div', {class: 'legend-title'});
+        this.beyond = element('div', {class: 'legend-beyond'});
         this.bar = element('canvas', {width: 16, height: 256});
         this.ticks = element('div', {class: 'legend-ticks'});
         this.ends = ['high', 'low'].map(end => element('button', {type: 'button', class: 'legend-end ' + end, role: 'slider', 'aria-label': `${end} end of the scale`,
@@ -14,13 +15,15 @@ export class Legend {
         this.lock = element('button', {type: 'button', class: 'small', title: 'Keep these ends for other quantities', click: () => state.set('locked', !state.locked)});
         const reset = element('button', {type: 'button', class: 'small', title: 'Ends of the values', click: () => state.set('range', {...state.automaticRange})}, 'Reset');
         this.scale = element('div', {class: 'legend-scale'}, this.bar, this.ticks, ...this.ends);
-        this.root = element('div', {class: 'legend-box'}, this.title, this.scale, element('div', {class: 'legend-buttons'}, this.lock, reset));
+        this.root = element('div', {class: 'legend-box'}, this.title, this.beyond, this.scale, element('div', {class: 'legend-buttons'}, this.lock, reset));
         state.on(() => this.update());
         this.update();
     }
     update() {
         const {state} = this, {low, high} = state.range, unit = state.data.units[state.quantity.unit];
         this.title.textContent = state.quantity.name + (unit ? ` [${unit}]` : '');
+        const most = state.ends?.high.value;
+        this.beyond.textContent = most > high * (1 + 1e-6) ? `up to ${text(most, 4)} beyond` : '';
         const scale = new Scale(low, high, state.quantity.signed, state.mode), c = this.bar.getContext('2d');
         for (let i = 0; i < 256; ++i) {
             c.fillStyle = scale.css(high - (i + 0.5) / 256 * (high - low));

@@ -8,6 +8,9 @@ import {Ghost} from './ghost.js';
 import {ForceHandles} from './handles.js';
 import {start} from './instrument.js';
 import {controlPanel} from './live_controls.js';
+import {Mechanism} from './mechanism.js';
+import {PartMover} from './moving.js';
+import {Pointing} from './pointing.js';
 import {extremes, quantityOf} from './quantities.js';
 
 const pause = 400, hiddenPause = 3000;  // milliseconds between questions for news where nothing is computed
@@ -15,7 +18,7 @@ const pause = 400, hiddenPause = 3000;  // milliseconds between questions for ne
 class Live {
     constructor(root) {
         this.client = Math.random().toString(36).slice(2);
-        Object.assign(this, {serial: 0, version: 0, inputs: null, controls: null, data: null, sending: false, wanted: false, problems: [], lost: false, moved: 0, times: [], answers: 0});
+        Object.assign(this, {serial: 0, version: 0, inputs: null, controls: null, data: null, drawing: null, sending: false, wanted: false, problems: [], lost: false, moved: 0, times: [], answers: 0});
         this.listeners = [];
         this.verdict = element('p', {class: 'verdict', 'aria-live': 'polite'}, 'Reading the scene …');
         this.status = element('span', {class: 'live-status'});
@@ -25,7 +28,7 @@ class Live {
         root.append(this.title, this.verdict, element('p', {class: 'facts'}, this.status), this.doubts, this.instrument);
         this.ask();
     }
-    /// what: controls, inputs, whole, answer, fields, problems, ghost.
+    /// what: controls, inputs, edges, whole, answer, fields, problems, ghost, moving.
     changed(what) {
         this.listeners.forEach(listener => listener(what));
     }
@@ -109,12 +112,13 @@ class Live {
         this.settled = news.settled ?? this.settled;
         this.version = news.version ?? this.version;
         if (pieces.controls) this.controls = pieces.controls;
-        if (pieces.inputs && pieces.inputs.client !== this.client) this.inputs = {parameters: pieces.inputs.parameters, loads: pieces.inputs.loads};
+        if (pieces.inputs && pieces.inputs.client !== this.client) this.inputs = {parameters: pieces.inputs.parameters, loads: pieces.inputs.loads, settings: pieces.inputs.settings};
+        if (pieces.edges) this.drawing = pieces.edges;
         if (pieces.problems) this.problems = pieces.problems;
         if (pieces.whole) this.takeWhole(pieces.whole);
         if (pieces.answer && this.data) this.takeAnswer(pieces.answer);
         if (pieces.fields && this.data) this.takeFields(pieces.fields);
-        for (const what of ['controls', 'inputs', 'whole', 'problems']) if (pieces[what]) this.changed(what);
+        for (const what of ['controls', 'inputs', 'edges', 'whole', 'problems']) if (pieces[what]) this.changed(what);
         this.say();
     }
 
@@ -138,6 +142,9 @@ class Live {
         const place = element('div');
         this.view = start(fresh, this.instrument, place);
         this.ghost = new Ghost(this);
+        this.mover = new PartMover(this);
+        this.mechanism = new Mechanism(this);
+        this.pointing = this.drawing && new Pointing(this);
         place.replaceWith(controlPanel(this));
         this.handles = new ForceHandles(this);
         window.abutReport = this.view;
@@ -150,9 +157,9 @@ class Live {
     }
 
     takeAnswer(answer) {
-        this.shown = {...this.shown, status: answer.status, message: answer.message, doubts: answer.doubts, quick: true};
+        this.shown = {...this.shown, status: answer.status, message: answer.message, doubts: answer.doubts, driven: answer.driven, quick: true};
         this.shownVersion = answer.version;
-        if (answer.status !== 'ok') return;
+        if (answer.status !== 'ok') return this.view.canvas.draw();
         const own = new Map(answer.contacts.map(c => [c.between.join() + c.profile.x[0], c]));
         this.data.contacts.forEach((contact, k) => {
             const now = answer.contacts[k]?.between.join() === contact.between.join() ? answer.contacts[k] : own.get(contact.between.join() + contact.profile.x[0]);

@@ -69,6 +69,15 @@ function parameterRow(live, parameter) {
         element('span', {class: 'word'}, text(min)), own.track, element('span', {class: 'word'}, text(max)), own.typed), fault)};
 }
 
+/// Friction of all contacts, or the interference of a fit.
+function settingRow(live, {key, kind, parts, min, max, value: [given]}) {
+    const between = parts.filter(Boolean).join(' – '), name = kind === 'friction' ? 'coefficient of friction' : `interference${between ? ` of ${between}` : ''}`;
+    const own = slider(name, min, max, v => live.move(inputs => inputs.settings[key] = [Math.min(max, Math.max(min, v))]));
+    const update = () => own.update((live.inputs.settings[key] ?? [given])[0]);
+    return {update, row: element('div', {class: 'live-row'}, element('div', {class: 'live-name'}, kind === 'friction' ? 'friction' : between || key), element('div', {class: 'live-fields'},
+        element('span', {class: 'word'}, text(min)), own.track, element('span', {class: 'word'}, text(max)), own.typed))};
+}
+
 function savePanel(live) {
     const said = element('div', {class: 'live-said', 'aria-live': 'polite'});
     const stem = live.controls.file.split('/').pop().replace(/\.json$/, '');
@@ -107,28 +116,37 @@ export function controlPanel(live) {
         const {controls} = live;
         inputs.loads = controls.cases.length ? structuredClone(controls.cases[0].loads) : controls.loads.map(() => [1]);
         for (const p of controls.parameters) inputs.parameters[p.name] = p.value;
+        inputs.settings = {};
     })}, 'Reset');
+    const move = element('button', {type: 'button', id: 'move-parts', title: 'Then a part is dragged where its supports let it slide', click: () => live.mover.toggle()}, 'Move parts');
     const build = () => {
         const {controls} = live;
         rows = [...controls.loads.map((load, k) => (load.force ? forceRow : factorRow)(live, load, k)), ...controls.parameters.map(p => parameterRow(live, p))];
         const loads = rows.slice(0, controls.loads.length), parameters = rows.slice(controls.loads.length);
+        const settings = kinds => controls.settings.filter(s => kinds.includes(s.kind)).map(s => settingRow(live, s)), friction = settings(['friction']), fits = settings(['rule', 'pair']);
+        const wasOpen = Boolean(root.querySelector('.live-fits')?.open);
+        rows.push(...friction, ...fits);
         const cases = controls.cases.map(c => element('button', {type: 'button', click: () => live.move(inputs => inputs.loads = structuredClone(c.loads))}, c.name));
         root.replaceChildren(
+            ...(live.pointing ? [live.pointing.panel()] : []),
             ...(loads.length ? [element('h2', {}, 'Loads'), element('p', {class: 'hint'}, 'Drag a tip in the picture; Shift turns it alone, Ctrl changes its length alone.')] : []),
             cases.length ? element('div', {class: 'live-fields'}, element('span', {class: 'word'}, controls.remembers ? 'Steps (each by itself, from where parts are drawn)' : 'Cases'), ...cases) : '',
             ...loads.map(r => r.row), ...(parameters.length ? [element('h2', {}, 'Parameters')] : []), ...parameters.map(r => r.row),
-            element('div', {class: 'live-fields live-buttons'}, ghost, reset), savePanel(live));
+            ...(friction.length || fits.length ? [element('h2', {}, 'Contacts')] : []), ...friction.map(r => r.row),
+            fits.length ? element('details', {class: 'live-fits', open: wasOpen}, element('summary', {}, `Fits: interference, or clearance below 0${live.data.units.length ? ` [${live.data.units.length}]` : ''}`), ...fits.map(r => r.row)) : '',
+            element('div', {class: 'live-fields live-buttons'}, move, ghost, reset), savePanel(live));
     };
     const update = () => {
         // Where loads act goes with the geometry; what there is to move does not.
-        const structure = JSON.stringify([live.controls.file, live.controls.loads.map(({at, value, ...rest}) => rest), live.controls.cases, live.controls.parameters.map(p => [p.name, p.min, p.max])]);
+        const structure = JSON.stringify([live.controls.file, live.controls.loads.map(({at, value, ...rest}) => rest), live.controls.cases, live.controls.parameters.map(p => [p.name, p.min, p.max]), live.controls.settings, live.drawing?.supports, live.drawing?.loads]);
         if (structure !== built) build();
         built = structure;
         rows.forEach(r => r.update());
         ghost.textContent = live.ghost.isKept ? 'Let the ghost go' : 'Pin as ghost';
         ghost.setAttribute('aria-pressed', live.ghost.isKept);
+        move.setAttribute('aria-pressed', live.mover.isOn);
     };
-    live.on(what => ['controls', 'inputs', 'problems', 'ghost'].includes(what) && update());
+    live.on(what => ['controls', 'inputs', 'edges', 'problems', 'ghost', 'moving'].includes(what) && update());
     update();
     return root;
 }

@@ -34,10 +34,15 @@ export class ContactPlot {
         new ResizeObserver(() => this.chart?.setSize({width: this.box.clientWidth, height})).observe(this.box);
     }
 
+    /// The contact that is picked, or else the strongest: what most readers look for first.
+    get wanted() {
+        return this.data.contacts[this.state.contact] ?? this.data.contacts.reduce((best, c) => c.peak > (best?.peak ?? 0) ? c : best, null);
+    }
+
     make() {
         this.chart?.destroy();
         this.chart = null;
-        this.shown = this.data.contacts[this.state.contact] ?? null;
+        this.shown = this.wanted;
         this.root.hidden = !this.shown || this.shown.profile.x.length < 2;
         if (this.root.hidden) return;
         const contact = this.shown, p = contact.profile, {units} = this.data, style = getComputedStyle(this.root);
@@ -72,7 +77,7 @@ export class ContactPlot {
 
     /// Takes what has become of the contact that is shown.
     renew() {
-        const before = this.chart?.series.length, contact = this.data.contacts[this.state.contact] ?? null;
+        const before = this.chart?.series.length, contact = this.wanted;
         if (!contact || contact.between.join() !== this.shown?.between.join()) return this.make();
         this.shown = contact;
         const lists = this.lists();

@@ -87,19 +87,23 @@ export function contactPanel(data, state, canvas) {
     return root;
 }
 
+/// What is nothing but rounding beside the largest reads as 0.
+const beside = (value, largest) => Math.abs(value) < 1e-9 * largest ? 0 : value;
+
 export function partPanel(data, state, canvas) {
+    const largest = key => Math.max(0, ...data.parts.map(p => p[key].value ?? 0));
     const {units} = data, hasYield = data.parts.some(p => p.utilisation !== null), before = p => data.ghost?.parts.get(p.name);
     const columns = [
         {name: 'part', value: p => p.name, show: p => element('span', {class: 'part-cell'}, element('span', {class: 'swatch', style: 'background:' + p.color}), p.name)},
         {name: 'material', value: p => p.material},
         {name: 'max von Mises' + inBrackets(units.stress), number: true, value: p => p.max_von_mises.value ?? 0,
-            show: p => p.solved && p.hasField ? compared(text(p.max_von_mises.value) + (p.at_corner ? '*' : ''), p.max_von_mises.value, before(p)?.stress) : p.rigid ? 'rigid' : '–'},
+            show: p => p.solved && p.hasField ? compared(text(beside(p.max_von_mises.value, largest('max_von_mises'))) + (p.at_corner ? '*' : ''), p.max_von_mises.value, before(p)?.stress) : p.rigid ? 'rigid' : '–'},
     ];
     if (hasYield)
         columns.push({name: 'of yield', number: true, value: p => p.utilisation ?? -1, show: p => p.utilisation === null ? '–' : element('span', {class: 'meter'},
             element('span', {class: 'fill' + (p.utilisation > 1 ? ' over' : ''), style: `width:${Math.min(100, 100 * p.utilisation)}%`}),
             element('span', {}, text(100 * p.utilisation, 3) + ' %'))});
-    columns.push({name: 'max |u|' + inBrackets(units.length), number: true, value: p => p.max_displacement.value ?? 0, show: p => p.solved ? compared(text(p.max_displacement.value), p.max_displacement.value, before(p)?.displacement) : '–'});
+    columns.push({name: 'max |u|' + inBrackets(units.length), number: true, value: p => p.max_displacement.value ?? 0, show: p => p.solved ? compared(text(beside(p.max_displacement.value, largest('max_displacement'))), p.max_displacement.value, before(p)?.displacement) : '–'});
     const decorate = (part, row) => {
         const index = data.parts.indexOf(part);
         row.setAttribute('data-part', index);

@@ -207,14 +207,6 @@ TEST(BadInput, entries_that_do_not_fit_together) {
     }
 }
 
-TEST(BadInput, what_is_not_supported_yet_is_refused_by_name) {
-    for (const Case& c : std::vector<Case>{
-             {"[\"json\"]", "[\"vtu\"]", "s.json:12 /output/formats/0: 'vtu' is not supported yet"},
-         }) {
-        expect_one_problem(c);
-    }
-}
-
 TEST(BadInput, geometry) {
     const std::string rectangle = "\"rectangle\": {\"min\": [0, 0], \"max\": [2, 1]}";
     for (const Case& c : std::vector<Case>{

@@ -110,18 +110,6 @@ TEST(SceneSchemaWords, TheReaderTakesThoseOfTheSchemaAndNoOthers) {
     }
 }
 
-TEST(SceneSchemaWords, WordsForLaterAreRefusedByNameAndNotInTheSchema) {
-    std::map<std::string, Strings> found;
-    collect(schema(), "", found);
-    for (const auto& [pointer, word] : std::multimap<std::string, std::string>{
-             {"/output/formats/0", "vtu"}, {"/output/formats/0", "svg"}, {"/output/formats/0", "png"}}) {
-        EXPECT_NE(fault(pointer, word).find("is not supported yet"), std::string::npos) << word;
-        for (const auto& [place, where] : places) {
-            if (where == pointer) { EXPECT_FALSE(found.at(place).contains(word)) << word; }
-        }
-    }
-}
-
 TEST(SceneSchemaWords, OptionsOfTheCommandLineTakeTheSame) {
     std::map<std::string, Strings> found;
     collect(schema(), "", found);
