@@ -6,7 +6,7 @@
 #include "src/batch/batch_summary.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
-#include "src/report/page_texts.hpp"
+#include "src/report/report_page.hpp"
 
 namespace abut {
 
@@ -15,23 +15,24 @@ namespace {
 constexpr const char* batch_style = R"(
 main { max-width: 1500px; }
 .filters { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 14px 0; }
-.filters input[type=search] { font: inherit; padding: 4px 8px; width: 260px; border: 1px solid #bbb; border-radius: 4px; }
-.filters label { padding: 2px 10px; border: 1px solid #bbb; border-radius: 12px; font-size: 13px; cursor: pointer; }
-.filters .shown { color: #444; font-size: 13px; }
+.filters input[type=search] { font: inherit; padding: 4px 8px; width: 260px; border: 1px solid var(--rule); border-radius: 4px; }
+.filters label { padding: 2px 10px; border: 1px solid var(--rule); border-radius: 12px; font-size: 13px; cursor: pointer; }
+.filters .shown { color: var(--soft); font-size: 13px; }
 th button { all: unset; cursor: pointer; font-weight: 600; }
-th button:focus-visible { outline: 2px solid #0072b2; }
+th button:focus-visible { outline: 2px solid var(--accent); }
 th[aria-sort=ascending] button::after { content: " \25B2"; font-size: 9px; }
 th[aria-sort=descending] button::after { content: " \25BC"; font-size: 9px; }
 tbody td { vertical-align: middle; }
 td.picture { width: 136px; padding-right: 12px; }
-td.picture img { display: block; }
+td.picture img { display: block; background: #fff; }
+.filters input { color: var(--ink); background: var(--panel); }
 td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
 .table td a { display: inline-block; min-width: 6em; }
 td.job { min-width: 150px; }
 th, th.n { white-space: normal; }
-.status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: #eef8f0; color: #1d6b2e; }
-.status.solved_but, .status.differs { background: #fff6e5; color: #8a5200; }
-.status.failed, .status.refused, .status.broken { background: #fdeeee; color: #8a1010; font-weight: 600; }
+.status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: var(--good-paper); border: 1px solid var(--good); }
+.status.solved_but, .status.differs { background: var(--doubt-paper); border-color: var(--doubt); }
+.status.failed, .status.refused, .status.broken { background: var(--bad-paper); border-color: var(--bad); font-weight: 600; }
 )";
 
 /// Sorting and filtering. Each cell that sorts otherwise than by its text has its key in data-k.
@@ -216,18 +217,12 @@ std::string index_html(const BatchSummary& summary, const std::string& title) {
     const bool parameters =
         std::any_of(summary.jobs.begin(), summary.jobs.end(), [](const JobRecord& job) { return !job.parameters.empty(); });
     const std::vector<const Column*> numbers = known_columns(summary);
-    std::string html =
-        "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"light\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-        name + "</title>\n<style>" + report::page_style_text() + batch_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
-        name + "</h1>\n" + verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) +
-        "<tbody>\n";
-    for (const JobRecord* job : failures_first(summary)) html += row(*job, parameters, numbers);
-    return html +
-           "</tbody></table></div>\n<footer>Made by abut batch. Pressures are in each scene's own units; errors are "
-           "estimates.</footer>\n"
-           "</main>\n<script>" +
-           script + "</script>\n</body>\n</html>\n";
+    std::string body =
+        verdict(summary) + filters(summary) + "<div class=\"table\"><table>\n" + head(parameters, numbers) + "<tbody>\n";
+    for (const JobRecord* job : failures_first(summary)) body += row(*job, parameters, numbers);
+    return report::html_page(name, body + "</tbody></table></div>\n",
+                             "Made by abut batch. Pressures are in each scene's own units; errors are estimates.",
+                             "<script>" + std::string(script) + "</script>\n", batch_style);
 }
 
 }  // namespace abut

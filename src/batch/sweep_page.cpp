@@ -8,6 +8,7 @@
 #include "src/io/csv_field.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
+#include "src/report/report_page.hpp"
 #include "src/report/svg_elements.hpp"
 #include "src/results/result_units.hpp"
 
@@ -22,11 +23,15 @@ constexpr double width = 548, height = 320, left = 74, right = 20, top = 34, bot
 /// Told apart by the colour-blind, and dark enough on white.
 constexpr const char* line_colors[] = {"#1348b0", "#d98200", "#0a7d55", "#d3102b", "#7a3db8", "#5b5b5b"};
 
-constexpr const char* sweep_style =
-    "body{font:15px/1.45 system-ui,'Segoe UI','DejaVu Sans',Arial,sans-serif;color:#1c1c1c;margin:0}main{max-width:1120px;"
-    "margin:0 auto;padding:24px}h1{font-size:24px}svg{font-size:12px;vertical-align:top}text{fill:#333}.title{font-weight:600}"
-    ".grid{stroke:#e2e2e2}.axis{stroke:#777}.failed{stroke:#d3102b;stroke-width:2}td,th{padding:2px 12px 2px 0;text-align:left}"
-    "footer{color:#666;margin-top:28px;font-size:13px}";
+constexpr const char* sweep_style = R"(
+.curves { display: flex; flex-wrap: wrap; gap: 16px; }
+.curves svg { width: auto; max-width: 100%; background: #fff; }
+.curves text { fill: #333; }
+.title { font-weight: 600; }
+.grid { stroke: #e2e2e2; }
+.axis { stroke: #777; }
+.failed { stroke: #d3102b; stroke-width: 2; }
+)";
 
 /// The values of all parameters but the first: what makes a line.
 std::vector<double> line_of(const Sweep& sweep, const SweepPoint& point) {
@@ -92,7 +97,8 @@ public:
 
     std::string svg() const {
         std::string text = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number_text(width, 4) + "\" height=\"" +
-                           number_text(height, 4) + "\" role=\"img\">\n" + axes();
+                           number_text(height, 4) + "\" viewBox=\"0 0 " + number_text(width, 4) + " " + number_text(height, 4) +
+                           "\" role=\"img\">\n" + axes();
         std::vector<std::vector<double>> lines;
         for (const SweepPoint& p : sweep_.points)
             if (const std::vector<double> own = line_of(sweep_, p); std::find(lines.begin(), lines.end(), own) == lines.end())
@@ -190,7 +196,8 @@ std::string failures(const Sweep& sweep) {
     if (rows.empty()) return "";
     std::string head = "<tr><th>job</th>";
     for (const SweptParameter& parameter : sweep.parameters) head += "<th>" + escape_xml(parameter.name) + "</th>";
-    return "<h2>Not without reservations</h2>\n<table>" + head + "<th>status</th><th></th></tr>\n" + rows + "</table>\n";
+    return "<h2>Not without reservations</h2>\n<div class=\"table\"><table>" + head + "<th>status</th><th></th></tr>\n" + rows +
+           "</table></div>\n";
 }
 
 bool has_values(const Sweep& sweep, std::size_t quantity) {
@@ -223,12 +230,13 @@ std::string sweep_html(const Sweep& sweep) {
     std::string body;
     for (std::size_t k = 0; k < sweep.quantities.size(); ++k)
         if (has_values(sweep, k)) body += Chart(sweep, k).svg();
-    if (body.empty()) body = "<p>No job has an answer.</p>\n";
-    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" + title + "</title>\n<style>" +
-           sweep_style + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" + body + failures(sweep) +
-           "<footer>Made by abut " + program_build() +
-           ". Bars are estimated errors; hollow points are solved with reservations, crosses have no answer. "
-           "<a href=\"index.html\">All jobs</a>, <a href=\"sweep.csv\">as a table</a>.</footer>\n</main>\n</body>\n</html>\n";
+    body = body.empty() ? "<p>No job has an answer.</p>\n" : "<div class=\"curves\">\n" + body + "</div>\n";
+    return report::html_page(
+        title, body + failures(sweep),
+        "Made by abut " + program_build() +
+            ". Bars are estimated errors; hollow points are solved with reservations, crosses have no answer. "
+            "<a href=\"index.html\">All jobs</a>, <a href=\"sweep.csv\">as a table</a>.",
+        "", sweep_style);
 }
 
 }  // namespace abut

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double side_by_side = 0.55;  ///< height / width of a model from which two pictures stand side by side
 constexpr double name_font = 12;
+constexpr std::size_t most_numbers = 10;  ///< of contacts; more would hide the parts
 
 std::string part_shapes(const Result& result, const View& view) {
     std::string svg;
@@ -67,7 +68,9 @@ std::string contact_marks(const Result& result, const View& view, LabelPlaces& p
         for (const ContactStretch& stretch : stretches)
             for (const Vec2& p : stretch.points) places.block(view(p), 3);
     }
-    for (std::size_t k = 0; k < anchors.size(); ++k) numbers += number_disc(contact_number(k), anchors[k], places);
+    const std::vector<bool> is_numbered = strongest_contacts(result, most_numbers);
+    for (std::size_t k = 0; k < anchors.size(); ++k)
+        if (is_numbered[k]) numbers += number_disc(contact_number(k), anchors[k], places);
     return lines + numbers;
 }
 

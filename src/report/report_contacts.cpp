@@ -29,15 +29,19 @@ std::string sentence(const ContactResult& c, const ResultUnits& units, double si
 
 }  // namespace
 
-std::vector<bool> pictured_contacts(const Result& result) {
+std::vector<bool> strongest_contacts(const Result& result, std::size_t n) {
     std::vector<std::size_t> order(result.contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return result.contacts[a].max_pressure.value > result.contacts[b].max_pressure.value;
     });
-    std::vector<bool> pictured(order.size(), false);
-    for (std::size_t i = 0; i < std::min(order.size(), most_pictured); ++i) pictured[order[i]] = true;
-    return pictured;
+    std::vector<bool> strongest(order.size(), false);
+    for (std::size_t i = 0; i < std::min(order.size(), n); ++i) strongest[order[i]] = true;
+    return strongest;
+}
+
+std::vector<bool> pictured_contacts(const Result& result) {
+    return strongest_contacts(result, most_pictured);
 }
 
 std::string contacts_section(const Result& result) {

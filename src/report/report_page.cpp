@@ -21,10 +21,11 @@ std::string between(const std::string& text, const std::string& begin, const std
 
 }  // namespace
 
-std::string html_page(const std::string& title, const std::string& body, const std::string& footer, const std::string& end) {
+std::string html_page(const std::string& title, const std::string& body, const std::string& footer, const std::string& end,
+                      const std::string& style) {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
-           std::string(title_begin) + title + title_end + "\n<style>" + page_style_text() +
+           std::string(title_begin) + title + title_end + "\n<style>" + page_style_text() + style +
            "</style>\n</head>\n<body>\n<main>\n<h1>" + title + heading_end + body + footer_begin + footer + footer_end +
            "\n</main>\n" + end + "</body>\n</html>\n";
 }

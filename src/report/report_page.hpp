@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame of all pages with an instrument.
+// The frame of all pages that abut writes.
 #pragma once
 #include <string>
 
 namespace abut::report {
 
-/// A page with its style; title and footer: escaped text; end: what follows after it, empty or instrument().
-std::string html_page(const std::string& title, const std::string& body, const std::string& footer, const std::string& end);
+/// A page with its style; title and footer: escaped text; end: what follows after it, empty, a script or instrument(); style:
+/// what the page has beside the style of all.
+std::string html_page(const std::string& title, const std::string& body, const std::string& footer, const std::string& end = "",
+                      const std::string& style = "");
 
 /// What the script needs, in a form that is XML as well as HTML: style, data and script. It fills the element `instrument` of
 /// the body.

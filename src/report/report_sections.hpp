@@ -27,7 +27,9 @@ std::string warnings_box(const Result& result);
 
 std::string assembly_section(const Result& result);
 std::string fields_section(const Result& result);
-/// Which contacts have pictures: the strongest, by their largest pressure.
+/// The contacts of the largest pressures, at most so many.
+std::vector<bool> strongest_contacts(const Result& result, std::size_t n);
+/// Which contacts have pictures: the strongest.
 std::vector<bool> pictured_contacts(const Result& result);
 /// The contacts in words, and the pressure curves and close-ups of those that have pictures.
 std::string contacts_section(const Result& result);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a study.
 #include "src/io/escape_xml.hpp"
-#include "src/report/page_texts.hpp"
+#include "src/report/report_page.hpp"
 #include "src/results/result_units.hpp"
 #include "src/study/study_page.hpp"
 
@@ -11,13 +11,13 @@ namespace {
 
 constexpr const char* study_style = R"(
 .choice input { position: absolute; opacity: 0; }
-.choice label { display: inline-block; margin: 2px 4px 10px 0; padding: 3px 11px; border: 1px solid #bbb; border-radius: 12px; font-size: 13px; cursor: pointer; }
-.choice input:checked + label { background: #1c1c1c; border-color: #1c1c1c; color: #fff; }
-.choice input:focus-visible + label { outline: 2px solid #0072b2; }
+.choice label { display: inline-block; margin: 2px 4px 10px 0; padding: 3px 11px; border: 1px solid var(--rule); border-radius: 12px; font-size: 13px; cursor: pointer; }
+.choice input:checked + label { background: var(--accent); border-color: var(--accent); color: var(--paper); }
+.choice input:focus-visible + label { outline: 2px solid var(--accent); }
 .row h3 { margin-top: 12px; }
 td { white-space: pre-wrap; }
 .runs td:first-child { white-space: nowrap; }
-p.note { color: #444; font-size: 13px; }
+p.note { color: var(--soft); font-size: 13px; }
 )";
 
 std::string list_of(const std::vector<std::string>& sentences) {
@@ -59,12 +59,10 @@ constexpr const char* method =
 
 std::string study_html(const Study& study) {
     const std::string title = escape_xml("What accuracy costs: " + (study.title.empty() ? study.file : study.title));
-    return "<!DOCTYPE html>\n<html lang=\"en\" data-theme=\"light\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-           title + "</title>\n<style>" + report::page_style_text() + study_style + "</style>\n</head>\n<body>\n<main>\n<h1>" +
-           title + "</h1>\n" + verdict(study) + notes_box(study) + report::errors_section(study) +
-           report::stages_section(study) + report::growth_section(study) + report::runs_section(study) + "<footer>" + method +
-           "</footer>\n</main>\n</body>\n</html>\n";
+    return report::html_page(title,
+                             verdict(study) + notes_box(study) + report::errors_section(study) + report::stages_section(study) +
+                                 report::growth_section(study) + report::runs_section(study),
+                             method, "", study_style);
 }
 
 }  // namespace abut

@@ -25,10 +25,10 @@ const near = (a, b, tolerance) => Math.abs(a - b) <= tolerance;
 
 const servers = [];
 /// Serves a scene; the page's address.
-async function served(name, text) {
-    const file = join(folder, name + '.json');
+async function served(name, text, ...options) {
+    const file = join(folder, name.includes('.') ? name : name + '.json');
     writeFileSync(file, text);
-    const process = spawn(abut, ['live', file], {stdio: ['ignore', 'pipe', 'inherit']});
+    const process = spawn(abut, ['live', file, ...options], {stdio: ['ignore', 'pipe', 'inherit']});
     servers.push(process);
     const line = await new Promise(resolve => process.stdout.once('data', data => resolve(String(data))));
     return {address: line.split(' ')[1].trim(), file};
@@ -198,8 +198,108 @@ async function ofParameters() {
     await close();
 }
 
+/// Where a point of the model is in the window.
+const windowPoint = (page, x, y) => page.evaluate(([x, y]) => {
+    const {canvas} = window.abutReport, box = canvas.element.getBoundingClientRect(), [px, py] = canvas.pixel(x, y);
+    return [box.left + px, box.top + py];
+}, [x, y]);
+
+/// A part that is dragged, fits and friction that are set, and a motion that nothing holds.
+async function ofParts() {
+    const block = (name, min, max) => ({name, material: 'm', geometry: {rectangle: {min, max}}});
+    const text = JSON.stringify({abut: 1, title: 'Block', units: {length: 'mm', force: 'N'}, materials: {m: {E: 210000, nu: 0.3}}, parts: [block('base', [-40, -20], [40, 0]), block('block', [-8, 0], [8, 12])],
+        supports: [{on: 'base/bottom', fix: ['x', 'y']}, {part: 'block', rigid: {translation: [null, null], rotation: 0}}], loads: [{on: 'block/top', force: [0, -500]}], accuracy: {level: 'draft'}});
+    const {address, file} = await served('parts', text), {page, said, close} = await open(address);
+    await isSettled(page);
+    const drag = async (from, to) => {
+        const [a, b] = [await windowPoint(page, ...from), await windowPoint(page, ...to)];
+        await page.mouse.move(...a);
+        await page.mouse.down();
+        await page.mouse.move(...b, {steps: 6});
+        await page.mouse.up();
+    };
+    const places = () => page.evaluate(() => window.abutLive.inputs.settings);
+    await drag([4, 6], [12, 6]);
+    check('parts stay where they are', Object.keys(await places()).length === 0, await places());
+    await page.click('#fit');
+    await page.click('#move-parts');
+    await drag([20, -10], [25, -10]);
+    check('what is held is not dragged', Object.keys(await places()).length === 0, await places());
+    await page.click('#fit');
+    await drag([4, 6], [14, 6]);
+    const moved = (await places())['place block'];
+    check('a part is dragged', near(moved[0], 10, 0.3) && near(moved[1], 0, 0.3), moved);
+    await drag([14, 6], [14, 6 - moved[1]]);
+    await page.evaluate(() => window.abutLive.move(inputs => inputs.settings['place block'][1] = 0));
+    await isSettled(page);
+    await picture(page, 'live_moved');
+    check('and answered there', near(await page.evaluate(() => window.abutReport.data.parts[1].box.x0), -8 + (await places())['place block'][0], 1e-3));
+    await page.click('#save-scene');
+    await page.waitForSelector('.live-said:has-text("Written")');
+    await showsWhatAnalyzeSays(page, join(folder, 'parts_live.json'), 'moved_part');
+    await page.click('#reset');
+    await isSettled(page);
+    await page.click('.live-fits summary');
+    const typed = page.locator('.live-fits input[type=number]').first();
+    await typed.fill('0.01');
+    await typed.press('Enter');
+    await isSettled(page);
+    check('an interference is typed', (await places())['pair base, block'][0] === 0.01, await places());
+    await page.click('#reset');
+    await isSettled(page);
+    writeFileSync(file, text.replace('-500]', '500]'));
+    await page.waitForFunction(() => window.abutLive.mechanism.driven.length === 1, null, {timeout: 30000});
+    const still = async () => page.evaluate(() => [...window.abutReport.canvas.context.getImageData(0, 0, window.abutReport.canvas.element.width, window.abutReport.canvas.element.height).data].reduce((s, v, i) => (s + v * (i % 977)) % 1e9, 0));
+    const a = await still();
+    await page.waitForTimeout(400);
+    check('a mechanism moves', await still() !== a);
+    await picture(page, 'live_driven');
+    check('no errors, nothing loaded', said.length === 0, said);
+    await close();
+}
+
+/// A drawing whose edges are clicked, to a scene.
+async function ofADrawing() {
+    const drawing = readFileSync(join(sources, 'data/sketches/pin_bracket_r14.dxf'));
+    const {address} = await served('drawn.dxf', drawing, '--thickness', '10'), {page, said, close} = await open(address);
+    await isSettled(page);
+    const choose = async (at, item, edge = null) => {
+        await page.mouse.click(...await windowPoint(page, ...at));
+        if (edge) await page.click(`.edge-names >> text="${edge}"`);
+        const n = await page.locator('.conditions li').count();
+        await page.click(`.edge-menu button:text-is("${item}")`);
+        await page.waitForFunction(n => document.querySelectorAll('.conditions li').length === n, n + 1, {timeout: 30000});
+        await isSettled(page);
+    };
+    await choose([30, -15], 'x and y');
+    await choose([45, 9], 'x');
+    await picture(page, 'live_drawing');
+    await choose([0, 60], 'force', 'pin/hA15');
+    const conditions = await page.evaluate(() => ({supports: window.abutLive.drawing.supports, loads: window.abutLive.drawing.loads}));
+    check('what was clicked', JSON.stringify(conditions.supports) === '[{"on":"base/hA16","fix":["x","y"]},{"on":"bracket/hA13","fix":["x"]}]' && conditions.loads[0].on === 'pin/hA15', conditions);
+    const fields = page.locator('.live-field input');
+    await fields.nth(0).fill('0');
+    await fields.nth(0).press('Enter');
+    await fields.nth(1).fill('-20000');
+    await fields.nth(1).press('Enter');
+    await isSettled(page);
+    check('it is answered', await page.evaluate(() => window.abutLive.shown.status) === 'ok');
+    await choose([-45, 9], 'x');
+    check('forces stay as they were moved', (await force(page)).join() === '0,-20000', await force(page));
+    await picture(page, 'live_pointed');
+    await page.click('#save-scene');
+    await page.waitForSelector('.live-said:has-text("Written")');
+    await showsWhatAnalyzeSays(page, join(folder, 'drawn_live.json'), 'drawn');
+    await page.click('.conditions li:last-child button');
+    await page.waitForFunction(() => document.querySelectorAll('.conditions li').length === 3);
+    check('no errors, nothing loaded', said.length === 0, said);
+    await close();
+}
+
 await ofTheBracket();
 await ofParameters();
+await ofParts();
+await ofADrawing();
 await browser.close();
 servers.forEach(server => server.kill());
 rmSync(folder, {recursive: true});

@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -214,6 +215,93 @@ class LiveTest(unittest.TestCase):
             for part, other in zip(whole["data"]["parts"], result["parts"]):
                 self.assertAlmostEqual(part["max_von_mises"]["value"], other["max_von_mises"]["value"], delta=1e-9 * other["max_von_mises"]["value"])
 
+    def test_two_hundred_moves_are_those_of_analyze(self):
+        """Each of 200 forces along a drag beside a load case of analyze on the same grids."""
+        live = self.live(BLOCKS)
+        live.settled()
+        drag = [(400 * math.sin(k / 25), -5000 - 2500 * (1 - math.cos(k / 15))) for k in range(200)]
+        scene = json.loads(BLOCKS)
+        scene["loads"] = [{"name": name, "on": "block/top", "force": force} for name, force in [("x", [1, 0]), ("y", [0, 1])]] + scene["loads"][1:]
+        scene["cases"] = [{"name": str(k), "loads": {"x": fx, "y": fy}} for k, (fx, fy) in enumerate(drag)]
+        scene["output"] = {"formats": ["json"]}
+        (self.folder / "drag.json").write_text(json.dumps(scene))
+        subprocess.run([ABUT, "analyze", str(self.folder / "drag.json"), "-o", str(self.folder / "drag"), "--quiet"], check=True)
+        for k, (fx, fy) in enumerate(drag):
+            _, news = live.act(after=0, loads=[[fx, fy], [1]])
+            result = json.loads((self.folder / "drag" / f"case_{k + 1}" / "result.json").read_text())
+            pieces = news["pieces"]
+            contacts = pieces["answer"]["contacts"] if "answer" in pieces else pieces["whole"]["data"]["contacts"]  # the first is as prepared
+            for c in result["contacts"]:
+                if c["status"] != "open":
+                    self.same(next(a for a in contacts if a["between"] == c["between"]), c, 1e-9)
+
+    def test_settings_move(self):
+        """Friction, interference and places, each as the same scene says it; saved scenes say the same."""
+        live = self.live(BLOCKS)
+        settings = {s["key"]: s for s in live.settled()["pieces"]["controls"]["settings"]}
+        self.assertEqual({key: s["kind"] for key, s in settings.items()}, {"friction": "friction", "pair base, block": "pair", "place base": "place", "place block": "place"})
+        slides = live.news()["pieces"]["whole"]["slides"]
+        self.assertEqual(slides[0], [])
+        self.assertEqual([abs(x) for x in slides[1][0]], [0, 1])
+        for k, (moved, key, value) in enumerate([
+                ({"friction": [0.4]}, "contacts", {"friction": 0.4}),
+                ({"pair base, block": [0.003]}, "contacts", {"pairs": [{"between": ["base/*", "block/*"], "interference": 0.003}]}),
+                ({"friction": [0.4], "pair base, block": [0.003]}, "contacts", {"friction": 0.4, "pairs": [{"between": ["base/*", "block/*"], "interference": 0.003}]}),
+                ({"place block": [2.5, 0]}, "place", {"translate": [2.5, 0]})]):
+            status, news = live.act(settings=moved, loads=[[200, -5000], [1]])
+            self.assertEqual(status, 200)
+            self.assertEqual(news["pieces"]["inputs"]["settings"], moved)
+            whole = live.settled()["pieces"]["whole"]
+            self.assertEqual(whole["settings"], moved)
+            scene = json.loads(BLOCKS)
+            (scene["parts"][1] if key == "place" else scene)[key] = value
+            scene["loads"][0]["force"] = [200, -5000]
+            (self.folder / "said.json").write_text(json.dumps(scene))
+            result = analyzed(self.folder / "said.json", self.folder / "said")
+            for c in result["contacts"]:
+                if c["status"] != "open":
+                    self.same(next(a for a in whole["data"]["contacts"] if a["between"] == c["between"]), c, 1e-9)
+            self.assertEqual(live.ask("save", {"name": f"saved_{k}.json"})[0], 200)
+            self.assertEqual(json.loads((self.folder / f"saved_{k}.json").read_text()), scene)
+        # and back
+        live.act(settings={}, loads=[[0, -5000], [1]])
+        result = analyzed(self.folder / "scene.json", self.folder / "back")
+        self.same(live.settled()["pieces"]["whole"]["data"]["contacts"][0], result["contacts"][0], 1e-9)
+        for wrong, words in [({"frictoin": [1]}, "did you mean 'friction'"), ({"friction": [-1]}, "between 0 and 1"), ({"friction": [0.1, 0.2]}, "as many numbers"), ({"friction": 0.1}, "as many numbers"),
+                             ({"place block": ["a", 0]}, "finite"), ([], "object")]:
+            status, text = live.ask("act", {"settings": wrong})
+            self.assertEqual(status, 400, wrong)
+            self.assertIn(words, json.loads(text)[0]["what"] + json.loads(text)[0]["hint"])
+        self.assertEqual(live.ask("conditions", {"supports": []})[0], 400)  # the file is the user's
+
+    def test_begins_with_a_drawing(self):
+        shutil.copy(SOURCES / "data/sketches/pin_bracket_r14.dxf", self.folder / "bracket.dxf")
+        live = Live(self.folder / "bracket.dxf", "--thickness", "10")
+        self.lives.append(live)
+        pieces = live.settled()["pieces"]
+        edges = {e["name"]: e["points"] for e in pieces["edges"]["edges"]}
+        self.assertIn("bracket/hA14", edges)
+        self.assertTrue(all(math.isclose(math.hypot(x, y - 50), 10.05, rel_tol=1e-6) for x, y in edges["bracket/hA14"]))
+        self.assertEqual((pieces["edges"]["supports"], pieces["edges"]["loads"]), ([], []))
+        supports = [{"on": "base/hA16", "fix": ["x", "y"]}, {"on": "bracket/hA12", "fix": ["x"]}, {"on": "bracket/hA13", "fix": ["x"]}]
+        self.assertEqual(live.ask("conditions", {"supports": supports, "loads": [{"on": "pin/hA15", "force": [0, -20000]}]}), (200, "{}"))
+        news = live.wait(lambda n: n["settled"] and not n["busy"] and n["pieces"]["edges"]["loads"])
+        self.assertEqual(news["pieces"]["whole"]["status"], "ok")
+        contact = next(c for c in news["pieces"]["whole"]["data"]["contacts"] if "pin/hA15" in c["between"])
+        self.assertAlmostEqual(abs(contact["force"][1]), 20000, delta=0.02)
+        for wrong, words in [({"supports": [{"on": "base/no", "fix": ["x"]}]}, "no"), ({"supports": 5}, "list"), ({"loads": [{"on": "pin/hA15"}]}, ""), ({"parts": []}, "parts")]:
+            status, text = live.ask("conditions", wrong)
+            self.assertEqual(status, 400, wrong)
+            self.assertIn(words, json.loads(text)[0]["what"])
+        live.act(loads=[[100, -15000]])
+        whole = live.settled()["pieces"]["whole"]
+        status, text = live.ask("save", {"name": "bracket.json"})
+        self.assertEqual((status, json.loads(text)["saved"]), (200, str(self.folder / "bracket.json")))
+        self.assertIn('"file": "bracket.dxf"', (self.folder / "bracket.json").read_text())
+        result = analyzed(self.folder / "bracket.json", self.folder / "b")
+        for mine, theirs in zip(whole["data"]["contacts"], result["contacts"]):
+            self.same(mine, theirs, 1e-9)
+
     def test_geometry_moves(self):
         live = self.live(ROLLER)
         live.settled()
@@ -279,12 +367,16 @@ class LiveTest(unittest.TestCase):
         whole = live.settled()["pieces"]["whole"]
         self.assertEqual((whole["status"], whole["verdict"]), ("failed", "failed"))
         self.assertIn("roller slides along", whole["sentence"])
+        (driven,) = whole["driven"]  # the same for who draws it: base is part 0
+        self.assertEqual((driven["part"], driven["twist"][0], driven["twist"][2]), (1, 0, 0))
+        self.assertGreater(driven["twist"][1], 0)  # where the load pulls
         # and back, and again as an answer of milliseconds
         live.act(loads=[[0, -500], [1]])
         self.assertEqual(live.settled()["pieces"]["whole"]["status"], "ok")
         _, news = live.act(after=0, loads=[[0, 500], [1]])
         self.assertEqual(news["pieces"]["answer"]["status"], "failed")
         self.assertIn("roller slides along", news["pieces"]["answer"]["message"])
+        self.assertEqual([d["part"] for d in news["pieces"]["answer"]["driven"]], [1])
 
     def test_saves(self):
         live = self.live(ROLLER)
@@ -321,7 +413,7 @@ class LiveTest(unittest.TestCase):
         self.assertLess(times[n // 2], 1 / 20)  # whatever else the machine does
 
     def test_what_is_wrong_at_first(self):
-        for words, said in [(["no_such.json"], "no such file"), (["scene.json", "--port", "x"], "no port"), (["scene.json", "--port", "70000"], "no port"), (["part.dxf"], "no scene")]:
+        for words, said in [(["no_such.json"], "no such file"), (["scene.json", "--port", "x"], "no port"), (["scene.json", "--port", "70000"], "no port"), (["part.dxf"], "part"), (["scene.json", "--units", "mm"], "--units")]:
             (self.folder / "scene.json").write_text(ROLLER)
             (self.folder / "part.dxf").write_text("0\nEOF\n")
             run = subprocess.run([ABUT, "live", *words], capture_output=True, text=True, cwd=self.folder, timeout=PATIENCE)

@@ -262,6 +262,21 @@ for (const [name, scene] of Object.entries(scenes)) {
         const size = statSync(made.report).size;
         check('below 1 MB', size < 1e6, size);
     }
+    const weakest = made.result.contacts.reduce((a, c, k, all) => c.max_pressure.value <= all[a].max_pressure.value ? k : a, 0);
+    const numbers = await page.evaluate(k => {
+        const {canvas, state} = window.abutReport, shown = () => {
+            canvas.paint();
+            return canvas.numbered.map(c => c.index);
+        }, before = shown();
+        state.set('contact', k);
+        return [before, shown()];
+    }, weakest);
+    check('ten contacts have their numbers', numbers[0].length === Math.min(10, made.result.contacts.length), numbers);
+    check('and the one that is picked', numbers[1].includes(weakest), numbers, weakest);
+    await page.evaluate(() => window.abutReport.state.set('contact', -1));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#picture')]);
+    const png = readFileSync(await download.path());
+    check('a picture is saved', png.subarray(1, 4).toString() === 'PNG' && png.readUInt32BE(16) > await page.evaluate(() => window.abutReport.canvas.element.width), png.length);
     const n = await pages(page);
     check('pages on A4', n >= most[name][0] && n <= most[name][1], n);
     check('no errors, nothing loaded', said.length === 0, said);

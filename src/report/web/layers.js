@@ -168,8 +168,8 @@ export function drawContacts(canvas) {
     }
     c.lineCap = 'butt';
     c.lineWidth = 1;
-    if (state.has('contacts'))
-        for (const contact of numbered(canvas.data.contacts, state)) drawNumber(canvas, contact);
+    canvas.numbered = state.has('contacts') ? numbered(canvas.data.contacts, state) : [];
+    for (const contact of canvas.numbered) drawNumber(canvas, contact);
 }
 
 /// Contacts that show their numbers: those of the largest pressures, and those that are looked at.

@@ -208,7 +208,7 @@ class Live {
         const doubts = wrong ? [] : shown?.quick ? shown.doubts : shown?.warnings ?? [];
         this.doubts.hidden = !doubts.length;
         this.doubts.replaceChildren(...doubts.map(d => element('li', {}, d)));
-        this.instrument.classList.toggle('stale', wrong || this.lost || mood === 'failed');
+        this.instrument.classList.toggle('stale', wrong || this.lost || (mood === 'failed' && !shown?.driven?.length));  // motions are to be seen
         const recent = this.times.filter(t => performance.now() - t.at < 1000), last = this.times.at(-1);
         const state = this.busy === 'draft' ? 'Computing a draft …' : this.busy === 'accuracy' ? 'Computing as accurately as asked …'
             : shown?.status !== 'ok' || wrong ? '' : this.settled ? 'As accurate as asked for' : shown.draft ? 'A draft' : '';

@@ -3,7 +3,7 @@
 import {text} from './colors.js';
 import {element} from './dom.js';
 
-const reach = 9;  // pixels
+const reach = 9, together = 3;  // pixels: of the pointer; between edges that lie on each other
 
 function distanceTo([px, py], [ax, ay], [bx, by]) {
     const dx = bx - ax, dy = by - ay, length = dx * dx + dy * dy, t = length > 0 ? Math.min(1, Math.max(0, ((px - ax) * dx + (py - ay) * dy) / length)) : 0;
@@ -22,26 +22,25 @@ export class Pointing {
         canvas.overlays.push(() => this.draw());
         canvas.element.addEventListener('pointermove', event => {
             const before = this.hovered;
-            this.hovered = event.buttons ? null : this.at(event);
+            this.hovered = event.buttons ? null : this.near(event)[0] ?? null;
             if (before !== this.hovered) canvas.draw();
         });
         canvas.clickTakers.push(event => {
-            this.choose(this.at(event), event);
+            const near = this.near(event);
+            this.choose(near[0] ?? null, event, near);
             return this.chosen !== null;
         });
         this.menu.addEventListener('keydown', event => event.key === 'Escape' && this.choose(null));
     }
-    at(event) {
+    /// The edges under the pointer, the nearest first: those of two parts may lie on each other.
+    near(event) {
         const box = this.canvas.element.getBoundingClientRect(), p = [event.clientX - box.left, event.clientY - box.top];
-        let best = reach, found = null;
-        for (const edge of this.live.drawing.edges) {
+        const distanceOf = edge => {
             const points = edge.points.map(q => this.canvas.pixel(...q));
-            for (let i = 0; i + 1 < points.length; ++i) {
-                const distance = distanceTo(p, points[i], points[i + 1]);
-                if (distance < best) [best, found] = [distance, edge];
-            }
-        }
-        return found;
+            return Math.min(...points.slice(1).map((q, i) => distanceTo(p, points[i], q)));
+        };
+        const all = this.live.drawing.edges.map(edge => ({edge, distance: distanceOf(edge)})).filter(e => e.distance < reach).sort((a, b) => a.distance - b.distance);
+        return all.filter(e => e.distance < all[0].distance + together).map(e => e.edge);
     }
     draw() {
         const c = this.canvas.context, held = new Set(this.live.drawing.supports.map(s => s.on));
@@ -56,7 +55,7 @@ export class Pointing {
         for (const edge of this.live.drawing.edges) if (held.has(edge.name)) stroke(edge, this.canvas.ink, 2.5);
         for (const edge of new Set([this.hovered, this.chosen])) if (edge) stroke(edge, '#e8590c', 4);
     }
-    choose(edge, event = null) {
+    choose(edge, event = null, near = []) {
         this.chosen = edge;
         this.menu.hidden = !edge;
         this.canvas.draw();
@@ -69,7 +68,8 @@ export class Pointing {
         const hold = axes => () => this.add('supports', {on: edge.name, fix: axes});
         // Of the size that steel feels: 1 MPa over a tenth of the model, or its like in other units.
         const [nx, ny] = this.inward(edge), stiffness = model.materials?.[0]?.E ?? 2e5, usual = nice(5e-6 * stiffness), force = nice(usual * 0.1 * size * thickness);
-        this.menu.replaceChildren(element('b', {}, edge.name), element('span', {class: 'word'}, 'hold'), item('x and y', hold(['x', 'y'])), item('x', hold(['x'])), item('y', hold(['y'])),
+        const names = near.length < 2 ? [element('b', {}, edge.name)] : near.map(other => element('button', {type: 'button', class: 'small', 'aria-pressed': other === edge, click: () => this.choose(other, event, near)}, other.name));
+        this.menu.replaceChildren(element('div', {class: 'edge-names'}, ...names), element('span', {class: 'word'}, 'hold'), item('x and y', hold(['x', 'y'])), item('x', hold(['x'])), item('y', hold(['y'])),
             element('span', {class: 'word'}, 'load'), item('force', () => this.add('loads', {on: edge.name, force: [nx, ny].map(v => Number((force * v).toPrecision(4)))})), item('pressure', () => this.add('loads', {on: edge.name, pressure: usual})));
         const x = event.clientX - box.left, y = event.clientY - box.top;
         this.menu.style.left = `${Math.max(4, Math.min(x + 10, this.canvas.width - this.menu.offsetWidth - 4))}px`;
