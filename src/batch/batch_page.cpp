@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* batch_style = R"(
 main { max-width: 1500px; }
+.table { max-height: none; }
 .filters { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 14px 0; }
 .filters input[type=search] { font: inherit; padding: 4px 8px; width: 260px; border: 1px solid var(--rule); border-radius: 4px; }
 .filters label { padding: 2px 10px; border: 1px solid var(--rule); border-radius: 12px; font-size: 13px; cursor: pointer; }

@@ -159,7 +159,8 @@ private:
         if (of.empty() || last.isZero(0)) return text;
         const double label = free_height(last.y() - 8, labels);
         if (label > height - bottom) return text;  // no room: the points tell their values
-        return text + report::text({width - right - 4, label}, "end", line_name(sweep_, of), "style=\"fill:" + color + "\"");
+        return text + report::text({width - right - 4, label}, "end", line_name(sweep_, of),
+                                   "style=\"fill:" + color + ";paint-order:stroke;stroke:#fff;stroke-width:3px\"");
     }
 
     /// Where a label covers no other: as high as wanted, or below what is there.

@@ -221,7 +221,10 @@ void LiveModel::State::work() {
 }
 
 void LiveModel::State::read_again(Hold& hold) {
-    stamp = file_stamp(path);
+    const FileStamp seen = file_stamp(path);
+    changed.wait_for(hold, live_tick);
+    if (file_stamp(path) != seen) return;  // who writes it is not done
+    stamp = seen;
     hold.unlock();
     std::optional<DrawnScene> read;
     std::vector<Problem> problems;

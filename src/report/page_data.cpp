@@ -49,6 +49,14 @@ PageJson field_json(const PackedField& field) {
         {"inside", field.n_inside},      {"patches", field.patches}, {"loops", field.loops}, {"loop_sizes", field.loop_sizes}};
 }
 
+/// Boxes of cells that were halved: low and high corner, and how often.
+PageJson halved_json(const PartResult& p) {
+    PageJson list = PageJson::array();
+    for (const PartResult::Halved& h : p.halved)
+        list.push_back({exact(h.low.x()), exact(h.low.y()), exact(h.high.x()), exact(h.high.y()), h.levels});
+    return list;
+}
+
 PageJson part_json(const Result& result, std::size_t i) {
     const PartResult& p = result.parts[i];
     const PartField none;
@@ -63,7 +71,7 @@ PageJson part_json(const Result& result, std::size_t i) {
                {"max_von_mises_error", exact(p.max_von_mises_error)},
                {"at_corner", p.max_von_mises_at_corner},
                {"utilisation", exact(p.utilisation)},
-               {"grid", {{"angle", exact(p.grid_angle)}, {"x", p.grid_x}, {"y", p.grid_y}}}};
+               {"grid", {{"angle", exact(p.grid_angle)}, {"x", p.grid_x}, {"y", p.grid_y}, {"halved", halved_json(p)}}}};
     j["field"] = field_json(packed_field(i < result.fields.size() ? result.fields[i] : none, result.geometry[i]));
     return j;
 }

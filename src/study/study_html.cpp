@@ -17,6 +17,7 @@ constexpr const char* study_style = R"(
 .row h3 { margin-top: 12px; }
 td { white-space: pre-wrap; }
 .runs td:first-child { white-space: nowrap; }
+section > svg, .legend svg { background: #fff; }
 p.note { color: var(--soft); font-size: 13px; }
 )";
 

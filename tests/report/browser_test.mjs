@@ -351,7 +351,17 @@ async function showsCases(name, file, word) {
     await close();
     console.log(`${name}: ${faults - before ? 'FAILED' : 'ok'}, ${list.length} ${word}s, ${(statSync(join(out, 'report.html')).size / 1e6).toFixed(2)} MB`);
 }
+/// Cells that are halved where small ones are wanted are shown so.
+async function showsHalvedCells() {
+    const text = readFileSync(join(sources, 'data/scenes/roller_bearing.json'), 'utf8'), made = analyzed('bearing', text), {page, said, close} = await open(made);
+    check('cells are halved', await page.evaluate(() => window.abutReport.data.parts.some(p => p.grid.halved.length > 0)));
+    await valuesAreThoseOfTheResult(page, made.result);
+    check('no errors, nothing loaded', said.length === 0, said);
+    await close();
+    console.log(`bearing: ${made.result.contacts.length} contacts, ${made.result.unknowns} unknowns, ${(statSync(made.report).size / 1e6).toFixed(2)} MB`);
+}
 await pictureIsTheField();
+await showsHalvedCells();
 await showsCases('cases', join(sources, 'data/scenes/pin_bracket_cases.json'), 'load case');
 await showsCases('steps', join(sources, 'data/scenes/clamped_strip.json'), 'step');
 

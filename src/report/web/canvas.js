@@ -5,7 +5,7 @@ import {zoom, zoomIdentity} from 'd3-zoom';
 import {Scale} from './colors.js';
 import {isInside} from './data.js';
 import {sampleAt, colored, rasterize} from './raster.js';
-import {contactColor, gapColor, shearColor, drawCells, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
+import {contactColor, gapColor, shearColor, drawCells, drawPieces, drawContacts, drawFans, drawLoads, drawNames, drawPins, drawResultants, drawSupports, drawExtremes, drawAxes} from './layers.js';
 
 const margin = 56;          // pixels around the model
 const slowFrame = 45;       // milliseconds: while things move, frames that take longer are drawn coarser
@@ -131,6 +131,7 @@ export class Canvas {
         }
         data.parts.forEach((part, i) => this.paintPart(part, this.paths[i], place, coarseness));
         if (state.has('cells')) drawCells(this);
+        if (state.has('pieces')) drawPieces(this);
         drawContacts(this);
         if (state.has('fans')) drawFans(this, 'pressure', contactColor);
         if (state.has('shear')) drawFans(this, 'shear', shearColor);

@@ -19,7 +19,11 @@ export class ForceHandles {
         canvas.element.addEventListener('pointermove', event => this.move(event));
         canvas.element.addEventListener('pointerup', () => this.end());
         canvas.element.addEventListener('pointercancel', () => this.end());
-        live.on(what => ['inputs', 'controls'].includes(what) && canvas.draw(true));
+        live.on(what => {
+            if (!['inputs', 'controls'].includes(what)) return;
+            if (this.dragged < 0) this.refit();
+            canvas.draw(true);
+        });
     }
     /// Pixels a unit of force: so that the largest is as long as usual.
     fit() {
@@ -91,8 +95,12 @@ export class ForceHandles {
         if (this.dragged < 0) return;
         this.dragged = -1;
         this.canvas.element.style.cursor = '';
+        this.refit();
+        this.canvas.draw();
+    }
+    /// Where arrows have become too long or too short to be dragged.
+    refit() {
         const longest = Math.max(0, ...this.list().map(h => Math.hypot(...h.force))) * this.scale;
         if (longest > 0.42 * Math.min(this.canvas.width, this.canvas.height) || longest < 0.25 * usual) this.fit();
-        this.canvas.draw();
     }
 }

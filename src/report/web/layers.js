@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What lies over the field: cells, contacts, pressure, supports, loads, resultants, labels.
+import {cellsOf} from './cells.js';
 import {text, ticks, withUnit} from './colors.js';
 import {valueAt} from './quantities.js';
 import {sampleAt} from './raster.js';
@@ -7,6 +8,7 @@ import {sampleAt} from './raster.js';
 export const contactColor = '#d3102b', shearColor = '#7b2fbf', gapColor = '#1864ab', slipColor = '#2b8a3e';
 const openColor = '#f08300', pickColor = '#e8590c';
 const fanShare = 0.045, fanMost = 110;  // the largest pressure: of the model's size, and in pixels
+const cellColors = ['#0000', '#f0830066', '#2f9e4433'];  // outer, boundary, inner
 const arrowLength = 64, mostNumbers = 10;
 
 export function label(canvas, words, x, y, {color = canvas.ink, side = 1, bold = false} = {}) {
@@ -70,57 +72,12 @@ export function ring(c, x, y, radius, color, paper) {
     c.lineWidth = 1;
 }
 
-/// The classes of the cells of a part's grid: 0 outer, 1 boundary, 2 inner; by columns in rows.
-export function cellClasses(part) {
-    const {x, y, angle} = part.grid, nx = x.length - 1, ny = y.length - 1;
-    if (nx < 1 || ny < 1) return null;
-    const classes = new Uint8Array(nx * ny), cos = Math.cos(angle), sin = Math.sin(angle);
-    const turned = i => [cos * part.loops.x[i] + sin * part.loops.y[i], -sin * part.loops.x[i] + cos * part.loops.y[i]];
-    const cellOf = (lines, v) => {
-        let low = 0, high = lines.length - 1;
-        while (high - low > 1) {
-            const middle = (low + high) >> 1;
-            if (lines[middle] <= v) low = middle;
-            else high = middle;
-        }
-        return low;
-    };
-    const crossings = Array.from({length: ny}, () => []);
-    for (const [from, to] of part.ranges)
-        for (let i = from, j = to - 1; i < to; j = i++) {
-            const a = turned(j), b = turned(i);
-            for (let row = 0; row < ny; ++row) {
-                const middle = (y[row] + y[row + 1]) / 2;
-                if ((a[1] > middle) !== (b[1] > middle)) crossings[row].push(a[0] + (middle - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
-            }
-        }
-    crossings.forEach((list, row) => {
-        list.sort((p, q) => p - q);
-        for (let column = 0; column < nx; ++column) {
-            const middle = (x[column] + x[column + 1]) / 2;
-            if (list.filter(v => v < middle).length % 2) classes[row * nx + column] = 2;
-        }
-    });
-    // Points of the boundary stand where it crosses grid lines, so that what is between two of them is in one cell.
-    // What runs along a line belongs to no cell; places are known to a step.
-    const onLine = (lines, k, v) => Math.min(Math.abs(v - lines[k]), Math.abs(v - lines[k + 1])) < 2 * part.field.step;
-    for (const [from, to] of part.ranges)
-        for (let i = from, j = to - 1; i < to; j = i++) {
-            const a = turned(j), b = turned(i), mx = (a[0] + b[0]) / 2, my = (a[1] + b[1]) / 2;
-            const column = cellOf(x, mx), row = cellOf(y, my);
-            if (Math.hypot(a[0] - b[0], a[1] - b[1]) > 0 && !onLine(x, column, mx) && !onLine(y, row, my)) classes[row * nx + column] = 1;
-        }
-    return {classes, nx, ny};
-}
-
-const cellColors = ['#0000', '#f0830066', '#2f9e4433'];
-
 export function drawCells(canvas) {
     const c = canvas.context;
     for (const part of canvas.data.parts) {
-        part.cells ??= cellClasses(part);
+        part.cells ??= cellsOf(part);
         if (!part.cells) continue;
-        const {classes, nx} = part.cells, {x, y, angle} = part.grid, cos = Math.cos(angle), sin = Math.sin(angle);
+        const {classes, boxes} = part.cells, {angle} = part.grid, cos = Math.cos(angle), sin = Math.sin(angle);
         const at = (u, v) => canvas.pixel(cos * u - sin * v, sin * u + cos * v);
         c.lineWidth = 0.6;
         c.strokeStyle = canvas.soft;
@@ -128,7 +85,7 @@ export function drawCells(canvas) {
             c.beginPath();
             classes.forEach((own, k) => {
                 if (own !== kind) return;
-                const i = k % nx, j = (k - i) / nx, corners = [at(x[i], y[j]), at(x[i + 1], y[j]), at(x[i + 1], y[j + 1]), at(x[i], y[j + 1])];
+                const [u0, v0, u1, v1] = boxes[k], corners = [at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)];
                 if (corners.every(p => p[0] < 0) || corners.every(p => p[0] > canvas.width) || corners.every(p => p[1] < 0) || corners.every(p => p[1] > canvas.height)) return;
                 c.moveTo(...corners[0]);
                 for (let n = 1; n < 4; ++n) c.lineTo(...corners[n]);
@@ -138,6 +95,24 @@ export function drawCells(canvas) {
             c.fill();
             c.stroke();
         }
+    }
+}
+
+/// The ends of the pieces into which cells cut the boundary.
+export function drawPieces(canvas) {
+    const c = canvas.context, e = canvas.state.exaggeration;
+    for (const part of canvas.data.parts) {
+        part.cells ??= cellsOf(part);
+        const {x, y, value} = part.loops;
+        c.beginPath();
+        for (const i of part.cells?.ends ?? []) {
+            const [px, py] = canvas.pixel(x[i] + e * value[6 * i], y[i] + e * value[6 * i + 1]);
+            c.rect(px - 2, py - 2, 4, 4);
+        }
+        c.fillStyle = canvas.paper;
+        c.fill();
+        c.strokeStyle = canvas.ink;
+        c.stroke();
     }
 }
 
@@ -422,7 +397,7 @@ export function drawAxes(canvas) {
     c.beginPath();
     for (const v of xs) {
         const [x] = canvas.pixel(v, 0);
-        if (x < 46 || x > canvas.width - 56) continue;
+        if (x < 46 || x > canvas.width - 74) continue;
         c.moveTo(x, canvas.height);
         c.lineTo(x, canvas.height - 5);
         write(text(v, digits(xs)), x, canvas.height - 8);

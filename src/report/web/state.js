@@ -5,7 +5,7 @@ import {automaticRange, extremes, quantities, quantityOf} from './quantities.js'
 export const layers = [
     ['field', 'Field'], ['outlines', 'Outlines'], ['undeformed', 'Undeformed shape'], ['colors', 'Parts by colour'], ['names', 'Names'],
     ['contacts', 'Contacts'], ['fans', 'Pressure'], ['shear', 'Shear'], ['gap', 'Gap'], ['resultants', 'Resultants'], ['supports', 'Supports'], ['loads', 'Loads'],
-    ['extremes', 'Maximum, minimum'], ['cells', 'Grid cells'],
+    ['extremes', 'Maximum, minimum'], ['cells', 'Grid cells'], ['pieces', 'Boundary pieces'],
 ];
 const shownAtFirst = ['field', 'outlines', 'contacts', 'fans', 'supports', 'loads', 'extremes'];
 export const modes = [['smooth', 'Smooth'], ['bands', 'Bands'], ['lines', 'Contours']];
