@@ -129,17 +129,6 @@ std::string interface_kind(const Part& part1, int edge1, const Part& part2, int 
     return word(s1) + "-on-" + word(s2);
 }
 
-bool is_convex_corner(const Part& part, int edge, double t) {
-    constexpr double at_the_end = 1e-9;
-    if (t > at_the_end && t < 1 - at_the_end) return false;
-    const std::vector<int>& edges = loop_or_first(part, edge).edges;
-    const auto n = edges.size();
-    const auto i = static_cast<std::size_t>(std::find(edges.begin(), edges.end(), edge) - edges.begin());
-    const int before = t < 0.5 ? edges[(i + n - 1) % n] : edge, after = t < 0.5 ? edge : edges[(i + 1) % n];
-    const Vec2 in = unit_tangent(curve_of(part, before), 1), out = unit_tangent(curve_of(part, after), 0);
-    return angle_between(in, out) > chain_angle;
-}
-
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2) {
     if (are_toothed(part1, edge1, part2, edge2)) return "tooth-on-tooth";
     const bool corner1 = is_convex_corner(part1, edge1, t1), corner2 = is_convex_corner(part2, edge2, t2);

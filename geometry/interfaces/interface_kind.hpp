@@ -14,9 +14,6 @@ namespace abut::geometry {
 /// flat.
 std::string interface_kind(const Part& part1, int edge1, const Part& part2, int edge2);
 
-/// Is the point at parameter t of an edge a convex corner of the part (a turn above chain_angle)?
-bool is_convex_corner(const Part& part, int edge, double t);
-
 /// The kind of a contact at closest points of which at least one is a corner: "edge-on-flat" for a corner on a straight edge,
 /// else "general".
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2);

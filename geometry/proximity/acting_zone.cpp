@@ -33,6 +33,16 @@ bool is_end(const Chain& chain, double s) {
     return !chain.closed && (s <= slack || s >= chain.length - slack);
 }
 
+/// Where a chain ends in a hollow corner there is no point. Of a corner that is drawn into a face, the faces on either side
+/// share its depth: zones end beside it.
+bool ends_in_point(const Part& part, const Chain& chain, double s, double gap) {
+    constexpr double beside = 2;  // depths
+    const double off = std::min(std::abs(s), std::abs(chain.length - s));
+    if (chain.closed || (!is_end(chain, s) && off > -beside * gap)) return false;
+    return s < 0.5 * chain.length ? is_convex_corner(part, chain.edges.front(), 0)
+                                  : is_convex_corner(part, chain.edges.back(), 1);
+}
+
 /// Does the gap have its least value at a corner of a side, and open from there?
 std::array<bool, 2> is_gap_least_at_corner(const Part& part1, const Part& part2, const FacingZone& zone) {
     const FacingPair begin = pair_from_first(part1, part2, zone, zone.begin1, zone.begin2),
@@ -42,7 +52,8 @@ std::array<bool, 2> is_gap_least_at_corner(const Part& part1, const Part& part2,
     const FacingPair& nearest = at_begin ? begin : end;
     const bool opens = std::abs(cross(nearest.on1.normal, nearest.on2.normal)) > parallel;
     if (!opens || nearest.gap > zone.gap_min + rounding) return {false, false};
-    return {is_end(zone.chain1, at_begin ? zone.begin1 : zone.end1), is_end(zone.chain2, at_begin ? zone.begin2 : zone.end2)};
+    return {ends_in_point(part1, zone.chain1, at_begin ? zone.begin1 : zone.end1, nearest.gap),
+            ends_in_point(part2, zone.chain2, at_begin ? zone.begin2 : zone.end2, nearest.gap)};
 }
 
 /// The pair at the same sum of the lengths run along both chains, so that neither is preferred.

@@ -8,9 +8,13 @@ namespace abut::geometry {
 
 namespace {
 
+/// From one edge to the next, positive to the left.
+double turn_between(const Part& part, int before, int after) {
+    return angle_between(unit_tangent(curve_of(part, before), 1), unit_tangent(curve_of(part, after), 0));
+}
+
 bool is_corner(const Part& part, int before, int after) {
-    const Vec2 t0 = unit_tangent(curve_of(part, before), 1), t1 = unit_tangent(curve_of(part, after), 0);
-    return std::atan2(std::abs(cross(t0, t1)), t0.dot(t1)) > chain_angle;
+    return std::abs(turn_between(part, before, after)) > chain_angle;
 }
 
 /// Positions in the loop of the edges that begin at a corner.
@@ -87,6 +91,19 @@ ChainPoint chain_point(const Part& part, const Chain& chain, double s) {
     p.normal = right_of(p.tangent);
     p.curvature = curvature(curve, p.t);
     return p;
+}
+
+bool is_convex_corner(const Part& part, int edge, double t) {
+    constexpr double at_the_end = 1e-9;
+    if (t > at_the_end && t < 1 - at_the_end) return false;
+    for (const Loop& loop : part.loops) {
+        const auto found = std::find(loop.edges.begin(), loop.edges.end(), edge);
+        if (found == loop.edges.end()) continue;
+        const auto i = static_cast<std::size_t>(found - loop.edges.begin()), n = loop.edges.size();
+        return t < 0.5 ? turn_between(part, loop.edges[(i + n - 1) % n], edge) > chain_angle
+                       : turn_between(part, edge, loop.edges[(i + 1) % n]) > chain_angle;
+    }
+    return false;
 }
 
 }  // namespace abut::geometry

@@ -35,6 +35,9 @@ inline constexpr double chain_angle = 1e-3;  ///< radians; a sharper turn is a c
 /// The boundary of a part as chains; every edge is in one.
 std::vector<Chain> smooth_chains(const Part& part);
 
+/// Is the point at parameter t of an edge a convex corner of the part (a turn above chain_angle)?
+bool is_convex_corner(const Part& part, int edge, double t);
+
 /// A point of a chain with the boundary's frame and curvature there.
 struct ChainPoint {
     int edge = -1;
@@ -85,6 +88,12 @@ inline constexpr double end_slack = 1e-9;
 /// All zones where the gap is at most `distance` (overlaps: gaps down to -distance) and the normals oppose each other within
 /// 60 degrees; the nearest partner where there are several, nothing that material lies between. Ordered along part 1.
 std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance);
+
+/// The zones where a part faces itself across a gap, within the same limits: each once, along the edge that comes first. Left
+/// out are zones all of whose points are nearer to their partners along the boundary than `least_way` gaps: the faces of a
+/// notch meet by strains of order one only.
+inline constexpr double least_way = 3;
+std::vector<FacingZone> find_own_facing_zones(const Part& part, double distance);
 
 /// The zone with pairs along the lines that contact forces act on, its ends paired anew. Where its gap is least at a corner of
 /// one side the other side lends its normal to all of it: a corner's curvature has no bound. Where both sides are straight, the

@@ -77,7 +77,7 @@ double true_length(const Part& part, const ArcChains& all, int chain, double s) 
 
 }  // namespace
 
-std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part2, double distance) {
+std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part2, double distance, bool own) {
     const ArcChains arcs1 = arc_chains(part1), arcs2 = arc_chains(part2);
     const double error = 2 * (arcs1.tolerance + arcs2.tolerance);
     const double size = bounding_box(part1).diagonal() + bounding_box(part2).diagonal();
@@ -86,7 +86,7 @@ std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part
     // a little farther, for the true ones to end inside them
     const double far_enough = (1 + most_arc_kink) * distance + error;
     const std::vector<FoundZone> all =
-        search_zones(arcs1.part, arcs1.arcs, arcs2.part, arcs2.arcs, far_enough, arc_joint_angle);
+        search_zones(arcs1.part, arcs1.arcs, arcs2.part, arcs2.arcs, far_enough, arc_joint_angle, own);
     for (const FoundZone& found : all) {
         CarriedZone zone{arcs1.curves[at(found.chain1)], arcs2.curves[at(found.chain2)], found.zone.closed, {}};
         for (const FoundZone::Break& b : found.breaks)

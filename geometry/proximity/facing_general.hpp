@@ -15,6 +15,6 @@ namespace abut::geometry {
 ///    the normals are parallel; ends are the true corners, the true images of corners, or where the true gap reaches the
 ///    distance and the true normals 60 degrees. Only where a nearer partner or material in between takes over, and near centres
 ///    of curvature, ends are those of the arcs (off by their error, there of their curvature).      (facing_carry)
-std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part2, double distance);
+std::vector<FacingZone> general_facing_zones(const Part& part1, const Part& part2, double distance, bool own);
 
 }  // namespace abut::geometry

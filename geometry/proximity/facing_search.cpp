@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/proximity/facing_general.hpp"
@@ -210,30 +212,78 @@ FoundZone found_zone(const FacingModel& model, const BothChains& chains, Group g
     return found;
 }
 
+/// A part faces itself along every zone from both sides.
+bool is_mirrored(const FoundZone& found) {
+    const auto turned_back = [](const Chain& chain, double s) {
+        return chain.closed ? s - chain.length * std::floor(s / chain.length) : s;
+    };
+    const FacingZone& z = found.zone;
+    return std::pair(found.chain1, turned_back(z.chain1, z.begin1)) > std::pair(found.chain2, turned_back(z.chain2, z.end2));
+}
+
 }  // namespace
 
 std::vector<FoundZone> search_zones(const Part& part1, const std::vector<Chain>& chains1, const Part& part2,
-                                    const std::vector<Chain>& chains2, double distance, double joint_angle) {
+                                    const std::vector<Chain>& chains2, double distance, double joint_angle, bool own) {
     std::vector<FoundZone> zones;
     const FacingModel model(part1, part2, distance);
     const BothChains chains{chains1, chains2, joint_angle};
-    std::vector<Group> groups = grouped(model, chains, runs_of(model, chains, nearest_only(model, stretches_of(model))));
+    std::vector<FacingStretch> stretches = stretches_of(model);
+    if (own) std::erase_if(stretches, [](const FacingStretch& s) { return s.begin.gap + s.end.gap <= 0; });
+    std::vector<Group> groups = grouped(model, chains, runs_of(model, chains, nearest_only(model, stretches)));
     join_across_seams(model, chains, groups);
     const double shortest = shortest_zone_fraction * model.size;
     for (const Group& group : groups) {
         const FoundZone found = found_zone(model, chains, group);
-        if (found.zone.end1 - found.zone.begin1 > shortest) zones.push_back(found);
+        if (found.zone.end1 - found.zone.begin1 > shortest && !(own && is_mirrored(found))) zones.push_back(found);
     }
     return zones;
 }
 
-std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance) {
+namespace {
+
+std::vector<FacingZone> facing_zones(const Part& part1, const Part& part2, double distance, bool own) {
+    if (has_general_curves(part1) || has_general_curves(part2)) return general_facing_zones(part1, part2, distance, own);
     std::vector<FacingZone> zones;
-    if (!bounding_box(part1).overlaps(bounding_box(part2), distance)) return zones;
-    if (has_general_curves(part1) || has_general_curves(part2)) return general_facing_zones(part1, part2, distance);
-    const std::vector<Chain> chains1 = smooth_chains(part1), chains2 = smooth_chains(part2);
-    for (const FoundZone& found : search_zones(part1, chains1, part2, chains2, distance, chain_angle))
+    for (const FoundZone& found :
+         search_zones(part1, smooth_chains(part1), part2, smooth_chains(part2), distance, chain_angle, own))
         zones.push_back(found.zone);
+    return zones;
+}
+
+/// The length of the boundary between two points of one loop, the shorter way round.
+double way_along(const Part& part, const ChainPoint& from, const ChainPoint& to) {
+    for (const Loop& loop : part.loops) {
+        double all = 0, begin = -1, end = -1;
+        for (const int e : loop.edges) {
+            const Curve& curve = curve_of(part, e);
+            if (e == from.edge) begin = all + length(curve, 0, from.t);
+            if (e == to.edge) end = all + length(curve, 0, to.t);
+            all += length(curve);
+        }
+        if (begin >= 0 && end >= 0) return std::min(std::abs(end - begin), all - std::abs(end - begin));
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+bool is_notch(const Part& part, const FacingZone& zone) {
+    const auto is_near = [&](double s1, double s2) {
+        const ChainPoint a = chain_point(part, zone.chain1, s1), b = chain_point(part, zone.chain2, s2);
+        return way_along(part, a, b) <= least_way * (b.x - a.x).norm();
+    };
+    return is_near(zone.begin1, zone.begin2) && is_near(zone.end1, zone.end2);
+}
+
+}  // namespace
+
+std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance) {
+    if (!bounding_box(part1).overlaps(bounding_box(part2), distance)) return {};
+    return facing_zones(part1, part2, distance, false);
+}
+
+std::vector<FacingZone> find_own_facing_zones(const Part& part, double distance) {
+    std::vector<FacingZone> zones = facing_zones(part, part, distance, true);
+    std::erase_if(zones, [&](const FacingZone& zone) { return is_notch(part, zone); });
     return zones;
 }
 

@@ -20,9 +20,10 @@ struct FoundZone {
 
 /// The facing zones of parts of lines and circles, as find_facing_zones has them. The chains are given: what counts as a corner
 /// was decided on the true curves, if these are their arc splines. Where edges of a chain join, the tangent may turn by up to
-/// `joint_angle` (radians): partners may jump by that times the gap.
+/// `joint_angle` (radians): partners may jump by that times the gap. own: both are the same part, which faces itself across
+/// gaps only (the far side of a wall is none of its partners), each zone once.
 std::vector<FoundZone> search_zones(const Part& part1, const std::vector<Chain>& chains1, const Part& part2,
-                                    const std::vector<Chain>& chains2, double distance, double joint_angle);
+                                    const std::vector<Chain>& chains2, double distance, double joint_angle, bool own);
 
 /// The joint_angle of arc splines (radians): their joints turn by far less than chain_angle, but where a side is concave and
 /// the gap nears its radius, partners jump by up to 1 / least_spread times as much. Zones closer than this times twice the gap

@@ -42,6 +42,17 @@ void sort_and_merge(std::vector<double>& values, double same) {
     values = kept;
 }
 
+/// The normals of an edge: within an angle of that at its middle.
+struct NormalCone {
+    Vec2 middle;
+    double half;
+};
+std::optional<NormalCone> normal_cone(const Curve& curve) {
+    if (std::holds_alternative<Segment>(curve)) return NormalCone{outward_normal(curve, 0.5), 0};
+    if (const auto* arc = std::get_if<Arc>(&curve)) return NormalCone{outward_normal(curve, 0.5), 0.5 * std::abs(arc->sweep)};
+    return std::nullopt;
+}
+
 /// The stretches of one pair of edges, found step by step: events, then breaks, then intervals whose middle is valid.
 class StretchSearch {
 public:
@@ -68,10 +79,13 @@ public:
 private:
     std::optional<EdgePair> pair(double s1) const { return pair_on_edges(model_, edge1_, edge2_, s1); }
 
-    /// Two straight edges have one angle: most pairs of a large part end here.
+    /// Most pairs of a large part end here.
     bool never_opposed() const {
-        if (!std::holds_alternative<Segment>(curve1_) || !std::holds_alternative<Segment>(curve2_)) return false;
-        return -outward_normal(curve1_, 0).dot(outward_normal(curve2_, 0)) < least_opposition;
+        constexpr double rounding = 1e-6;  // radians
+        const auto cone1 = normal_cone(curve1_), cone2 = normal_cone(curve2_);
+        if (!cone1 || !cone2) return false;
+        const double off = std::acos(std::clamp(-cone1->middle.dot(cone2->middle), -1.0, 1.0));
+        return off - cone1->half - cone2->half > std::acos(least_opposition) + rounding;
     }
 
     bool opposed(double s1) const {

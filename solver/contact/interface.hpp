@@ -31,7 +31,7 @@ struct InterfacePoint {
 /// at the unknown end of contact.
 inline constexpr int multiplier_degree = 2;
 
-/// A stretch along which two parts are coupled: its points and its unknowns.
+/// A stretch along which two parts, or two faces of one, are coupled: its points and its unknowns.
 struct Interface {
     std::array<int, 2> part;
     double thickness = 1;

@@ -201,7 +201,8 @@ Resistance candidate_resistance(const AssemblyProblem& problem) {
     Resistance sum{MatrixXd::Zero(offset.back(), offset.back()), MatrixXd::Zero(offset.back(), offset.back())};
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
         const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
-        if (problem.interfaces[f].points.empty() || amplitude.empty()) continue;
+        const std::array<int, 2>& between = problem.interfaces[f].part;
+        if (problem.interfaces[f].points.empty() || amplitude.empty() || between[0] == between[1]) continue;
         const Resistance pair = pair_resistance(problem, f);
         sum.contact(amplitude, amplitude) += pair.contact;
         sum.acting(amplitude, amplitude) += pair.acting;

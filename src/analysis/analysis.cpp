@@ -171,7 +171,6 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "several per cent of its bound, which the estimates do not see");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
-    warn_of_self_contact(result);
 }
 
 /// "assembly" holds the factorisations, too.
@@ -191,7 +190,8 @@ struct Begun {
     std::optional<Rest> rest{};  ///< where parts settle
 };
 
-Begun begin_analysis(const Scene& drawn, Stopwatches& seconds) {
+/// from: where parts are before; empty: where they are drawn.
+Begun begin_analysis(const Scene& drawn, Stopwatches& seconds, const std::vector<Placement>& from = {}) {
     Begun begun;
     Result& result = begun.result;
     result.title = drawn.title;
@@ -209,13 +209,13 @@ Begun begin_analysis(const Scene& drawn, Stopwatches& seconds) {
     begun.conditions = resolve_conditions(drawn);
     result.effects = plan_effects(drawn, begun.conditions);
     const auto begin = std::chrono::steady_clock::now();
-    begun.settling = settle(drawn, begun.conditions);
+    begun.settling = settle(drawn, begun.conditions, from);
     begun.rest = rest_of(drawn, begun.conditions, begun.settling);
     seconds["geometry"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return begun;
 }
 
-/// Fills in what the solution on the drawn places, or from there on, answers. begin: of the whole run. known: of cases on the
+/// Fills in what the solution where parts rest answers. begin: of the whole run. known: of cases on the
 /// same factors.
 Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
                          std::chrono::steady_clock::time_point begin, Stopwatches& seconds, PartConditions* known = nullptr) {
@@ -223,7 +223,6 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     Result& result = begun.result;
     const int threads = solver::usable_threads(options.threads);
     std::optional<Rest> rest = std::move(begun.rest);
-    follow_motion(drawn, conditions, options, seconds, out, rest);
     const Scene& scene = rest ? rest->scene : drawn;
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
@@ -271,15 +270,25 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     return {std::move(result), std::move(out), std::move(rest)};
 }
 
+/// The scene with parts whose own faces may touch each other.
+Scene with_own_contacts(Scene scene, const std::set<int>& parts) {
+    scene.contacts.of_one_part.insert(parts.begin(), parts.end());
+    return scene;
+}
+
 Stopwatches fresh_stopwatches() {
     return {{"import", 0}, {"geometry", 0}, {"assembly", 0}, {"solve", 0}, {"recovery", 0}};
 }
 
-Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    Stopwatches seconds = fresh_stopwatches();
+using Time = std::chrono::steady_clock::time_point;
+
+Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options, Time begin = std::chrono::steady_clock::now(),
+                         Stopwatches seconds = fresh_stopwatches()) {
     Begun begun = begin_analysis(scene, seconds);
     Outcome out = solve_adaptively(begun.rest ? begun.rest->scene : scene, begun.conditions, options, seconds);
+    follow_motion(scene, begun.conditions, begun.settling, options, seconds, out, begun.rest);
+    if (const std::set<int> closed = closed_on_themselves(begun.rest ? begun.rest->scene : scene, out.solved); !closed.empty())
+        return analyze_checked(with_own_contacts(scene, closed), options, begin, std::move(seconds));
     return finish_analysis(scene, std::move(begun), std::move(out), options, begin, seconds);
 }
 
@@ -295,29 +304,43 @@ auto with_case_named(const LoadCase& c, F work) {
     }
 }
 
-std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeOptions& options) {
-    const auto begin = std::chrono::steady_clock::now();
-    Stopwatches seconds = fresh_stopwatches();
+std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeOptions& options,
+                                              Time begin = std::chrono::steady_clock::now(),
+                                              Stopwatches seconds = fresh_stopwatches()) {
     std::vector<Scene> scenes;
     std::vector<Begun> begun;
+    std::vector<Placement> from;  // of steps: where the one before ends
     for (const LoadCase& c : scene.cases) {
         scenes.push_back(scene_of_case(scene, c));
         scenes.back().loads_of_all_cases = acting_loads(scene);
-        begun.push_back(with_case_named(c, [&] { return begin_analysis(scenes.back(), seconds); }));
+        begun.push_back(with_case_named(c, [&] { return begin_analysis(scenes.back(), seconds, from); }));
+        if (scene.in_steps) from = begun.back().settling.placements;
     }
-    std::vector<CaseProblem> problems;  // where parts move far, grids are no longer common
+    const bool any_rests = std::any_of(begun.begin(), begun.end(), [](const Begun& b) { return b.rest.has_value(); });
+    // where parts move far, grids are no longer common: of a case its own, of steps, which have no friction then, all
+    const auto is_alone = [&](const Begun& b) { return b.rest || (scene.in_steps && any_rests); };
+    std::vector<CaseProblem> problems;
     for (std::size_t k = 0; k < scenes.size(); ++k)
-        if (!begun[k].rest) problems.push_back({&scenes[k], &begun[k].conditions});
+        if (!is_alone(begun[k])) problems.push_back({&scenes[k], &begun[k].conditions});
     std::vector<Outcome> common;
     if (!problems.empty()) common = solve_cases_adaptively(scene, problems, options, seconds);
     std::reverse(common.begin(), common.end());
     std::vector<Outcome> outcomes;
-    for (const Begun& b : begun) {
-        if (b.rest) outcomes.push_back(solve_adaptively(b.rest->scene, b.conditions, options, seconds));
-        if (b.rest) continue;
-        outcomes.push_back(std::move(common.back()));
-        common.pop_back();
+    for (std::size_t k = 0; k < begun.size(); ++k) {
+        const Begun& b = begun[k];
+        if (is_alone(b)) {
+            outcomes.push_back(solve_adaptively(b.rest ? b.rest->scene : scenes[k], b.conditions, options, seconds));
+        } else {
+            outcomes.push_back(std::move(common.back()));
+            common.pop_back();
+        }
     }
+    std::set<int> closed;
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        follow_motion(scenes[k], begun[k].conditions, begun[k].settling, options, seconds, outcomes[k], begun[k].rest);
+        closed.merge(closed_on_themselves(begun[k].rest ? begun[k].rest->scene : scenes[k], outcomes[k].solved));
+    }
+    if (!closed.empty()) return analyze_cases_checked(with_own_contacts(scene, closed), options, begin, std::move(seconds));
     std::vector<CaseResult> results;
     PartConditions known;
     for (std::size_t k = 0; k < scenes.size(); ++k)

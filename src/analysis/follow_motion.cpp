@@ -14,6 +14,22 @@ bool has_answer(const Outcome& out) {
     return out.solved.failure.empty() && out.solved.solution.mechanism.empty() && out.solved.solution.converged;
 }
 
+/// Solves the scene with its parts placed there. False: it has no answer there either.
+bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements,
+              const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
+    Rest there{placed(drawn, conditions, placements), std::move(placements)};
+    // parts that press on each other overlap where their rigid motions have them: contact presses them apart
+    if (there.scene.contacts.overlap == "report") there.scene.contacts.overlap = "press_fit";
+    Outcome answer;
+    try {
+        answer = solve_adaptively(there.scene, conditions, options, seconds);
+    } catch (const InputError&) { return false; }  // overlaps of parts that press on each other: no better place
+    if (!has_answer(answer)) return false;
+    out = std::move(answer);
+    rest = std::move(there);
+    return true;
+}
+
 }  // namespace
 
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
@@ -22,24 +38,19 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
     return Rest{placed(drawn, conditions, settling.placements), settling.placements};
 }
 
-void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
-                   Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
+void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
+                   const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     constexpr int most_placements = 5;
+    if (settling.end == Settling::End::stays && !has_answer(out)) {
+        Settling beside = settle(drawn, conditions, settling.placements, true);
+        if (!beside.placements.empty()) solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
+    }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
-        Rest there{placed(drawn, conditions, placements), std::move(placements)};
-        // parts that press on each other overlap where their rigid motions have them: contact presses them apart
-        if (there.scene.contacts.overlap == "report") there.scene.contacts.overlap = "press_fit";
-        Outcome answer;
-        try {
-            answer = solve_adaptively(there.scene, conditions, options, seconds);
-        } catch (const InputError&) { break; }  // overlaps of parts that press on each other: no better place
-        if (!has_answer(answer)) break;
-        out = std::move(answer);
-        rest = std::move(there);
+        if (!solve_at(drawn, conditions, std::move(placements), options, seconds, out, rest)) break;
     }
 }
 
@@ -56,17 +67,18 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
     Effect row = large_motion_effect(settling);
     if (rest) {
         Settling there{Settling::End::rests, "", rest->placements, {}, ""};
-        std::vector<std::string> moved;
+        std::vector<std::string> far, near;
         for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
             const double size = bounding_box(drawn.parts[i].part).diagonal();
             const Vec2 center = centroid(drawn.parts[i].part);
             const Placement& p = rest->placements[i];
-            if (p.angle != 0 || p.shift != Vec2(0, 0)) result.parts[i].placement = {p.of(center) - center, p.angle};
-            if (!is_far(p.of(center) - center, p.angle, size)) continue;
-            there.parts.push_back(drawn.parts[i].name);
-            moved.push_back(placement_text(drawn.parts[i].name, p, center, size));
+            if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
+            result.parts[i].placement = {p.of(center) - center, p.angle};
+            const bool goes_far = is_far(p.of(center) - center, p.angle, size);
+            if (goes_far) there.parts.push_back(drawn.parts[i].name);
+            (goes_far ? far : near).push_back(placement_text(drawn.parts[i].name, p, center, size));
         }
-        there.why = first_few(moved);
+        there.why = first_few(far.empty() ? near : far);
         row = large_motion_effect(there);
         result.warnings.push_back("analysed where the loads take it, " + there.why +
                                   " from where it was drawn: places and displacements are those from there");

@@ -11,10 +11,10 @@ namespace abut {
 /// The place of rest that parts settle at as rigid bodies, if that is far from where they are drawn.
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling);
 
-/// Where the solution goes far from the place that it was paired at (`rest`, or as drawn), solves again from there, a few times
-/// at most.
-void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const AnalyzeOptions& options,
-                   Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest);
+/// Where nothing holds a part as drawn that rests a little beside, solves there. Where the solution goes far from the place
+/// that it was paired at (`rest`, or as drawn), solves again from there, a few times at most.
+void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
+                   const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest);
 
 /// Says who was moved how far, and what is in doubt about it: an answer where the parts are drawn, which nothing holds there,
 /// is none.

@@ -65,7 +65,7 @@ std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<doub
 }  // namespace
 
 std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatches& seconds, EffectUses& uses) {
-    if (scene.parts.size() < 2 || (!scene.contacts.detect && scene.contacts.pairs.empty())) return {};
+    if (!searches_contacts(scene)) return {};
     const auto begin = std::chrono::steady_clock::now();
     const MeteredCall call(uses, "contact");
     std::vector<Candidate> candidates = find_candidates(scene, factor);
@@ -144,7 +144,7 @@ private:
 
     bool may_widen() const {
         return !scene_.contacts.search_distance && !is_by_dissertation(scene_) && widenings_ < max_search_widenings &&
-               factor_ < farthest_search && scene_.contacts.detect && scene_.parts.size() > 1;
+               factor_ < farthest_search && scene_.contacts.detect && searches_contacts(scene_);
     }
 
     /// Looks farther; where the parts rest on nothing, until there is more to rest on.
@@ -307,7 +307,7 @@ private:
             widen(now, needed, stuck);
             return false;
         }
-        out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
+        out_.search_too_short = !stuck && searches_contacts(scene_) && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         if (now.failure.empty()) now.failure = lost_part(now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);

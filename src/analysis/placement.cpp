@@ -10,14 +10,18 @@
 
 namespace abut {
 
+Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t grid) {
+    const solver::PartSystem& system = solved.problem.parts[grid];
+    const Eigen::VectorXd& u = solved.solution.displacement[grid];
+    if (system.free_motions.empty() || u.size() != system.modes.rows()) return Eigen::VectorXd::Zero(system.modes.cols());
+    return solver::PivotedCholesky(system.modes.transpose() * system.modes).solve(system.modes.transpose() * u);
+}
+
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid) {
     const solver::PartSystem& system = solved.problem.parts[grid];
     const PartOnGrid& g = solved.grids[grid];
     solver::RigidMotion motion{{0, 0}, 0, g.frame.to_global(g.center)};
-    const Eigen::VectorXd& u = solved.solution.displacement[grid];
-    if (system.free_motions.empty() || u.size() != system.modes.rows()) return motion;
-    const Eigen::VectorXd share =
-        solver::PivotedCholesky(system.modes.transpose() * system.modes).solve(system.modes.transpose() * u);
+    const Eigen::VectorXd share = rigid_amplitudes_of(solved, grid);
     Vec2 at_center(0, 0);
     for (Eigen::Index k = 0; k < share.size(); ++k) {
         const solver::RigidMotion& unit = system.free_motions[static_cast<std::size_t>(k)];

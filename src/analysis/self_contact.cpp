@@ -3,76 +3,75 @@
 
 #include <algorithm>
 
-#include "src/results/findings.hpp"
-#include "src/results/result_units.hpp"
+#include "geometry/proximity/facing.hpp"
+#include "solver/terms/solution_structure.hpp"
+#include "src/analysis/placement.hpp"
+#include "src/base/index.hpp"
+#include "src/contact/part_reach.hpp"
 
 namespace abut {
 
 namespace {
 
-using geometry::cross;
+constexpr int gaps_of_zone = 64;
 
-struct Side {
-    const FieldSample *from, *to;
-    std::size_t index;  ///< along all loops
-    double left, right, bottom, top;
-};
+/// A part in a solution.
+class DeformedPart {
+public:
+    DeformedPart(const Scene& scene, const SolvedAssembly& solved, std::size_t grid)
+        : part_(part_of(scene, solved.grids[grid].part)),
+          grid_(solved.grids[grid]),
+          displacement_(solved.solution.displacement[grid]),
+          reach_(solver::largest_displacement(grid_.input, elastic(solved, grid))) {}
 
-Vec2 displaced(const FieldSample& s) {
-    return s.at + s.displacement;
-}
+    /// Two points of it come nearer to each other by no more than twice what it deforms by.
+    bool closes() const {
+        const double rounding = touching_length(part_, part_);
+        for (const geometry::FacingZone& zone : find_own_facing_zones(part_, std::max(2 * reach_, rounding)))
+            if (least_gap(zone) < -rounding) return true;
+        return false;
+    }
 
-std::vector<Side> sides_of(const PartField& field) {
-    std::vector<Side> sides;
-    for (const std::vector<FieldSample>& loop : field.boundary)
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const FieldSample &a = loop[k], &b = loop[(k + 1) % loop.size()];
-            const Vec2 p = displaced(a), q = displaced(b);
-            sides.push_back({&a, &b, sides.size(), std::min(p.x(), q.x()), std::max(p.x(), q.x()), std::min(p.y(), q.y()),
-                             std::max(p.y(), q.y())});
+private:
+    static Eigen::VectorXd elastic(const SolvedAssembly& solved, std::size_t grid) {
+        const solver::PartSystem& system = solved.problem.parts[grid];
+        const Eigen::VectorXd& u = solved.solution.displacement[grid];
+        return u - system.modes * rigid_amplitudes_of(solved, grid);
+    }
+
+    double least_gap(const geometry::FacingZone& zone) const {
+        double least = zone.gap_min, guess = zone.begin2;
+        for (int k = 0; k <= gaps_of_zone; ++k) {
+            const double s = zone.begin1 + (zone.end1 - zone.begin1) * k / gaps_of_zone;
+            const geometry::FacingPair pair = pair_from_first(part_, part_, zone, s, guess);
+            if (!pair.found) continue;
+            guess = pair.s2;
+            least = std::min(least, pair.gap + pair.normal.dot(moved(pair.on2) - moved(pair.on1)));
         }
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.left != b.left ? a.left < b.left : a.index < b.index; });
-    return sides;
-}
+        return least;
+    }
 
-/// Strictly: sides that share an end do not cross.
-bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
-    return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
-}
+    Vec2 moved(const geometry::ChainPoint& p) const {
+        return grid_.frame.vector_to_global(
+            solver::displacement_at(grid_.input, displacement_, element_of(grid_, p), grid_.frame.to_local(p.x)).value);
+    }
 
-bool overlap_when_displaced(const Side& s, const Side& t) {
-    if (s.bottom > t.top || t.bottom > s.top || s.from == t.to || s.to == t.from) return false;
-    return cross_each_other(displaced(*s.from), displaced(*s.to), displaced(*t.from), displaced(*t.to)) &&
-           !cross_each_other(s.from->at, s.to->at, t.from->at, t.to->at);
-}
+    const geometry::Part& part_;
+    const PartOnGrid& grid_;
+    const Eigen::VectorXd& displacement_;
+    double reach_;
+};
 
 }  // namespace
 
-std::optional<Vec2> self_overlap(const PartField& field) {
-    const std::vector<Side> sides = sides_of(field);
-    const Side* first = nullptr;
-    for (std::size_t i = 0; i < sides.size(); ++i)
-        for (std::size_t k = i + 1; k < sides.size() && sides[k].left <= sides[i].right; ++k) {
-            if (!overlap_when_displaced(sides[i], sides[k])) continue;
-            const Side& side = sides[i].index < sides[k].index ? sides[i] : sides[k];
-            if (!first || side.index < first->index) first = &side;
-        }
-    return first ? std::optional<Vec2>(0.5 * (first->from->at + first->to->at)) : std::nullopt;
-}
-
-void warn_of_self_contact(Result& result) {
-    std::vector<Finding> findings;
-    for (std::size_t i = 0; i < result.parts.size(); ++i)
-        if (const std::optional<Vec2> place = self_overlap(result.fields[i])) {
-            const std::string& name = result.parts[i].name;
-            findings.push_back({0, name,
-                                "part " + name + " closes on itself near " + pair_text(*place, 4) +
-                                    ": contact of a part with itself is not supported, this answer lets it overlap there; " +
-                                    "draw it as two bonded parts",
-                                name + " overlaps itself"});
-        }
-    tell(std::move(findings), "self-contact", result);
+std::set<int> closed_on_themselves(const Scene& scene, const SolvedAssembly& solved) {
+    std::set<int> closed;
+    if (!scene.contacts.detect || !solved.failure.empty() || !solved.solution.mechanism.empty()) return closed;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k)
+        if (const int part = solved.grids[k].part;
+            !solved.grids[k].is_rigid && !scene.contacts.of_one_part.contains(part) && DeformedPart(scene, solved, k).closes())
+            closed.insert(part);
+    return closed;
 }
 
 }  // namespace abut

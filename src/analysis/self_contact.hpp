@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts that close on themselves: contact of a part with itself is not solved, so it has to be told.
+// Contact of parts with themselves: faces of one part are candidates from when an answer has them overlap, so that slots and
+// gaps that stay open cost nothing.
 #pragma once
-#include <optional>
+#include <set>
 
-#include "src/results/result.hpp"
+#include "src/scene/scene.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 
-/// A place (undeformed) where the displaced boundary runs through itself, though the drawn one does not there; the first along
-/// the boundary. Sees what the sampling of the boundary sees. Cost: of order n log n for n samples, for boundaries that are not
-/// all in one place.
-std::optional<Vec2> self_overlap(const PartField& field);
-
-/// Adds a warning for every part that overlaps itself.
-void warn_of_self_contact(Result& result);
+/// The parts whose own faces overlap in a solution by more than rounding, where these are no candidates (of_one_part). Every
+/// zone that displacements can close is looked at. Cost: a search of each part within twice what it deforms by.
+std::set<int> closed_on_themselves(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

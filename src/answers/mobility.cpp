@@ -46,7 +46,7 @@ MobilityResult mobility_as_drawn(const Scene& scene, const ResolvedConditions& c
                                  const std::vector<Candidate>& candidates) {
     std::vector<Joint> joints;
     for (const Candidate& c : candidates)
-        if (c.shown) joints.push_back({{c.first, c.second}, faces_of(scene, c).functional.wrenches});
+        if (c.shown && c.first != c.second) joints.push_back({{c.first, c.second}, faces_of(scene, c).functional.wrenches});
     return mobility_of(scene, conditions, joints);
 }
 
@@ -54,7 +54,7 @@ MobilityResult mobility_under_load(const Scene& scene, const ResolvedConditions&
                                    const std::vector<ContactResult>& contacts) {
     std::vector<Joint> joints;
     for (const ContactResult& c : contacts)
-        if (c.functional && c.status != "open") joints.push_back({c.part, c.functional->wrenches});
+        if (c.functional && c.status != "open" && c.part[0] != c.part[1]) joints.push_back({c.part, c.functional->wrenches});
     return mobility_of(scene, conditions, joints);
 }
 

@@ -109,9 +109,20 @@ Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach,
     return m;
 }
 
+std::vector<Candidate> own_candidates(const Scene& scene, const PairRules& rules, int part, double distance) {
+    std::vector<Candidate> candidates;
+    for (const geometry::FacingZone& zone : find_own_facing_zones(part_of(scene, part), distance))
+        for (RuledZone& ruled : split_by_rules(scene, rules, part, part, zone))
+            if (is_searched(scene, ruled.rule)) {
+                candidates.push_back(candidate_of(scene, part, part, std::move(ruled)));
+                candidates.back().shown = false;
+            }
+    return candidates;
+}
+
 std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
     std::vector<Meeting> meetings;
-    if (!scene.contacts.detect && scene.contacts.pairs.empty()) return meetings;
+    if (!searches_contacts(scene)) return meetings;
     const PairRules rules(scene);
     const PartReach reach(scene);
     const std::optional<CellSearch> cells = cell_search(scene);
@@ -126,6 +137,8 @@ std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
             const double distance = reach.searched(i, j, factor), shown = reach.shown(i, j);
             if (reach.within(i, j, distance)) meetings.push_back(meet(scene, rules, reach, i, j, {distance, shown, shown}));
         }
+    for (int i : scene.contacts.of_one_part)
+        meetings.push_back({i, i, own_candidates(scene, rules, i, reach.searched(i, i, factor))});
     return meetings;
 }
 

@@ -29,7 +29,7 @@ struct ExpectedPressure {
 
 /// A zone of two parts that may come into contact, with the scene's rule for it and what earlier grids know of it.
 struct Candidate {
-    int first, second;  ///< indices into Scene::parts, first < second
+    int first, second;  ///< indices into Scene::parts, first < second, or the same: a part with itself
     geometry::FacingZone zone;
     double closing = 0;       ///< interference
     bool no_overlap = false;  ///< drawn overlaps count as touching
@@ -75,7 +75,10 @@ Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach,
 /// A candidate's smallest gap; at a corner the distance, since gaps along middle normals are longer there.
 double drawn_gap(const Scene& scene, const Meeting& meeting, const Candidate& candidate, double touching);
 
-/// All meetings within the search distance that `factor` widens, by parts.
+/// A part's candidates with itself within a distance. They are not among those that `contacts` shows.
+std::vector<Candidate> own_candidates(const Scene& scene, const PairRules& rules, int part, double distance);
+
+/// All meetings within the search distance that `factor` widens, by parts; those of one part come last.
 std::vector<Meeting> find_meetings(const Scene& scene, double factor);
 
 /// Does `a` come before `b` in the order of contacts 1, 2, ...? Those shown come first, in the order of parts.

@@ -11,7 +11,7 @@ namespace abut {
 namespace {
 
 constexpr int samples = 8;    // intervals along a zone
-constexpr int halvings = 12;  // of an interval, towards the least gap on either side
+constexpr int halvings = 26;  // of an interval, towards the least gap on either side
 constexpr int search_steps = 40;
 
 /// The gaps of one zone.

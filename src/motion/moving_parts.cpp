@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
+#include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/support_wrenches.hpp"
@@ -57,8 +60,9 @@ public:
         qp_.drawn_gap[k_] = -by;
         qp_.foundation[k_++] = stiffness;
     }
-    void drag(Index amplitude, double stiffness) {
+    void drag(Index amplitude, double from, double stiffness) {
         qp_.modes(k_, amplitude) = 1;
+        qp_.drawn_gap[k_] = -from;
         qp_.foundation[k_++] = stiffness;
     }
 
@@ -120,12 +124,70 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         const Lead& lead = leads[at(p.part)];
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
-        qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
+        if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
-        for (Index j = p.first; j < p.first + p.n(); ++j) rows.drag(j, by.drag * own / (step_fraction * p.size));
+        for (Index j = p.first; j < p.first + p.n(); ++j)
+            rows.drag(j, by.towards.size() > 0 ? by.towards[j] : 0, by.drag * own / (step_fraction * p.size));
     }
     qp.gap = qp.drawn_gap;
     return qp;
+}
+
+std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {
+    std::vector<int> group(moving.list.size());
+    std::iota(group.begin(), group.end(), 0);
+    const auto first_of = [&](int part) {
+        while (group[at(part)] != part) part = group[at(part)];
+        return part;
+    };
+    for (const ClosingRow& row : gaps) {
+        const int a = moving.of_part[at(row.first)], b = moving.of_part[at(row.second)];
+        if (a >= 0 && b >= 0) group[at(std::max(first_of(a), first_of(b)))] = std::min(first_of(a), first_of(b));
+    }
+    for (int& g : group) g = first_of(g);
+    return group;
+}
+
+namespace {
+
+/// The parts of one group, and the gaps that these have.
+MovingParts only(const MovingParts& moving, const std::vector<int>& group, int number) {
+    MovingParts own;
+    own.of_part.assign(moving.of_part.size(), -1);
+    for (std::size_t i = 0; i < moving.list.size(); ++i) {
+        if (group[i] != number) continue;
+        own.of_part[at(moving.list[i].part)] = static_cast<int>(own.list.size());
+        own.list.push_back(moving.list[i]);
+        own.list.back().first = own.n;
+        own.n += own.list.back().n();
+        own.pull = std::max(own.pull, own.list.back().pull);
+    }
+    return own;
+}
+
+bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
+    return std::any_of(moving.list.begin(), moving.list.end(),
+                       [&](const MovingPart& p) { return leads[at(p.part)].left.norm() > 0; });
+}
+
+}  // namespace
+
+VectorXd step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                 const Resisted& by) {
+    const std::vector<int> group = groups_of(moving, gaps);
+    VectorXd amplitudes = VectorXd::Zero(moving.n);
+    for (int g = 0; g < static_cast<int>(group.size()); ++g) {
+        const MovingParts own = only(moving, group, g);
+        if (own.list.empty() || (own.pull == 0 && !is_led(own, leads))) continue;
+        std::vector<ClosingRow> rows;
+        std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(rows), [&](const ClosingRow& row) {
+            return own.of_part[at(row.first)] >= 0 || own.of_part[at(row.second)] >= 0;
+        });
+        const VectorXd a = settle_rigidly(step_problem(own, rows, leads, by)).amplitudes;
+        for (const MovingPart& p : own.list)
+            amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(a);
+    }
+    return amplitudes;
 }
 
 }  // namespace abut

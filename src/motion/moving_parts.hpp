@@ -50,11 +50,18 @@ inline constexpr double step_fraction = 0.1;
 /// drag: of the parts' loads over a step's length, on every motion.
 struct Resisted {
     double closing, drag;
+    Eigen::VectorXd towards{};  ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
 /// as this step is to go.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by);
+
+/// By moving part: the number of its group. Parts that no gap joins do not know of each other.
+std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);
+/// The amplitudes of a step, each group's by itself: its digits are those of its own loads. What nothing drives stays.
+Eigen::VectorXd step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+                        const Resisted& by);
 
 }  // namespace abut

@@ -104,11 +104,16 @@ bool is_led_far(const Scene& scene, const Support& support) {
     });
 }
 
+bool has_friction(const ContactOptions& contacts) {
+    return contacts.friction > 0 || std::any_of(contacts.pairs.begin(), contacts.pairs.end(),
+                                                [](const PairRule& r) { return r.friction.value_or(0) > 0; });
+}
+
 std::string why_not_followed(const Scene& scene) {
     if (!scene.follows_motion) return "\"motion\" is \"off\"";
     if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
-    if (scene.in_steps) return "steps are followed from where parts are drawn";
+    if (scene.in_steps && has_friction(scene.contacts)) return "steps with friction are followed from where parts are drawn";
     if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
         return "a load is given by expressions of the place";
     if (has_small_motion(scene)) return "a support prescribes a motion";

@@ -29,8 +29,8 @@ Placement followed_by(const Placement& first, const Placement& then);
 /// drawn with. size: of the part, center: its middle.
 Placement without_rounding(const Placement& placement, const Vec2& center, double size, double digits = 1e-6);
 
-/// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold: those of curved faces err
-/// by about the square of it.
+/// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold. Below, peaks of a pin
+/// with some clearance err by 0.7 % at 0.008 of its size, by 1.2 % at 0.02, by up to 5 % at 0.04 (measured).
 inline constexpr double placed_fraction = 0.05;
 /// From this turn on (radians) forces have other levers: they err by it times a part's height over its width.
 inline constexpr double placed_turn = 0.01;
@@ -40,6 +40,9 @@ bool is_far(const Vec2& translation, double turn, double size);
 
 /// Does a support prescribe so large a motion of its part as a whole that the part is moved there, and held?
 bool is_led_far(const Scene& scene, const Support& support);
+
+/// Has any pair of edges friction?
+bool has_friction(const ContactOptions& contacts);
 
 /// Why parts are taken where they are drawn, however far they go; empty: they are followed. Something is given that means
 /// another thing elsewhere (a load by expressions of the place, a prescribed motion, a rule for edges near a point), bonds hold

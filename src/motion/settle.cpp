@@ -19,26 +19,23 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int max_steps = 300;
+constexpr int max_steps = 600;
 /// Of the smaller part's extent: overlaps that a step may leave, by the curvature of faces and the turns of parts.
 constexpr double step_overlap = 0.01;
-/// Of the smallest part's size: how far the loads press the springs along the gaps together, on the way and at rest.
-constexpr double spring_closing = 1e-5, closing_at_rest = 1e-8;
-/// Of a motion: smaller digits are the rounding of these springs.
-constexpr double rest_digits = 1e-7;
+/// Likewise: more than this at the end is no rest.
+constexpr double overlap_at_rest = 1e-4;
+/// Of the smallest part's size: how far the loads press the springs along the gaps together. What they tilt a part by must
+/// drive it less than the least drag holds.
+constexpr double spring_closing = 1e-9;
+/// Of a motion: smaller digits are rounding; of a part's size: what moves less has not moved.
+constexpr double rest_digits = 1e-10, moved_at_all = 1e-7;
 /// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
 /// over a step's length times a factor between this and one.
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
-/// Of a part's size: a step that goes less far ends the search, and so do some steps under the least drag.
+/// Of a part's size: a step that goes less far ends the search.
 constexpr double settled = 1e-4;
-constexpr int last_steps = 10;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
-
-bool has_friction(const ContactOptions& contacts) {
-    return contacts.friction > 0 || std::any_of(contacts.pairs.begin(), contacts.pairs.end(),
-                                                [](const PairRule& r) { return r.friction.value_or(0) > 0; });
-}
 
 bool has_fits(const ContactOptions& contacts) {
     return contacts.overlap != "report" ||
@@ -53,27 +50,51 @@ std::string why_not_settled(const Scene& scene) {
     return "";
 }
 
+/// Factors on steps to a place that they overshoot, or creep to, from what the last factor left over (Aitken).
+class Relaxation {
+public:
+    VectorXd of(const VectorXd& step) {
+        if (before_.size() > 0)
+            if (const VectorXd change = step - before_; change.norm() > 0)
+                factor_ = std::clamp(-factor_ * before_.dot(change) / change.squaredNorm(), 1 / most, most);
+        before_ = step;
+        return factor_ * step;
+    }
+
+private:
+    static constexpr double most = 10;
+    VectorXd before_{};
+    double factor_ = 1;
+};
+
 /// The way of the parts.
 class Way {
 public:
-    Way(const Scene& drawn, const ResolvedConditions& conditions)
-        : drawn_(drawn), conditions_(conditions), rules_(drawn), placements_(drawn.parts.size()), leads_(drawn.parts.size()) {
+    Way(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from)
+        : drawn_(drawn),
+          conditions_(conditions),
+          rules_(drawn),
+          placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from),
+          leads_(drawn.parts.size()) {
         for (const ScenePart& part : drawn.parts) {
             sizes_.push_back(bounding_box(part.part).diagonal());
             centers_.push_back(centroid(part.part));
         }
         for (Support& s : drawn_.supports)
             if (is_led_far(drawn_, s)) take_lead(s);
-        scene_ = drawn_;
+        scene_ = from.empty() ? drawn_ : placed(drawn_, conditions_, from);
         moving_ = moving_parts(scene_, conditions_, sizes_);
     }
 
-    bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || is_led()); }
-
-    Settling follow() {
+    Settling follow(bool to_the_end) {
+        if (!may_move()) {
+            Settling end = rest();
+            if (end.end == Settling::End::stays) end.why = "the supports hold every part that a load acts on";
+            return end;
+        }
         look();
-        if (closing_.deepest > 0) return {Settling::End::not_asked, "parts overlap where they are drawn"};
-        Settling end = !is_where_led() || goes_far(step_under(least_drag)) ? walk() : rest();
+        if (closing_.deepest > 0 && is_as_drawn()) return {Settling::End::not_asked, "parts overlap where they are drawn"};
+        Settling end = to_the_end || !is_where_led() || goes_far(step_under(least_drag)) ? walk() : rest();
         const bool is_at_rest = end.end == Settling::End::rests || end.end == Settling::End::stays;
         return is_at_rest ? pushed(std::move(end)) : end;
     }
@@ -92,6 +113,8 @@ private:
             }
         }
     }
+
+    bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || is_led()); }
 
     bool is_led() const {
         return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.left.norm() > 0; });
@@ -144,44 +167,98 @@ private:
         for (ClosingRow& row : closing_.rows) row.gap -= apart_;
     }
 
+    bool is_as_drawn() const {
+        return std::all_of(placements_.begin(), placements_.end(),
+                           [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
+    }
+
     /// From the present place to rest.
     Settling walk() {
         double drag = 1;
-        int under_least = 0;
+        Relaxation relaxation;
+        double before = 0;
         reach_ = 1;
         for (int k = 0; k < max_steps; ++k) {
             VectorXd a = next_step(drag);
+            const double far = farthest(a);
+            const bool is_near = drag <= least_drag && is_where_led() && far < 0.5 * reach_;
+            if (!is_near || far > before) relaxation = {};
+            before = far;
+            if (is_near) a = relaxation.of(a);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
+            std::vector<double> distance;
+            for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
             if (!advance(a)) {
                 reach_ *= 0.5;
                 if (reach_ < settled) return lost();
                 continue;
             }
-            if (const int gone = part_that_left(); gone >= 0) return never(gone);
-            const bool is_least = drag <= least_drag && is_where_led();
-            under_least += is_least ? 1 : 0;
-            if (is_least && (farthest(a) * step_fraction <= settled || under_least >= last_steps)) {
+            if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
+            if (is_near && far * step_fraction <= settled) {
                 touch();
+                if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
-            if (farthest(a) < 0.5 * reach_) drag = std::max(least_drag, drag * drag_step);
+            if (far < 0.5 * reach_) drag = std::max(least_drag, drag * drag_step);
             reach_ = std::min(1.0, 2 * reach_);
         }
         return lost();
     }
 
+    /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what
+    /// turns about a pin goes no farther than to where its loads hang below.
+    double share_driven(const VectorXd& a) const {
+        const std::vector<int> group = groups_of(moving_, closing_.rows);
+        double share = 1;
+        for (int g = 0; g < static_cast<int>(group.size()); ++g)
+            if (std::find(group.begin(), group.end(), g) != group.end()) share = std::min(share, share_driven(a, group, g));
+        return share;
+    }
+
+    double share_driven(const VectorXd& a, const std::vector<int>& group, int number) const {
+        const auto power = [&](double share) {
+            double sum = 0;
+            for (std::size_t i = 0; i < group.size(); ++i) {
+                if (group[i] != number) continue;
+                const MovingPart& b = moving_.list[i];
+                const Eigen::Vector3d m = b.motion(a);
+                sum += b.load.force.dot(Placement{share * m[2], {0, 0}}.turned(m.head<2>())) + b.load.moment * m[2];
+            }
+            return sum;
+        };
+        double turn = 0;
+        for (std::size_t i = 0; i < group.size(); ++i)
+            if (group[i] == number) turn = std::max(turn, std::abs(moving_.list[i].motion(a)[2]));
+        constexpr double looked_at = 1;  // radians
+        const double all = turn > looked_at ? looked_at / turn : 1;
+        if (power(0) <= 0 || power(all) >= 0) return all;
+        constexpr int bisections = 50;
+        double low = 0, high = all;
+        for (int k = 0; k < bisections; ++k) (power(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+        return low;
+    }
+
     /// At rest parts all but touch, and are not pressed into each other by the springs of the way: where they overlap by
     /// however little, faces beside a corner would be found to press.
     void touch() {
-        constexpr int steps = 3;
+        constexpr int least_steps = 3, most_steps = 30;
         constexpr double apart = 3;  // times what the springs are pressed by
-        spring_closing_ = closing_at_rest;
-        apart_ = apart * closing_at_rest * *std::min_element(sizes_.begin(), sizes_.end());
+        apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
         for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
         put();
-        for (int k = 0; k < steps; ++k)
-            if (const VectorXd a = step_under(least_drag); farthest(a) <= reach_) advance(a);
-        spring_closing_ = spring_closing;
+        Relaxation relaxation;
+        double drag = 1;
+        for (int k = 0; k < most_steps; ++k) {
+            const VectorXd a = step_under(drag);
+            if (drag > least_drag) {
+                if (farthest(a) <= reach_) advance(a);
+                drag = std::max(least_drag, drag * drag_step);
+                continue;
+            }
+            const double far = farthest(a);
+            if (far <= reach_) advance(relaxation.of(a));
+            if (k + 1 >= least_steps && (far > reach_ || far * step_fraction <= rest_digits)) break;
+        }
         apart_ = 0;
     }
 
@@ -189,37 +266,43 @@ private:
     /// loads to do theirs, and then go as far as these follow.
     VectorXd next_step(double& drag) const {
         constexpr double least_share = 0.05;
+        constexpr int most_raises = 8;
         double share = drag <= least_drag ? 1 : 0;
-        VectorXd a = step_under(drag, share);
+        VectorXd a = step_under(drag, share, most_raises);
         for (double far = farthest(a); far > reach_ && drag < most_drag; far = farthest(a)) {
             share = share > least_share ? 0.5 * share : 0;
             if (share == 0) drag = std::min(most_drag, drag * std::clamp(far / reach_, 2.0, 100.0));
-            a = step_under(drag, share);
+            a = step_under(drag, share, most_raises);
         }
         return a;
     }
 
-    /// A little of every motion that the gaps closed here do not resist.
+    /// A little of every motion that the gaps closed here do not resist, as far as the other gaps let it.
     VectorXd neutral_push() const {
-        const solver::ContactQp qp = step_problem(moving_, closing_.rows, leads_of_step(0), {closing_at_rest, least_drag});
-        const VectorXd gap = qp.drawn_gap + qp.modes * settle_rigidly(qp).amplitudes;
+        const Resisted by{spring_closing, least_drag};
+        const solver::ContactQp qp = step_problem(moving_, closing_.rows, leads_of_step(0), by);
+        const VectorXd gap = qp.drawn_gap + qp.modes * step_of(moving_, closing_.rows, leads_of_step(0), by);
         const Index n = moving_.n;
         Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(n, n);
         for (Index k = 0; k < static_cast<Index>(closing_.rows.size()); ++k)
             if (gap[k] < 0) resistance += qp.modes.row(k).transpose() * qp.modes.row(k);
         const solver::SymmetricEigen eigen = solver::symmetric_eigen(resistance);
+        constexpr double unlike = 0.5;  // shares, so that parts do not go along with each other
         VectorXd push = VectorXd::Zero(n);
         for (Index j = 0; j < n && eigen.values[j] < solver::neutral_motion_fraction * solver::neutral_motion_fraction; ++j)
-            push += eigen.vectors.col(j);
+            push += (1 - unlike * static_cast<double>(j % 2 == 0 ? j + 1 : -j) / static_cast<double>(n)) * eigen.vectors.col(j);
         const double far = farthest(push) * step_fraction;
-        return far > 0 ? VectorXd(push * (push_fraction / far)) : push;
+        if (far == 0) return push;
+        return settle_rigidly(
+                   step_problem(moving_, closing_.rows, leads_of_step(0), {spring_closing, 1, push * (push_fraction / far)}))
+            .amplitudes;
     }
 
-    /// Does what was pushed a little go on by itself?
+    /// Does what was pushed a little go on by itself, instead of back or nowhere?
     bool goes_on(const VectorXd& push, const VectorXd& next) const {
         return std::any_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
             const VectorXd own = b.own(push);
-            return own.norm() > 0.1 * push_fraction * b.size && own.dot(b.own(next)) > unstable_growth * own.squaredNorm();
+            return own.norm() > 0.1 * push_fraction * b.size && (own + b.own(next)).norm() > (1 + unstable_growth) * own.norm();
         });
     }
 
@@ -250,9 +333,18 @@ private:
         return moving < 0 ? 0 : moving_.list[at(moving)].pull;
     }
 
-    /// Amplitudes of the step from here, with a share of what is prescribed; what no load drives stays.
-    VectorXd step_under(double drag, double share = 0) const {
-        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(share), {spring_closing_, drag})).amplitudes;
+    /// Amplitudes of the step from here, with a share of what is prescribed; what no load drives stays. The drag rises until
+    /// the loads drive the step to its end.
+    VectorXd step_under(double drag, double share = 0, int most_raises = 0) const {
+        VectorXd a = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag});
+        if (!is_where_led()) return a;
+        for (int k = 0; k < most_raises; ++k) {
+            const double driven = share_driven(a);
+            if (driven == 1) return a;
+            drag /= std::max(driven, drag_step);
+            a = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag});
+        }
+        return a * share_driven(a);
     }
 
     /// The longest motion, in steps' lengths.
@@ -293,21 +385,22 @@ private:
 
     Vec2 moved(std::size_t part) const { return placements_[part].of(centers_[part]) - centers_[part]; }
 
-    /// Is the part drawn within the box of another: in its hole, or between its walls?
-    bool is_in_another(std::size_t part) const {
-        const geometry::Box2 own = bounding_box(drawn_.parts[part].part);
-        for (std::size_t i = 0; i < drawn_.parts.size(); ++i)
-            if (i != part && own.is_within(bounding_box(drawn_.parts[i].part), 0)) return true;
-        return false;
+    /// How far a part is from the box that holds all others.
+    double distance_to_others(std::size_t part) const {
+        geometry::Box2 others;
+        for (std::size_t i = 0; i < scene_.parts.size(); ++i)
+            if (i != part) others.extend(bounding_box(scene_.parts[i].part));
+        const geometry::Box2 own = bounding_box(scene_.parts[part].part);
+        return (own.min - others.max).cwiseMax(others.min - own.max).cwiseMax(0).norm();
     }
 
-    /// A part that goes farther than its own size (where another surrounds it, than the other's), or turns half around.
-    int part_that_left() const {
+    /// A part that goes away from all others, or turns all the way round.
+    int part_that_left(const std::vector<double>& distance) const {
         for (const MovingPart& b : moving_.list) {
             const std::size_t i = at(b.part);
             if (steps_to(leads_[i], b.size) > 0) continue;
-            const double most = is_in_another(i) ? *std::max_element(sizes_.begin(), sizes_.end()) : b.size;
-            if (moved(i).norm() > most || std::abs(placements_[i].angle) > std::numbers::pi) return b.part;
+            const double now = distance_to_others(i);
+            if ((now > b.size && now > distance[i]) || std::abs(placements_[i].angle) > 2 * std::numbers::pi) return b.part;
         }
         return -1;
     }
@@ -318,7 +411,7 @@ private:
 
     Settling never(int part) const {
         return {Settling::End::never,
-                words(at(part)) + ", farther than its own size, and nothing stops it before",
+                words(at(part)) + ", away from all others, and nothing stops it before",
                 {},
                 {drawn_.parts[at(part)].name},
                 ""};
@@ -331,14 +424,20 @@ private:
     Settling rest() {
         Settling settling{Settling::End::rests, "", {}, {}, ""};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
-            const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < rest_digits * sizes_[i];
+            const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < moved_at_all * sizes_[i];
+            const auto& [x, y, turn] = leads_[i].is_given;
             settling.placements.push_back(is_rounding ? Placement{}
-                                                      : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
+                                          : x || y || turn
+                                              ? placements_[i]
+                                              : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
             if (!is_far(moved(i), placements_[i].angle, sizes_[i])) continue;
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
         }
-        if (settling.parts.empty()) return {Settling::End::stays, "no part goes far from where it is drawn", {}, {}, ""};
+        if (settling.parts.empty()) {
+            settling.end = Settling::End::stays;
+            settling.why = "no part goes far from where it is drawn";
+        }
         return settling;
     }
 
@@ -353,16 +452,14 @@ private:
     MovingParts moving_;
     Closing closing_;
     double reach_ = 1;  // of a step
-    double spring_closing_ = spring_closing, apart_ = 0;
+    double apart_ = 0;
 };
 
 }  // namespace
 
-Settling settle(const Scene& drawn, const ResolvedConditions& conditions) {
+Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from, bool to_the_end) {
     if (const std::string why = why_not_settled(drawn); !why.empty()) return {Settling::End::not_asked, why};
-    Way way(drawn, conditions);
-    if (!way.may_move()) return {Settling::End::stays, "the supports hold every part that a load acts on"};
-    return way.follow();
+    return Way(drawn, conditions, from).follow(to_the_end);
 }
 
 Effect large_motion_effect(const Settling& settling) {

@@ -22,7 +22,7 @@ struct Settling {
     };
     End end = End::not_asked;
     std::string why{};                    ///< in words; of `rests`: who goes how far
-    std::vector<Placement> placements{};  ///< by part, from where they are drawn; of `rests`
+    std::vector<Placement> placements{};  ///< by part, from where they are drawn; of `rests`, and of `stays` if they move
     std::vector<std::string> parts{};     ///< those that go far, or that nothing stops
     std::string unstable{};               ///< not empty: the balance is held only as long as nothing pushes it, in words
 };
@@ -30,8 +30,10 @@ struct Settling {
 /// Follows the loads. Every step is one convex problem: the loads' work, stiff springs along the gaps at the present place, and
 /// a drag that keeps motions within what was searched; pairs are found anew after each. Ends where loads and pressures balance
 /// without the drag. Cost: a search for pairs and some dense steps in three unknowns a part, for each of some tens of steps;
-/// one of each where nothing goes far.
-Settling settle(const Scene& drawn, const ResolvedConditions& conditions);
+/// one of each where nothing goes far. from: where parts are before these loads act; empty: where they are drawn.
+/// to_the_end: also where no part goes far.
+Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from = {},
+                bool to_the_end = false);
 
 /// The plan's row of it.
 Effect large_motion_effect(const Settling& settling);

@@ -65,7 +65,7 @@ std::vector<Effect> plan_effects(const Scene& scene) {
     const bool bonded = std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
                                     [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; });
     const bool edges = std::any_of(scene.loads.begin(), scene.loads.end(), is_edge_load);
-    const bool contact = scene.parts.size() > 1 && (scene.contacts.detect || !scene.contacts.pairs.empty());
+    const bool contact = searches_contacts(scene);
     const bool friction =
         contact && (scene.contacts.friction > 0 || std::any_of(scene.contacts.pairs.begin(), scene.contacts.pairs.end(),
                                                                [](const PairRule& r) { return r.friction.value_or(0) > 0; }));

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -142,6 +143,8 @@ struct ContactOptions {
     std::optional<PenaltyOptions> penalty;  ///< unset: mortar
     double friction = 0;                    ///< coefficient, infinite: rough
     std::vector<PairRule> pairs;
+    /// Parts whose own faces may touch each other: not given, but found where an answer without has them overlap.
+    std::set<int> of_one_part{};
 };
 
 /// The grid of one part as the scene gives it.
@@ -238,6 +241,12 @@ struct Scene {
     std::vector<std::string> warnings;
     std::vector<std::string> notes{};  ///< what was taken from elsewhere: materials of the library
 };
+
+/// Is there anything that could touch, and is it looked for?
+inline bool searches_contacts(const Scene& scene) {
+    const ContactOptions& c = scene.contacts;
+    return (c.detect || !c.pairs.empty()) && (scene.parts.size() > 1 || !c.of_one_part.empty());
+}
 
 /// A part by its number, and its shape.
 inline const ScenePart& scene_part(const Scene& scene, int part) {

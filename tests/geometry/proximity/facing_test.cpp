@@ -338,6 +338,49 @@ TEST(Facing, MaterialBetweenHidesWhatLiesBehind) {
     EXPECT_NEAR(length_on_first({zones[1]}), 1, 1e-6);
 }
 
+/// A block with a slot from above: straight sides, and a bottom that is flat or round.
+Part slotted(double width, bool is_round) {
+    Part part;
+    const double left = 10, right = left + width, bottom = 5;
+    std::vector<Curve> edges{Segment{{0, 0}, {20, 0}}, Segment{{20, 0}, {20, 20}}, Segment{{20, 20}, {right, 20}},
+                             Segment{{right, 20}, {right, bottom}}};
+    if (is_round)
+        edges.push_back(Arc{{left + width / 2, bottom}, width / 2, 0, -pi});
+    else
+        edges.push_back(Segment{{right, bottom}, {left, bottom}});
+    edges.insert(edges.end(), {Segment{{left, bottom}, {left, 20}}, Segment{{left, 20}, {0, 20}}, Segment{{0, 20}, {0, 0}}});
+    add_loop(part, edges);
+    return part;
+}
+
+TEST(OwnFacing, ASlotFacesItselfOnce) {
+    for (const double angle : {0.0, 0.3}) {
+        const Part flat = turned(slotted(0.5, false), angle, {1, 2}), round = turned(slotted(0.5, true), angle, {1, 2});
+        const std::vector<FacingZone> zones = find_own_facing_zones(flat, 1);
+        ASSERT_EQ(zones.size(), 1u);
+        EXPECT_NEAR(length_on_first(zones), 15, exact);
+        EXPECT_NEAR(zones[0].gap_min, 0.5, exact);
+        for (const FacingPair& p : walk(flat, flat, zones[0], 20)) EXPECT_NEAR((p.on1.x - p.on2.x).norm(), 0.5, exact);
+        ASSERT_EQ(find_own_facing_zones(round, 1).size(), 1u);
+        // all points of a round bottom are partners of each other: of none
+        EXPECT_NEAR(length_on_first(find_own_facing_zones(round, 1)), 15, exact);
+        EXPECT_TRUE(find_own_facing_zones(flat, 0.4).empty());
+    }
+}
+
+/// The far side of a wall is nearer than the other side of the slot beside it.
+TEST(OwnFacing, WallsAndNotchesAndHolesDoNot) {
+    Part walled;
+    add_loop(walled, test::closed({{0, 0}, {10, 0}, {10, 9}, {6, 9}, {6, 2}, {4, 2}, {4, 9}, {3.8, 9}, {3.8, 2}, {0, 2}}));
+    const std::vector<FacingZone> zones = find_own_facing_zones(walled, 3);
+    ASSERT_EQ(zones.size(), 1u);
+    EXPECT_NEAR(zones[0].gap_min, 2, exact);
+    EXPECT_TRUE(find_own_facing_zones(polygon({{0, 0}, {10, 0}, {10, 10}, {7, 10}, {5, 5}, {3, 10}, {0, 10}}), 5).empty());
+    EXPECT_EQ(find_own_facing_zones(polygon({{0, 0}, {10, 0}, {10, 10}, {5.2, 10}, {5, 2}, {4.8, 10}, {0, 10}}), 5).size(), 1u);
+    EXPECT_TRUE(find_own_facing_zones(plate_with_hole(10, {0, 0}, 2), 10).empty());
+    EXPECT_TRUE(find_own_facing_zones(disc({0, 0}, 2), 10).empty());
+}
+
 TEST(Facing, NearerOfTwoPartners) {
     // a disc in a V groove of 90 degrees, nearer to the right wall: each point takes the nearer wall
     const Part groove = polygon({{0, 0}, {-3, 3}, {-3, -1}, {3, -1}, {3, 3}});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <sstream>
 
 #include "src/motion/rigid_loads.hpp"
 #include "src/scene/read_scene.hpp"
@@ -31,6 +32,12 @@ Vec2 way(const Scene& scene, const Settling& settling, std::size_t part) {
 
 std::string part(const std::string& name, const std::string& geometry) {
     return R"({"name": ")" + name + R"(", "material": "m", "geometry": )" + geometry + "}";
+}
+
+std::string scientific(double v) {
+    std::ostringstream text;
+    text << std::scientific << v;
+    return text.str();
 }
 
 const std::string floor_part = part("floor", R"({"rectangle": {"min": [-50, -10], "max": [50, 0]}})");
@@ -112,15 +119,124 @@ TEST(Settle, AStopEndsASlideUnderASmallLoad) {
     EXPECT_NEAR((way(scene, settling, 2) - Vec2(7, 0)).norm(), 0, 14 * of_size);
 }
 
-TEST(Settle, WhatGoesFartherThanItsSizeIsLostUnlessItIsSurrounded) {
+TEST(Settle, GoesAsFarAsItHasTo) {
     const std::string far_stop = part("stop", R"({"rectangle": {"min": [30, 0], "max": [40, 10]}})");
     const Scene scene =
         scene_of(floor_part + ", " + far_stop + ", " + part("disc", R"({"circle": {"center": [0, 5], "radius": 5}})"),
                  held_floor + R"(, {"on": "stop/top", "fix": ["x", "y"]})", R"({"part": "disc", "force": [1, -100]})");
-    EXPECT_EQ(settling_of(scene).end, Settling::End::never);
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(scene, settling, 2) - Vec2(25, 0)).norm(), 0, 14 * of_size);
     const Scene hole = scene_of(hole_and_pin(2, {0, 8}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                                 R"({"part": "pin", "force": [0, -1]})");
     EXPECT_EQ(settling_of(hole).end, Settling::End::rests);
+}
+
+/// From above one of its faces, several diameters aside, in any unit.
+TEST(Settle, ADiscRollsIntoItsGroove) {
+    for (const double unit : {1.0, 1e-3}) {
+        const auto number = [&](double v) { return std::to_string(v * unit); };
+        const auto at = [&](double x, double y) { return "[" + number(x) + ", " + number(y) + "]"; };
+        const Scene scene =
+            scene_of(part("groove", "{\"polygon\": [" + at(-60, -30) + ", " + at(60, -30) + ", " + at(60, 60) + ", " +
+                                        at(0, 0) + ", " + at(-60, 60) + "]}") +
+                         ", " + part("disc", R"({"circle": {"center": )" + at(35, 60) + R"(, "radius": )" + number(8) + "}}"),
+                     R"({"on": "groove/e0", "fix": ["x", "y"]})", R"({"part": "disc", "force": [0, -100]})");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << unit << settling.why;
+        const Vec2 rest = Vec2(35, 60) + way(scene, settling, 1) / unit;
+        EXPECT_NEAR((rest - Vec2(0, 8 * std::numbers::sqrt2)).norm(), 0, 20 * of_size) << unit;
+    }
+}
+
+/// An arm with a load in its middle, loose on a fixed pin.
+std::string hanging(double degrees, double pin) {
+    return part("pin", R"({"circle": {"center": [0, 0], "radius": )" + std::to_string(pin) + "}}") +
+           R"(, {"name": "arm", "material": "m", "place": {"rotate": )" + std::to_string(degrees) +
+           R"(}, "geometry": {"difference": [{"union": [{"circle": {"center": [0, 0], "radius": 10}, "name": "eye"},
+               {"rectangle": {"min": [0, -3], "max": [60, 3]}, "name": "bar"}]},
+               {"circle": {"center": [0, 0], "radius": 5}, "name": "hole"}]}})";
+}
+
+TEST(Settle, AnArmHangsBelowItsPin) {
+    const std::string held = R"({"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}})",
+                      down = R"({"part": "arm", "force": [0, -100]})";
+    for (const double pin : {4.95, 4.0})
+        for (const double from : {0.0, 60.0, -60.0, -89.0, -150.0}) {
+            const Settling settling = settling_of(scene_of(hanging(from, pin), held, down));
+            ASSERT_EQ(settling.end, Settling::End::rests) << from << settling.why;
+            EXPECT_NEAR(settling.placements.at(1).angle * 180 / std::numbers::pi, -90 - from, 0.01) << from << " " << pin;
+        }
+    const Settling upright = settling_of(scene_of(hanging(90, 4.95), held, down));
+    EXPECT_EQ(upright.end, Settling::End::never) << upright.why;
+    EXPECT_NE(upright.why.find("unstable"), std::string::npos) << upright.why;
+}
+
+/// Half on a table, half beyond: its middle decides.
+TEST(Settle, ABlockOnALedgeStaysOrTips) {
+    for (const bool stays : {true, false})
+        for (const double tilt : {3.0, -2.0}) {
+            const Settling settling = settling_of(scene_of(
+                floor_part +
+                    R"(, {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-10, -3], "max": [10, 3]}},
+                    "place": {"rotate": )" +
+                    std::to_string(tilt) + R"(, "translate": [)" + (stays ? "47" : "54") + ", 5]}}",
+                held_floor, R"({"gravity": [0, -1]})"));
+            EXPECT_EQ(settling.end, stays ? Settling::End::rests : Settling::End::never) << tilt << settling.why;
+            if (stays) EXPECT_NEAR(settling.placements.at(1).angle, -tilt * std::numbers::pi / 180, of_size);
+        }
+}
+
+/// Down a slope into the corner at its foot, and on along the floor to a stop.
+TEST(Settle, ACornerSlidesPastTheEndOfItsFace) {
+    for (const double stop : {25.0, 55.0}) {
+        const Scene scene =
+            scene_of(part("slope", R"({"polygon": [[-60, -30], [60, -30], [60, 0], [0, 0], [-60, 40]]})") + ", " +
+                         part("stop", R"({"rectangle": {"min": [)" + std::to_string(stop) + R"(, 0], "max": [)" +
+                                          std::to_string(stop + 10) + R"(, 30]}})") +
+                         R"(, {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-6, -4], "max": [6, 4]}},
+                      "place": {"rotate": -33.69, "translate": [-20, 24]}})",
+                     R"({"on": "slope/e0", "fix": ["x", "y"]}, {"on": "stop/right", "fix": ["x", "y"]})",
+                     R"({"part": "block", "force": [0.01, -100]})");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << stop << settling.why;
+        EXPECT_NEAR(settling.placements.at(2).angle * 180 / std::numbers::pi, 33.69, 0.01) << stop;
+        EXPECT_NEAR((Vec2(-20, 24) + way(scene, settling, 2) - Vec2(stop - 6, 4)).norm(), 0, 20 * of_size) << stop;
+    }
+}
+
+/// Two pins in holes of their own: each follows its load, whatever the other's.
+TEST(Settle, LoadsAreLargeOrSmallBesideTheirOwnPartOnly) {
+    for (const double small : {1.0, 1e-6, 1e-12}) {
+        const Scene scene =
+            scene_of(part("plate", R"({"difference": [{"rectangle": {"min": [-30, -30], "max": [90, 30]}, "name": "p"},
+                {"circle": {"center": [0, 0], "radius": 10}, "name": "h"}, {"circle": {"center": [60, 0], "radius": 10}, "name": "k"}]})") +
+                         ", " + part("one", R"({"circle": {"center": [1, 0.5], "radius": 8}})") + ", " +
+                         part("other", R"({"circle": {"center": [60, 1.5], "radius": 8}})"),
+                     R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                     R"({"part": "one", "force": [0, -1000]}, {"part": "other", "force": [)" + scientific(700 * small) + ", " +
+                         scientific(-700 * small) + "]}");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+        const double half = std::numbers::sqrt2;
+        EXPECT_NEAR((way(scene, settling, 2) - Vec2(half, -1.5 - half)).norm(), 0, 16 * of_size) << small;
+    }
+}
+
+/// A place to begin from, as steps have.
+TEST(Settle, BeginsWhereTheStepBeforeEnds) {
+    const auto under = [](const std::string& force) {
+        return scene_of(hole_and_pin(6, {0, 0}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                        R"({"part": "pin", "force": )" + force + "}");
+    };
+    const Settling first = settling_of(under("[100, 0]"));
+    const Scene unloaded = under("[0, 0]"), next = under("[0, -100]");
+    const Settling second = settle(unloaded, resolve_conditions(unloaded), first.placements),
+                   third = settle(next, resolve_conditions(next), second.placements);
+    ASSERT_EQ(second.end, Settling::End::rests) << second.why;
+    EXPECT_NEAR((way(unloaded, second, 1) - Vec2(4, 0)).norm(), 0, 12 * of_size);
+    ASSERT_EQ(third.end, Settling::End::rests) << third.why;
+    EXPECT_NEAR((way(next, third, 1) - Vec2(0, -4)).norm(), 0, 12 * of_size);
 }
 
 /// A bar on its round tip falls; a disc rolls nowhere.
