@@ -40,6 +40,8 @@ constexpr int max_knot_moves = 3, knot_moves_before = 2;
 /// Unknowns that end the path at the standard target, in all and for each contact (on cells that are small at contacts and
 /// nowhere else one takes about a third on both sides), and as a multiple of the first grids'.
 constexpr double affordable_unknowns = 40000, affordable_by_contact = 4000, affordable_growth = 12;
+/// Error of the energy, of the target, below which the pressures lack nothing by the shape's cells.
+constexpr double aimed_energy = 0.5;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
 
@@ -230,9 +232,22 @@ private:
         }
         coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+        add_raisers();
+        return false;
+    }
+
+    void add_raisers() {
         for (std::size_t i = 0; i < wanted_.size(); ++i)
             wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
-        return false;
+    }
+
+    /// What a pressure lacks by the cells away from it is of the size of what the energy lacks: cells become smaller where that
+    /// error is, if it counts.
+    void refine_shape(const SolvedAssembly& now) {
+        recover_stress(now);
+        const std::optional<double>& energy = out_.errors.back().energy;
+        if (energy && *energy <= aimed_energy * out_.target) return;
+        if (!add_stress_raisers(now, out_.stress, raisers_)) next_.coarseness /= coarsening_step;
     }
 
     /// Finer grids would cost more than a user of this level would expect.
@@ -355,11 +370,13 @@ private:
             else
                 coarsen_less(next_);
         } else {
+            if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
         const ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
+        add_raisers();
         move_seams(scene_, now, out_.candidates);
         expect_ends(scene_, now, runs, out_.candidates);
         expect_pressures(now, out_.candidates);

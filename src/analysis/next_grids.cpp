@@ -46,15 +46,19 @@ bool at_goal(const ErrorEstimate& error, const NextGrids& next) {
     return next.on_final_cells();
 }
 
-/// Contacts whose error counts get smaller goals; the shape's cells follow slowly.
+/// Does an error of a contact count, where the strongest one's pressure is the measure?
+bool counts(const ContactError& c, double error, double target) {
+    return c.share * error > 0.5 * target;
+}
+
+/// Contacts whose ends' error counts get smaller goals, each by what it missed.
 void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
-    const double missed = std::clamp(aim * next.target / *error.contact_pressure, least_shrink, aim);
-    for (std::size_t k = 0; k < next.goal.size(); ++k)
-        if (error.contacts[k] && error.contacts[k]->ends > 0.5 * next.target)
-            next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
-    bool inside = false;
-    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target && c->inside > c->ends);
-    if (inside) next.coarseness *= std::cbrt(missed);
+    for (std::size_t k = 0; k < next.goal.size(); ++k) {
+        if (!error.contacts[k] || !counts(*error.contacts[k], error.contacts[k]->ends, next.target)) continue;
+        const ContactError& c = *error.contacts[k];
+        const double missed = std::clamp(aim * next.target / (c.share * c.pressure), least_shrink, 1.0);
+        next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
+    }
 }
 
 }  // namespace
@@ -89,8 +93,14 @@ void aim_at_goals(NextGrids& next) {
     }
 }
 
+bool may_lack_shape(const ErrorEstimate& error, const NextGrids& next) {
+    return at_goal(error, next) && std::any_of(error.contacts.begin(), error.contacts.end(), [&](const auto& c) {
+               return c && counts(*c, c->inside, next.target) && c->inside > c->ends;
+           });
+}
+
 void refine(const ErrorEstimate& error, NextGrids& next) {
-    if (at_goal(error, next) && error.contact_pressure) shrink_goals(error, next);
+    if (at_goal(error, next)) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (is_good(error, k, next.target)) continue;
         next.resolution[k].cells *= cell_refinement;
