@@ -21,8 +21,9 @@ constexpr double first_cells = 8, cell_refinement = 1.3, first_corner_fraction =
 constexpr double end_error = 0.25;
 /// Where the end is known well this share of it (Hertz' problem, targets of 1 to 0.1 %: 0.54 to 0.67).
 constexpr double usual_end_error = 0.75;
-/// Where the estimate missed its target the next cells aim at less, within these factors.
-constexpr double aim = 0.7, least_shrink = 0.25;
+/// Where the estimate missed its target the next cells aim at less, within these factors: less than half as large they may be
+/// the same halves as before.
+constexpr double aim = 0.7, least_shrink = 0.25, most_shrink = 0.5;
 constexpr double least_step = 1.2;  // of the coarsening, before the last one
 
 int free_ends(const std::vector<ContactRun>& runs) {
@@ -56,7 +57,7 @@ void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (!error.contacts[k] || !counts(*error.contacts[k], error.contacts[k]->ends, next.target)) continue;
         const ContactError& c = *error.contacts[k];
-        const double missed = std::clamp(aim * next.target / (c.share * c.pressure), least_shrink, 1.0);
+        const double missed = std::clamp(aim * next.target / (c.share * c.pressure), least_shrink, most_shrink);
         next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
     }
 }
