@@ -28,4 +28,13 @@ void override_accuracy(Accuracy& accuracy, const Arguments& arguments) {
                      "use " + listed(levels) + "," + numbers);
 }
 
+void override_budget(Accuracy& accuracy, const Arguments& arguments) {
+    if (!has(arguments, "--budget")) return;
+    try {
+        accuracy.budget = parse_budget(arguments.options.at("--budget"));
+    } catch (const InputError& error) {
+        throw InputError("--budget", error.problems().front().what, error.problems().front().hint);
+    }
+}
+
 }  // namespace abut

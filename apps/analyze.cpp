@@ -133,27 +133,30 @@ int analyze_all_cases(const Scene& scene, const ModelSources& sources, const std
 }  // namespace
 
 CommandSpec analyze_spec() {
-    return {"analyze",
-            "SCENE",
-            "Analyses one scene and writes its results.",
-            {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
-             {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
-             {"--case", "NAME", "the load case of this name alone, as if the scene had no others"},
-             {"--format", "F", "also write these, with commas between: vtu (ParaView), svg, png (pictures), json, csv, html"},
-             {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
-             {"--plan", "", "print which effects would be computed and why, and stop"},
-             {"--json", "", "print the result (or the plan) as JSON instead of a table"},
-             {"--strict", "",
-              "end with status 1 also where it is solved with reservations, or not as the scene expects; what is left out, "
-              "merged or guessed of drawings is an error"},
-             {"--quiet", "", "print nothing but errors"}},
-            "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
-            "known;\n"
-            "the exit status is 1 then. An answer is \"reached\" (as accurate as asked for) or \"solved_but\", with reasons:\n"
-            "\"verdict\" and \"reasons\" in result.json, the last lines of the table, the first of the report.\n"
-            "Of a scene with load cases (/cases) all are solved together: cases.json and envelope.csv have what is largest in "
-            "any,\n"
-            "report.html leads to the cases, case_<k>/ has the files of each.\n"};
+    return {
+        "analyze",
+        "SCENE",
+        "Analyses one scene and writes its results.",
+        {{"-o", "DIR", "folder for result.json, contact_<k>.csv and report.html (default: out)"},
+         {"--accuracy", "A", "draft, standard, fine, or an error to aim at such as 0.01; instead of the scene's"},
+         {"--budget", "B",
+          "time and memory that finer grids may take, such as 30s, 2GB or 5min,2GB: where the next would take more, the last "
+          "answer stands"},
+         {"--case", "NAME", "the load case of this name alone, as if the scene had no others"},
+         {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
+         {"--plan", "", "print which effects would be computed and why, and stop"},
+         {"--json", "", "print the result (or the plan) as JSON instead of a table"},
+         {"--strict", "",
+          "end with status 1 also where it is solved with reservations, or not as the scene expects; what is left out, "
+          "merged or guessed of drawings is an error"},
+         {"--quiet", "", "print nothing but errors"}},
+        "Which files are written is the scene's to say: /output/formats. A failed analysis writes them too, with what is "
+        "known;\n"
+        "the exit status is 1 then. An answer is \"reached\" (as accurate as asked for) or \"solved_but\", with reasons:\n"
+        "\"verdict\" and \"reasons\" in result.json, the last lines of the table, the first of the report.\n"
+        "Of a scene with load cases (/cases) all are solved together: cases.json and envelope.csv have what is largest in "
+        "any,\n"
+        "report.html leads to the cases, case_<k>/ has the files of each.\n"};
 }
 
 int analyze_command(const Arguments& arguments) {
@@ -164,6 +167,7 @@ int analyze_command(const Arguments& arguments) {
     const double reading_seconds = watch.seconds();
     refuse_guesses(scene, arguments);
     override_accuracy(scene.accuracy, arguments);
+    override_budget(scene.accuracy, arguments);
     add_formats(scene.output, value_or(arguments, "--format", ""));
     const int threads = threads_of(arguments);
     if (has(arguments, "--plan")) {

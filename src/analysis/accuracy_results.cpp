@@ -58,8 +58,13 @@ void fill_contact(const ContactError& e, double of_force, std::size_t k, Contact
              largest + " known to " + percent_text(std::min(e.peak, 1.0))});
 }
 
-std::string why_it_ended(PathEnd end) {
-    if (end == PathEnd::out_of_cells) return "the grids have as many cells as this level allows";
+std::string why_it_ended(const Outcome& out) {
+    const PathEnd end = out.end;
+    if (end == PathEnd::too_deep) return out.too_small;
+    if (end == PathEnd::out_of_budget && out.next)
+        return "the next grids, " + cost_text(*out.next) + ", would go beyond the budget";
+    if (end == PathEnd::out_of_cells)
+        return "the grids have as many cells as they may; more memory, asked for as the budget, allows more";
     if (end == PathEnd::fixed_grids)
         return "the scene gives the grids; \"adapt\": true lets those of a cell_size follow the target";
     if (end == PathEnd::out_of_digits) return "rounding hides what finer grids would change";
@@ -100,7 +105,7 @@ void fill_target(const Outcome& out, Result& result) {
     result.accuracy.why = penetrates
                               ? "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take "
                                 "a larger contacts.penalty, or none"
-                              : why_it_ended(out.end);
+                              : why_it_ended(out);
     const std::string estimate = percent_text(result.accuracy.estimate.value_or(1)), target = percent_text(out.target);
     tell({{0, "",
            "the estimated error of the " + result.accuracy.of + ", " + estimate + ", is above the " + target +
@@ -211,8 +216,6 @@ void warn_of_largest_stress(Result& result) {
 
 namespace {
 
-/// Solution time grows a little faster than unknowns.
-constexpr double time_exponent = 1.2;
 /// Passes that a finer target adds, of the last one's size.
 constexpr double passes_added = 1.5;
 constexpr double finer = 5;

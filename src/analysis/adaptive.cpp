@@ -27,8 +27,9 @@ PassAsk joined(const std::vector<GridWalk>& walks) {
     return all;
 }
 
-void tell_pass(const GridWalk& walk, const AnalyzeOptions& options) {
-    if (options.progress) options.progress("pass " + std::to_string(walk.n_passes() + 1));
+void tell_pass(const GridWalk& walk, const PassAsk& ask, const AnalyzeOptions& options) {
+    if (!options.progress) return;
+    options.progress("pass " + std::to_string(walk.n_passes() + 1) + (ask.cost ? " " + cost_text(*ask.cost) : ""));
 }
 
 /// Nothing where a wider search met parts of other groups: these are one problem.
@@ -37,8 +38,8 @@ std::optional<Outcome> walk_group(const CaseProblem& problem, const PartGroup& g
     const int threads = solver::usable_threads(options.threads);
     GridWalk walk(*problem.scene, *problem.conditions, seconds, group, candidates, threads);
     for (bool is_last = false; !is_last && !walk.meets_others();) {
-        tell_pass(walk, options);
         const PassAsk ask = walk.ask();
+        tell_pass(walk, ask, options);
         is_last = walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
                                        ask.coarseness, seconds, threads));
     }
@@ -82,8 +83,8 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
     unloaded.loads.clear();
     // A case that has what it wants is solved on the others' finer grids, too: all answers are of the same last grids.
     for (bool is_last = false; !is_last;) {
-        tell_pass(walks.front(), options);
         const PassAsk ask = joined(walks);
+        tell_pass(walks.front(), ask, options);
         const SolvedAssembly prepared = prepare_parts(unloaded, *cases.front().conditions, walks.front().candidates(),
                                                       ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         is_last = true;

@@ -37,9 +37,8 @@ constexpr int max_passes = 7, most_beginnings = 4;
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
-/// Unknowns that end the path at the standard target, in all and for each contact (on cells that are small at contacts and
-/// nowhere else one takes about a third on both sides), and as a multiple of the first grids'.
-constexpr double affordable_unknowns = 40000, affordable_by_contact = 4000, affordable_growth = 12;
+/// Error of the energy, of the target, below which the pressures lack nothing by the shape's cells.
+constexpr double aimed_energy = 0.5;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
 
@@ -89,7 +88,7 @@ public:
         std::vector<bool> parts =
             parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates), closing_pairs(scene_, out_.candidates));
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
-        return {std::move(parts), wanted_, next_.next_coarseness()};
+        return {std::move(parts), wanted_, next_.next_coarseness(), out_.next};
     }
     const std::vector<Candidate>& candidates() const { return out_.candidates; }
     bool meets_others() const { return meets_others_; }
@@ -180,11 +179,13 @@ private:
             error.own_energy = of_own_energy(now, std::move(*missed));
         }
         const std::size_t n = out_.errors.size();
-        if (error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
+        const bool compares = !is_in_contact(now);  // grids that follow contacts do not follow stresses
+        if (compares && error.smoothing && n > comparable_from_ + 1 && out_.errors[n - 2].smoothing)
             error.energy = energy_error_of({out_.passes[n - 2].energy, *out_.errors[n - 2].smoothing},
                                            {out_.passes[n - 1].energy, *error.smoothing});
         if (error.energy) error.stress = std::sqrt(*error.energy);
-        out_.largest = largest_stresses(scene_, conditions_, now, out_.stress, out_.largest, threads_);
+        out_.largest = largest_stresses(scene_, conditions_, now, out_.stress,
+                                        compares ? out_.largest : std::vector<LargestStress>(), threads_);
         if (const LargestStress* most = strongest(out_.largest)) error.largest_stress = most->error;
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
@@ -222,25 +223,44 @@ private:
             if (is_lost_in_rounding(now)) return end(std::move(now), is_low ? PathEnd::reached : PathEnd::out_of_digits);
             const bool has_raisers = (is_first || !is_low_on_the_whole) && add_stress_raisers(now, out_.stress, raisers_);
             if (is_low && !has_raisers) return end(std::move(now), PathEnd::reached);
+            if (is_too_deep(now)) return end_too_deep(std::move(now));
             if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-            if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
             if (!is_low_at_most) add_largest_stress(now, out_.largest, raisers_);
             if (!has_raisers && !is_low_on_the_whole) next_.coarseness /= coarsening_step;
         }
         coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-        for (std::size_t i = 0; i < wanted_.size(); ++i)
-            wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
+        add_raisers();
+        if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
         return false;
     }
 
-    /// Finer grids would cost more than a user of this level would expect.
-    bool too_dear() const {
-        const double contacts = affordable_by_contact * static_cast<double>(out_.candidates.size());
-        const double affordable = std::max(std::max(affordable_unknowns, contacts) * std::sqrt(standard_target / out_.target),
-                                           affordable_growth * out_.passes[comparable_from_].unknowns);
-        return out_.passes.back().unknowns > affordable;
+    void add_raisers() {
+        for (std::size_t i = 0; i < wanted_.size(); ++i)
+            wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
+    }
+
+    /// What a pressure lacks by the cells away from it is of the size of what the energy lacks: cells become smaller where that
+    /// error is, if it counts.
+    void refine_shape(const SolvedAssembly& now) {
+        recover_stress(now);
+        const std::optional<double>& energy = out_.errors.back().energy;
+        if (energy && *energy <= aimed_energy * out_.target) return;
+        if (!add_stress_raisers(now, out_.stress, raisers_)) next_.coarseness /= coarsening_step;
+    }
+
+    /// Would the next grids take more than the user gives?
+    bool exceeds_budget(const SolvedAssembly& now) {
+        const Budget& budget = scene_.accuracy.budget;
+        if (!budget.is_given()) return false;
+        const std::size_t n = out_.passes.size();
+        const PassAsk next = ask();
+        const double last_seconds = out_.passes.back().seconds - (n > 1 ? out_.passes[n - 2].seconds : 0);
+        out_.next = cost_of_pass(scene_, next.parts, next.wanted, next.coarseness, now, last_seconds);
+        const double spent = seconds_so_far() + seconds_["recovery"];
+        return (budget.seconds && spent + out_.next->seconds > *budget.seconds) ||
+               (budget.bytes && out_.next->bytes > *budget.bytes);
     }
 
     bool out_of_passes() const {
@@ -322,12 +342,37 @@ private:
             look_for_missed(now);
         }
         if (is_reached()) return end(std::move(now), PathEnd::reached);
+        if (next_.on_final_cells() && is_too_deep(now)) return end_too_deep(std::move(now));
         if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
             return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-        if (too_dear()) return end(std::move(now), PathEnd::out_of_cells);
-        prepare_next(now, out_.errors.back());
+        const ContactRuns runs = ask_for_next(now, out_.errors.back());
+        if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
+        move_seams(scene_, now, out_.candidates);
+        expect_ends(scene_, now, runs, out_.candidates);
+        expect_pressures(now, out_.candidates);
         return false;
+    }
+
+    static bool is_too_deep(const SolvedAssembly& now) {
+        return std::any_of(now.grids.begin(), now.grids.end(), [](const PartOnGrid& g) { return g.too_fine > 0; });
+    }
+
+    /// An error that nobody could aim at is no answer.
+    bool end_too_deep(SolvedAssembly&& now) {
+        for (const PartOnGrid& g : now.grids)
+            if (g.too_fine > 0)
+                out_.too_small +=
+                    (out_.too_small.empty() ? "a contact or another place is too small beside its part: it asks for "
+                                              "cells below what coordinates can tell apart, of "
+                                            : ", ") +
+                    number_text(g.too_fine, 2) + " in " + scene_.parts[static_cast<std::size_t>(g.part)].name + " (" +
+                    number_text(g.too_fine / g.size, 2) + " of its size)";
+        out_.too_small += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
+        const ErrorEstimate& error = out_.errors.back();
+        if (error.contact_pressure && std::max(*error.contact_pressure, *error.peak) > most_target)
+            now.failure = out_.too_small;
+        return end(std::move(now), PathEnd::too_deep);
     }
 
     /// Where one part has as many cells as it may, others may still have too few. The first estimates are of coarse grids, and
@@ -345,7 +390,8 @@ private:
         return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target && !any_missed(missed_);
     }
 
-    void prepare_next(const SolvedAssembly& now, const ErrorEstimate& error) {
+    /// Sets the sizes that are wanted next. The contacts as they are expected.
+    ContactRuns ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         const bool is_first = next_.goal.empty();
         if (is_first) {
             theory_ = contacts_by_theory(scene_, now);
@@ -355,14 +401,14 @@ private:
             else
                 coarsen_less(next_);
         } else {
+            if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
-        const ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
+        ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
-        move_seams(scene_, now, out_.candidates);
-        expect_ends(scene_, now, runs, out_.candidates);
-        expect_pressures(now, out_.candidates);
+        add_raisers();
+        return runs;
     }
 
     double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }

@@ -2,6 +2,7 @@
 // The way over grids of one problem: after each solution it says what the next grids are to be, or that this was the last.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "src/analysis/outcome.hpp"
@@ -15,7 +16,8 @@ namespace abut {
 struct PassAsk {
     std::vector<bool> parts;  ///< by scene part: solved
     WantedSizes wanted;
-    double coarseness;  ///< of the cells that the shapes want
+    double coarseness;               ///< of the cells that the shapes want
+    std::optional<PassCost> cost{};  ///< where the user gives a budget
 };
 
 /// The candidates of a search, `factor` times as far as the first one goes; none where there is nothing to search.

@@ -21,8 +21,9 @@ constexpr double first_cells = 8, cell_refinement = 1.3, first_corner_fraction =
 constexpr double end_error = 0.25;
 /// Where the end is known well this share of it (Hertz' problem, targets of 1 to 0.1 %: 0.54 to 0.67).
 constexpr double usual_end_error = 0.75;
-/// Where the estimate missed its target the next cells aim at less, within these factors.
-constexpr double aim = 0.7, least_shrink = 0.25;
+/// Where the estimate missed its target the next cells aim at less, within these factors: less than half as large they may be
+/// the same halves as before.
+constexpr double aim = 0.7, least_shrink = 0.25, most_shrink = 0.5;
 constexpr double least_step = 1.2;  // of the coarsening, before the last one
 
 int free_ends(const std::vector<ContactRun>& runs) {
@@ -46,15 +47,19 @@ bool at_goal(const ErrorEstimate& error, const NextGrids& next) {
     return next.on_final_cells();
 }
 
-/// Contacts whose error counts get smaller goals; the shape's cells follow slowly.
+/// Does an error of a contact count, where the strongest one's pressure is the measure?
+bool counts(const ContactError& c, double error, double target) {
+    return c.share * error > 0.5 * target;
+}
+
+/// Contacts whose ends' error counts get smaller goals, each by what it missed.
 void shrink_goals(const ErrorEstimate& error, NextGrids& next) {
-    const double missed = std::clamp(aim * next.target / *error.contact_pressure, least_shrink, aim);
-    for (std::size_t k = 0; k < next.goal.size(); ++k)
-        if (error.contacts[k] && error.contacts[k]->ends > 0.5 * next.target)
-            next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
-    bool inside = false;
-    for (const auto& c : error.contacts) inside = inside || (c && c->inside > 0.5 * next.target && c->inside > c->ends);
-    if (inside) next.coarseness *= std::cbrt(missed);
+    for (std::size_t k = 0; k < next.goal.size(); ++k) {
+        if (!error.contacts[k] || !counts(*error.contacts[k], error.contacts[k]->ends, next.target)) continue;
+        const ContactError& c = *error.contacts[k];
+        const double missed = std::clamp(aim * next.target / (c.share * c.pressure), least_shrink, most_shrink);
+        next.goal[k] = std::max(least_end_fraction, missed * next.goal[k]);
+    }
 }
 
 }  // namespace
@@ -89,8 +94,14 @@ void aim_at_goals(NextGrids& next) {
     }
 }
 
+bool may_lack_shape(const ErrorEstimate& error, const NextGrids& next) {
+    return at_goal(error, next) && std::any_of(error.contacts.begin(), error.contacts.end(), [&](const auto& c) {
+               return c && counts(*c, c->inside, next.target) && c->inside > c->ends;
+           });
+}
+
 void refine(const ErrorEstimate& error, NextGrids& next) {
-    if (at_goal(error, next) && error.contact_pressure) shrink_goals(error, next);
+    if (at_goal(error, next)) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (is_good(error, k, next.target)) continue;
         next.resolution[k].cells *= cell_refinement;

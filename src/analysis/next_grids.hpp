@@ -35,6 +35,10 @@ void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, Next
 /// Sets the next grids to the goals: they are the last ones, if all goes well.
 void aim_at_goals(NextGrids& next);
 
+/// Have the contacts the cells that they aimed at, and is there one whose error counts away from its ends all the same? It may
+/// be the shape's cells that it lacks: the error of the energy tells.
+bool may_lack_shape(const ErrorEstimate& error, const NextGrids& next);
+
 /// Gives contacts whose error still counts finer cells; where they had what they aimed at, they aim at less.
 void refine(const ErrorEstimate& error, NextGrids& next);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the walk over grids ends with.
 #pragma once
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "solver/recovery/recovery.hpp"
 #include "src/analysis/error_estimate.hpp"
 #include "src/analysis/largest_stress.hpp"
+#include "src/analysis/pass_cost.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/solution/solved_assembly.hpp"
 
@@ -16,9 +19,11 @@ enum class PathEnd {
     no_need,        ///< grids are given and no target, or there is no error to bring down: one solution
     fixed_grids,    ///< grids are given, and a target with them
     reached,        ///< the estimated error is below the target
-    out_of_cells,   ///< the budget of cells is spent
+    too_deep,       ///< cells are wanted that are too small for their coordinates
+    out_of_cells,   ///< the grids may have no more cells
     out_of_passes,  ///< the errors do not fall: the pressure has no limit somewhere
-    out_of_digits   ///< rounding hides what finer grids would change
+    out_of_digits,  ///< rounding hides what finer grids would change
+    out_of_budget   ///< the next grids would take more time or memory than the user gives
 };
 
 /// The last solution with its stresses and errors, and the way there.
@@ -30,6 +35,8 @@ struct Outcome {
     int factorizations = 0, iterations = 0;
     EffectUses uses;  ///< of all passes and searches
     PathEnd end = PathEnd::no_need;
+    std::optional<PassCost> next{};     ///< of the next pass, where the user gives a budget
+    std::string too_small{};            ///< what asks for cells that are too small, where that is the end
     double target = 0;                  ///< estimated relative error aimed at
     bool search_too_short = false;      ///< contact reaches the end of what was searched
     std::vector<PassRecord> passes;     ///< all of them

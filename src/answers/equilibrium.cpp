@@ -16,6 +16,8 @@ namespace {
 
 using solver::Resultant;
 
+constexpr double rounding_of_displacement = 1e-12, rounding_of_force = 1e-9;
+
 /// A resultant about a part's local origin, as one about a point of the assembly.
 Resultant to_assembly(const Resultant& local, const Frame& frame, const Vec2& about) {
     Resultant r;
@@ -163,6 +165,17 @@ Totals totals(const SolvedAssembly& solved, const Vec2& about) {
     return t;
 }
 
+/// Forces of a part below this are rounding: of its displacements, as stiff as it is; or of the forces within it, by its strain
+/// energy, where those balance by themselves (edges held all round).
+double force_rounding(const SolvedAssembly& solved, std::size_t part) {
+    const solver::PartInput& input = solved.grids[part].input;
+    const double stiffness = input.elasticity.d11 * input.thickness;
+    const Eigen::VectorXd& u = solved.solution.displacement[part];
+    const double energy = std::max(0.0, strain_energy(solved.problem.parts[part], u));
+    return std::max(rounding_of_displacement * stiffness * u.cwiseAbs().maxCoeff(),
+                    rounding_of_force * std::sqrt(2 * energy * stiffness));
+}
+
 /// A force at a point goes with a displacement without limit: one warning for all points that are held.
 void warn_of_points(const Scene& scene, Result& result) {
     for (const Support& s : scene.supports) {
@@ -210,11 +223,8 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     }
     result.equilibrium.applied = t.applied.force;
     result.equilibrium.reaction = reaction.force;
-    // below what rounding of the displacements amounts to in force there is nothing to balance
     double rounding = 0;
-    for (std::size_t i = 0; i < solved.grids.size(); ++i)
-        rounding = std::max(rounding, 1e-12 * solved.grids[i].input.elasticity.d11 * solved.grids[i].input.thickness *
-                                          solved.solution.displacement[i].cwiseAbs().maxCoeff());
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) rounding = std::max(rounding, force_rounding(solved, i));
     if (largest > rounding) {
         result.equilibrium.relative_residual = (t.applied.force + reaction.force).norm() / largest;
         result.equilibrium.relative_moment_residual = std::abs(t.applied.moment + reaction.moment) / (largest * arm);

@@ -23,6 +23,7 @@ struct PartOnGrid {
     double size = 0;    ///< its diagonal
     Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
+    double too_fine = 0;  ///< size of cells that were wanted and halving does not reach; 0: none
 };
 
 /// The frame of a part's grid, turned by `angle` (radians), its origin in the middle of the part's box.

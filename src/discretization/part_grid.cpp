@@ -17,14 +17,16 @@ namespace abut {
 
 namespace {
 
-/// Cells of all parts together, and of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
+/// Cells of all parts together where the user bounds no memory, and of one part at least, before wanted sizes are given up;
+/// coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
 /// A leaf of a tree costs about this times what a cell of a tensor grid does: measured 1.3 to 1.45 from the space to the
 /// smoothed stress where all leaves are of one level (20 000 and 80 000 unknowns); 1.7 to 2 in whole runs of few thousand
 /// unknowns, where levels meet everywhere, and cells are cut once more to be counted.
 constexpr double price_of_leaf = 2;
-/// Cells are halved no deeper: their size keeps half the digits.
+/// Cells are halved no deeper: their size keeps half the digits, and the gap beside a contact as small as they, of the square
+/// of its size, none.
 constexpr int deepest_level = 24;
 
 /// More cells than this in one part are a slip of the pen, not a wish.
@@ -111,13 +113,6 @@ geometry::Grid tensor_grid(const geometry::Box2& box, const std::array<double, 2
             graded_lines(box.min.y(), box.max.y(), 1, largest[1], features)};
 }
 
-/// Cells that hold material.
-double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
-    const std::vector<geometry::CellClass> classes = cut_cells(local, grid).cell_class;
-    const auto empty = std::count(classes.begin(), classes.end(), geometry::CellClass::outer);
-    return static_cast<double>(static_cast<std::ptrdiff_t>(classes.size()) - empty);
-}
-
 /// The largest cells of a base whose walls want small ones along one axis: no more than so many times as long along the other,
 /// since what is halved stays as long as it is.
 constexpr double longest_of_base = 2;
@@ -153,7 +148,7 @@ double longest_cell(const geometry::Grid& grid) {
 struct PricedGrid {
     geometry::Grid grid;
     double price;
-    bool too_deep = false;
+    double too_fine = 0;  ///< as in PartGrid
 };
 
 PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most) {
@@ -162,20 +157,25 @@ PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most)
     return {std::move(grid), price};
 }
 
+double smallest_wanted(const std::vector<SizeFeature>& places) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const SizeFeature& f : places) least = std::min(least, f.size);
+    return least;
+}
+
 /// The base halved where places want smaller cells. A tree that grows to cost as much as it may is left unfinished.
 PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, const std::vector<SizeFeature>& places,
                        double price, double most) {
-    double halved = 0;
-    bool too_deep = false;
+    double halved = 0, too_fine = 0;
     geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
         if (price_of_leaf * halved >= price || 3 * halved >= most || !is_too_large(cell, places)) return false;
-        too_deep = too_deep || level == deepest_level;
+        if (level == deepest_level) too_fine = smallest_wanted(places);
         halved += level < deepest_level;
         return level < deepest_level;
     });
     PricedGrid result = priced(local, std::move(tree), most);
     if (price_of_leaf * halved >= price || 3 * halved >= most) result.price = std::numeric_limits<double>::infinity();
-    result.too_deep = too_deep;
+    result.too_fine = too_fine;
     return result;
 }
 
@@ -207,9 +207,11 @@ PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2
     return best;
 }
 
-geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, const Frame& frame,
-                             const std::vector<WantedSize>& wanted, double coarseness, double refinement, double budget,
-                             bool& limited) {
+/// Sets all of result but what it was given by.
+void design_grid(const Scene& scene, const std::vector<WantedSize>& wanted, double coarseness, double refinement, double budget,
+                 PartGrid& result) {
+    const geometry::Part& local = result.local;
+    const Frame& frame = result.frame;
     const geometry::Box2 box = bounding_box(local);
     if (scene.accuracy.cell_size)
         refuse_too_many(box.size().x() / *scene.accuracy.cell_size, box.size().y() / *scene.accuracy.cell_size,
@@ -231,15 +233,21 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
     for (double& h : largest) h *= refinement;
     for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
         for (SizeFeature& f : *features) f.size *= refinement;
-    if (scene.accuracy.cell_size) return tensor_grid(box, largest, more);
+    if (scene.accuracy.cell_size) {
+        result.grid = tensor_grid(box, largest, more);
+        return;
+    }
     // a penalty is as stiff as the first part's cells are small along its edge: halves of cells would be steps in it
     const bool may_halve = !scene.contacts.penalty;
     for (;;) {
         PricedGrid cheapest =
             cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()), may_halve);
-        limited = limited || cheapest.too_deep;
-        if (std::isfinite(cheapest.price)) return cheapest.grid;
-        limited = true;
+        result.too_fine = cheapest.too_fine;
+        if (std::isfinite(cheapest.price)) {
+            result.grid = std::move(cheapest.grid);
+            return;
+        }
+        result.limited = true;
         for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
             for (SizeFeature& f : *features) f.size *= budget_coarsening;
         for (double& h : largest) h *= std::sqrt(budget_coarsening);
@@ -247,6 +255,12 @@ geometry::Grid designed_grid(const Scene& scene, const geometry::Part& local, co
 }
 
 }  // namespace
+
+double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
+    const std::vector<geometry::CellClass> classes = cut_cells(local, grid).cell_class;
+    const auto empty = std::count(classes.begin(), classes.end(), geometry::CellClass::outer);
+    return static_cast<double>(static_cast<std::ptrdiff_t>(classes.size()) - empty);
+}
 
 PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
                       double refinement) {
@@ -268,9 +282,10 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
         result.grid = search_grid_of(scene, part, result.frame);
         return result;
     }
-    const double budget =
-        std::max(least_cells_of_part, standard_cells / coarseness / coarseness / static_cast<double>(scene.parts.size()));
-    result.grid = designed_grid(scene, result.local, result.frame, wanted, coarseness, refinement, budget, result.limited);
+    const double of_all = scene.accuracy.budget.bytes ? *scene.accuracy.budget.bytes / (2 * bytes_per_unknown)
+                                                      : standard_cells / coarseness / coarseness;
+    const double budget = std::max(least_cells_of_part, of_all / static_cast<double>(scene.parts.size()));
+    design_grid(scene, wanted, coarseness, refinement, budget, result);
     return result;
 }
 

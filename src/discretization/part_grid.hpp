@@ -9,6 +9,10 @@
 
 namespace abut {
 
+/// Memory of a pass at its peak, for each unknown: factor, space and rules (3e3 on some ten thousand unknowns, halved cells; 4e3
+/// on a million of equal cells).
+inline constexpr double bytes_per_unknown = 4e3;
+
 /// The grid of a part, and the part in the grid's frame.
 struct PartGrid {
     Frame frame;
@@ -17,11 +21,15 @@ struct PartGrid {
     std::array<int, 2> degree;
     bool given = false;    ///< by the scene, or by the dissertation's search: nothing here may refine it
     bool limited = false;  ///< coarser than wanted, to bound the number of cells
+    double too_fine = 0;   ///< size of cells that were wanted and would have taken more halvings than there may be; 0: none
 };
 
 /// Designs the grid of a part. wanted: of this part. coarseness: of the accuracy level; refinement: a factor on all sizes,
 /// below 1 where a basis needs finer cells. Throws InputError where the scene asks for too many cells.
 PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
                       double refinement);
+
+/// Cells that hold material.
+double n_filled(const geometry::Part& local, const geometry::Grid& grid);
 
 }  // namespace abut

@@ -36,6 +36,17 @@ std::optional<double> read_target(SceneReading& reading, const JsonValue& value)
     return std::nullopt;
 }
 
+Budget read_budget(SceneReading& reading, const JsonValue& value) {
+    const std::optional<std::string> text = read_text(reading, value);
+    if (!text) return {};
+    try {
+        return parse_budget(*text);
+    } catch (const InputError& error) {
+        for (const Problem& problem : error.problems()) report_problem(reading, value, problem.what, problem.hint);
+        return {};
+    }
+}
+
 std::string word_or(SceneReading& reading, const JsonValue& object, const char* key, const std::string& otherwise,
                     const Words& words) {
     const JsonValue* value = find_member(object, key);
@@ -51,7 +62,7 @@ void refuse_beside_method(SceneReading& reading, const JsonValue& accuracy, cons
                            "give \"dirichlet\": \"solution_structure\", or leave them out");
         return;
     }
-    for (const char* key : {"level", "target", "refine", "basis", "dirichlet", "adapt"})
+    for (const char* key : {"level", "target", "refine", "basis", "dirichlet", "adapt", "budget"})
         if (const JsonValue* member = find_member(accuracy, key))
             report_problem(
                 reading, *member, "'" + std::string(key) + "' does not go with the dissertation's method",
@@ -64,7 +75,7 @@ void refuse_beside_method(SceneReading& reading, const JsonValue& accuracy, cons
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
     const Words keys{{"level", "target", "degree", "cell_size", "refine", "method", "basis", "dirichlet", "weights", "grids",
-                      "adapt", "solver"},
+                      "adapt", "solver", "budget"},
                      {}};
     if (!check_object(reading, accuracy, keys)) return result;
     result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
@@ -93,6 +104,7 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
                                "'refine' of the grid of " + part + " does not go with the dissertation's method",
                                "it has tensor grids: give 'x' and 'y', or 'cells', alone");
     }
+    if (const JsonValue* budget = find_member(accuracy, "budget")) result.budget = read_budget(reading, *budget);
     if (const JsonValue* adapt = find_member(accuracy, "adapt")) result.adapt = read_flag(reading, *adapt);
     return result;
 }

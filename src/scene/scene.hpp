@@ -12,6 +12,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "geometry/csg/csg.hpp"
 #include "geometry/sketch/sketch.hpp"
+#include "src/scene/budget.hpp"
 #include "src/scene/expression.hpp"
 
 namespace abut {
@@ -183,6 +184,7 @@ struct Accuracy {
     std::map<std::string, GridOptions> grids;  ///< by part
     std::optional<bool> adapt;
     bool by_cholmod = false;  ///< "solver": "cholmod"
+    Budget budget;
 };
 
 /// A point of a part at which displacement and stress are asked for.

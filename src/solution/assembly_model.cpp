@@ -47,6 +47,7 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
         if (!is_final && !g.input.space.failure.empty()) continue;
         if (attempt > 0) ++solved.refined_for_walls;
         if (limited) ++solved.limited_grids;
+        g.too_fine = chosen.too_fine;
         return g;
     }
 }

@@ -21,7 +21,24 @@ Width width_of(GridKind kind) {
     return {0.01, 0.025};
 }
 
+/// Boxes half as large as the one before, of a part above (1) or below (-1) the contact.
+std::string halved_grid(double cell, int side) {
+    constexpr int levels = 5;
+    const std::string n = std::to_string(std::max(4L, std::lround(1 / cell)));
+    std::string boxes;
+    for (int level = 1; level <= levels; ++level) {
+        const std::string w = std::to_string(std::ldexp(1.0, -level));
+        boxes += (level > 1 ? ", " : "") +
+                 (side > 0 ? R"({"from": [0, 0], "to": [)" + w + ", " + w + "]"
+                           : R"({"from": [0, -)" + w + R"(], "to": [)" + w + ", 0]") +
+                 R"(, "levels": )" + std::to_string(level) + "}";
+    }
+    return R"({"cells": [)" + n + ", " + n + R"(], "refine": [)" + boxes + "]}";
+}
+
 std::string accuracy_of(GridKind kind, double cell) {
+    if (kind == GridKind::halved)
+        return R"({"grids": {"upper": )" + halved_grid(cell, 1) + R"(, "lower": )" + halved_grid(cell, -1) + "}}";
     constexpr double finest = 0.05;  // of the half contact width: 40 multipliers in the zone
     const Width width = width_of(kind);
     const double at_contact = std::max(finest * width.contact, 0.02 * cell);
@@ -54,7 +71,8 @@ OneGrid with_cells(GridKind kind, double cell) {
 
 solver::SpaceInput space_input(const PartOnGrid& g) {
     const solver::SplineSpace& space = g.input.space;
-    return {space.x, space.y, g.elements.fraction, {g.elements.cell_of_extra, g.elements.neighbours}, space.basis, {}};
+    return {space.x,     space.y, g.elements.fraction, {g.elements.cell_of_extra, g.elements.neighbours},
+            space.basis, {},      g.cells.grid.tree};
 }
 
 double system_seconds(const OneGrid& problem, const PartOnGrid& g, Eigen::VectorXd load) {

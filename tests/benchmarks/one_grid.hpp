@@ -11,8 +11,9 @@
 namespace abut::benchmarks {
 
 /// even: cells of one size, the contact a tenth of the radius. graded: small cells in a contact of a hundredth of the radius,
-/// growing away from it to the size that the unknowns leave.
-enum class GridKind { even, graded };
+/// growing away from it to the size that the unknowns leave. halved: the same contact, equal cells that are halved five times
+/// towards it, as many of each size.
+enum class GridKind { even, graded, halved };
 
 /// The scene with what a pass needs of it.
 struct OneGrid {

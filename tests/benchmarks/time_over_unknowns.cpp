@@ -76,6 +76,8 @@ BENCHMARK_CAPTURE(TimeOverUnknowns, even, GridKind::even)->Apply(small_sizes);
 BENCHMARK_CAPTURE(TimeOverUnknowns, even, GridKind::even)->Apply(large_sizes);
 BENCHMARK_CAPTURE(TimeOverUnknowns, graded, GridKind::graded)->Apply(small_sizes);
 BENCHMARK_CAPTURE(TimeOverUnknowns, graded, GridKind::graded)->Apply(large_sizes);
+BENCHMARK_CAPTURE(TimeOverUnknowns, halved, GridKind::halved)->Apply(small_sizes);
+BENCHMARK_CAPTURE(TimeOverUnknowns, halved, GridKind::halved)->Apply(large_sizes);
 
 }  // namespace
 }  // namespace abut::benchmarks

@@ -25,9 +25,8 @@ constexpr int extra_points = 2;             // of the rules in each direction: t
 constexpr int boundary_points_a_piece = 2;  // with weight 0: looked at, not integrated
 
 CellRule full_cell(const geometry::Grid& grid, int cell, int n) {
-    const auto i = static_cast<std::size_t>(grid.column_of(cell)), j = static_cast<std::size_t>(grid.row_of(cell));
     const geometry::GaussRule& line = geometry::gauss_rule(n);
-    const Vec2 a(grid.x[i], grid.y[j]), h(grid.x[i + 1] - a.x(), grid.y[j + 1] - a.y());
+    const Vec2 a = grid.box(cell).min, h = grid.box(cell).size();
     CellRule rule{cell, {}, {}};
     for (std::size_t v = 0; v < line.points.size(); ++v)
         for (std::size_t u = 0; u < line.points.size(); ++u) {

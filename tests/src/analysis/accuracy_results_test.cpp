@@ -87,8 +87,11 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
     for (const auto& [end, words] : {std::pair{PathEnd::out_of_cells, "as many cells"},
                                      {PathEnd::out_of_passes, "do not bring it down"},
                                      {PathEnd::out_of_digits, "rounding"},
+                                     {PathEnd::out_of_budget, "of about 12000 unknowns, in 3.1 s and 0.036 GB"},
                                      {PathEnd::fixed_grids, "adapt"}}) {
-        const Result result = filled(outcome(0.03, 0.002, end));
+        Outcome out = outcome(0.03, 0.002, end);
+        if (end == PathEnd::out_of_budget) out.next = PassCost{12000, 3.1, 36e6};
+        const Result result = filled(out);
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;
         EXPECT_TRUE(is_warned(result, "above the 1 % aimed at"));

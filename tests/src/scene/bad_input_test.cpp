@@ -196,6 +196,8 @@ TEST(BadInput, entries_that_do_not_fit_together) {
               "s.json:11 /accuracy/target: a relative error to aim at is from 1e-05 to 0.5"},
              {"\"degree\": 2", "\"target\": -0.01",
               "s.json:11 /accuracy/target: a relative error to aim at is from 1e-05 to 0.5"},
+             {"\"degree\": 2", "\"budget\": \"2 apples\"",
+              "s.json:11 /accuracy/budget: '2 apples' is no bound on time or memory"},
              {"\"degree\": 2", "\"target\": \"fine\"", "s.json:11 /accuracy/target"},
              {"\"degree\": 2", "\"level\": \"fine\", \"target\": 0.01",
               "s.json:11 /accuracy/target: 'target' stands for a level of its own"},

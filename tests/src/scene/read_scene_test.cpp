@@ -488,6 +488,8 @@ TEST(ReadScene, accuracy) {
     EXPECT_EQ(grid.refine[1].levels, 1);
     EXPECT_FALSE(accuracy.target);
     EXPECT_EQ(with_members(R"("accuracy": {"target": 0.003})").accuracy.target, 0.003);
+    EXPECT_FALSE(accuracy.budget.is_given());
+    EXPECT_EQ(with_members(R"("accuracy": {"budget": "30 s, 2 GB"})").accuracy.budget.bytes, 2e9);
     const Accuracy knots =
         with_members(R"("accuracy": {"level": "fine", "grids": {"p": {"x": [0, 0.5, 1], "y": [0, 1]}}})").accuracy;
     EXPECT_EQ(knots.level, "fine");

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/pass_cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/base/index.hpp"
+#include "src/discretization/part_grid.hpp"
+#include "src/io/number_text.hpp"
+#include "src/plan/rigid_parts.hpp"
+
+namespace abut {
+
+namespace {
+
+double n_filled(const PartOnGrid& grid) {
+    const std::vector<geometry::CellClass>& classes = grid.cells.cell_class;
+    return static_cast<double>(classes.size()) -
+           static_cast<double>(std::count(classes.begin(), classes.end(), geometry::CellClass::outer));
+}
+
+}  // namespace
+
+PassCost cost_of_pass(const Scene& scene, const std::vector<bool>& parts, const WantedSizes& wanted, double coarseness,
+                      const SolvedAssembly& now, double last_seconds) {
+    double unknowns = 0, cells = 0, next_cells = 0;
+    for (const PartOnGrid& grid : now.grids) {
+        if (grid.is_rigid) continue;
+        unknowns += 2 * grid.input.space.n_functions;
+        cells += n_filled(grid);
+    }
+    for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
+        if (!parts[at(part)] || !why_rigid(scene, part).empty()) continue;
+        const PartGrid next = grid_of_part(scene, part, wanted[at(part)], coarseness, 1);
+        next_cells += n_filled(next.local, next.grid);
+    }
+    if (cells == 0) return {};
+    const double growth = next_cells / cells;
+    return {growth * unknowns, last_seconds * std::pow(growth, time_exponent), growth * unknowns * bytes_per_unknown};
+}
+
+std::string cost_text(const PassCost& cost) {
+    return "of about " + number_text(cost.unknowns, 2) + " unknowns, in " + number_text(cost.seconds, 2) + " s and " +
+           number_text(cost.bytes / 1e9, 2) + " GB";
+}
+
+}  // namespace abut
