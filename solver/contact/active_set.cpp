@@ -16,12 +16,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int max_primal_dual_steps = 24;    // with the few steps of what follows, thirty in all
-constexpr double singular_fraction = 1e-15;  // of the largest pivot: the closed rows leave a motion free
-constexpr double free_fraction = 1e-10;      // of the largest stiffness against a motion: below, it counts as free
-constexpr double closed_fraction = 1e-8;     // of the largest elastic closing: gaps of redundant rows, by rounding
-constexpr double clear_fraction = 1e-6;      // of the deepest penetration: what free motions leave it by, besides
-constexpr double term_rounding = 1e-14;      // of the terms of a gap
+constexpr int max_primal_dual_steps = 24;      // with the few steps of what follows, thirty in all
+constexpr int max_pivots = 300, patience = 4;  // in all; while no fewer rows are wrong, before rows change alone
+constexpr double singular_fraction = 1e-15;    // of the largest pivot: the closed rows leave a motion free
+constexpr double free_fraction = 1e-10;        // of the largest stiffness against a motion: below, it counts as free
+constexpr double closed_fraction = 1e-8;       // of the largest elastic closing: gaps of redundant rows, by rounding
+constexpr double clear_fraction = 1e-6;        // of the deepest penetration: what free motions leave it by, besides
+constexpr double term_rounding = 1e-14;        // of the terms of a gap
 
 std::vector<Index> members(const ActiveSet& set) {
     std::vector<Index> list;
@@ -244,6 +245,36 @@ SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, Active
                       ContactState& state, int& iterations) {
     return search_sets(
         shifted, [&] { return solve_on(shifted, proximal, active, factor, state); }, active, state, iterations);
+}
+
+SetSearch pivot_by_blocks(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
+                          ContactState& state, int& iterations) {
+    ActiveSet best;  // of the fewest rows that want to change, with the last of them changed
+    std::size_t fewest = active.size() + 1;
+    int left = patience;
+    for (int step = 0; step < max_pivots; ++step) {
+        ++iterations;
+        if (!solve_on(shifted, proximal, active, factor, state)) return SetSearch::singular;
+        ActiveSet next = next_set(shifted, active, state);
+        std::vector<std::size_t> wrong;
+        for (std::size_t k = 0; k < active.size(); ++k)
+            if (next[k] != active[k]) wrong.push_back(k);
+        if (wrong.empty()) return SetSearch::found;
+        if (wrong.size() < fewest) {
+            fewest = wrong.size();
+            left = patience;
+            best = active;
+            best[wrong.back()] = next[wrong.back()];
+        }
+        --left;
+        if (left > 0)
+            active = std::move(next);
+        else if (left == 0)
+            active = best;
+        else
+            active[wrong.back()] = next[wrong.back()];
+    }
+    return SetSearch::repeated;
 }
 
 SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,

@@ -199,6 +199,8 @@ HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Matri
     more << split.resisted, split.balanced;
     ContactQp again = qp;
     again.expected = answer.result.multipliers;
+    again.near = VectorXd::Zero(more.cols());
+    again.near.head(split.resisted.cols()) = answer.result.amplitudes();
     HeldAnswer all(std::move(again), std::move(more));
     all.result.iterations += answer.result.iterations;
     return all.has_answer() ? all : answer;

@@ -25,9 +25,12 @@ using Eigen::VectorXd;
 constexpr int max_passes = 20;
 constexpr int reduced_passes = 7;                 // then the proximal term stays: less is rounding
 constexpr double first_proximal_fraction = 1e-6;  // of the foundation's stiffness; tenfold less each pass
-constexpr double least_stiffness = 1e-6;          // of the mean one, for motions that the foundation hardly resists
-constexpr double equilibrium_tolerance = 1e-10;   // relative to the loads
-constexpr double feasibility_tolerance = 1e-8;    // relative to the loads: below, the residual is rounding, not a mechanism
+/// The same from a neighbour's answer, of which nothing is to go far: passes, E of the first, and by which it becomes less.
+constexpr int near_passes = 40;
+constexpr double near_proximal_fraction = 1, near_reduction = 0.3;
+constexpr double least_stiffness = 1e-6;         // of the mean one, for motions that the foundation hardly resists
+constexpr double equilibrium_tolerance = 1e-10;  // relative to the loads
+constexpr double feasibility_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
 
 double equilibrium_error(const ContactQp& qp, const VectorXd& multipliers) {
     if (qp.modes.cols() == 0) return 0;
@@ -39,11 +42,11 @@ bool is_balanced(const ContactQp& qp, const VectorXd& multipliers) {
 }
 
 /// E of the first pass: positive definite however the rows lie.
-MatrixXd first_proximal(const MatrixXd& stiffness) {
+MatrixXd first_proximal(const MatrixXd& stiffness, double fraction) {
     const Index n = stiffness.cols();
     if (n == 0) return stiffness;
     const double mean = stiffness.trace() / static_cast<double>(n);
-    return first_proximal_fraction * (stiffness + least_stiffness * mean * MatrixXd::Identity(n, n));
+    return fraction * (stiffness + least_stiffness * mean * MatrixXd::Identity(n, n));
 }
 
 /// The primal-dual active set on the problem itself. Where it does not find the answer nothing is changed.
@@ -78,7 +81,7 @@ bool holds_exactly(const ShiftedQp& shifted, const VectorXd& anchor, const Activ
 /// loses its own.
 bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeats, bool may_descend, ClosedFactor& factor,
                 ContactState& state, ContactQpResult& result) {
-    Proximal proximal{first_proximal(stiffness), VectorXd::Zero(shifted.qp.modes.cols())};
+    Proximal proximal{first_proximal(stiffness, first_proximal_fraction), VectorXd::Zero(shifted.qp.modes.cols())};
     for (int pass = 0; pass < max_passes; ++pass) {
         const VectorXd before = state.multipliers;
         const ActiveSet start = result.active;
@@ -152,13 +155,35 @@ bool solve_leaving_free(const ShiftedQp& shifted, ClosedFactor& factor, ContactS
     return true;
 }
 
+/// The search from a neighbour's set and amplitudes: passes as of `run_passes`, which go less far. The exact answer is looked
+/// for on sets that stay.
+bool solve_from_near(const ContactQp& qp, ContactQpResult& result) {
+    const ShiftedQp near{qp, qp.gap + qp.modes * qp.near};
+    result.active = closed_by(qp, qp.expected);
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, qp.expected);
+    Proximal proximal{first_proximal(foundation_stiffness(qp), near_proximal_fraction), VectorXd::Zero(qp.modes.cols())};
+    for (int pass = 0; pass < near_passes && !result.converged; ++pass) {
+        const ActiveSet before = result.active;
+        if (pivot_by_blocks(near, proximal, result.active, factor, state, result.iterations) != SetSearch::found) return false;
+        result.converged = is_balanced(qp, state.multipliers) ||
+                           (result.active == before && holds_exactly(near, proximal.anchor, before, factor, state));
+        proximal.anchor = state.amplitudes;
+        proximal.stiffness *= near_reduction;
+    }
+    if (result.converged) conclude(near, qp.near, state, result);
+    return result.converged;
+}
+
 /// The search from the expected set; the amplitudes from where the bodies would settle on it, or else on all rows. False:
 /// nothing is known from it.
 bool solve_from_expected(const ContactQp& qp, const std::function<const Settled&()>& settled_on_all, ContactQpResult& result) {
     result.active = closed_by(qp, qp.expected);
     std::optional<VectorXd> settled = settle_on(qp, result.active);
     const bool holds_all = settled.has_value();
+    if (!holds_all && qp.near.size() > 0 && solve_from_near(qp, result)) return true;
     if (!holds_all) {
+        result.active = closed_by(qp, qp.expected);
         if (!settled_on_all().balanced) return false;
         settled = settled_on_all().amplitudes;
     }
@@ -219,6 +244,8 @@ void ensure_shapes(const ContactQp& qp) {
     ENSURE(static_cast<Index>(qp.unilateral.size()) == m && qp.foundation.size() == m && qp.drawn_gap.size() == m,
            "every row has a kind, a foundation and a drawn gap");
     ENSURE(qp.expected.size() == 0 || qp.expected.size() == m, "every row has an expected multiplier, or none");
+    ENSURE(qp.near.size() == 0 || (qp.near.size() == n && qp.expected.size() > 0),
+           "all amplitudes are expected, with multipliers");
 }
 
 }  // namespace

@@ -36,6 +36,9 @@ struct ContactQp {
     /// The multipliers of a problem much like this one, whose active set the search begins with; empty: that of the settle.
     /// Speed only.
     Eigen::VectorXd expected{};
+    /// With `expected`: the amplitudes of that problem's answer (n), which bodies that nothing holds stay near; empty: not
+    /// known.
+    Eigen::VectorXd near{};
     std::vector<FrictionRow> friction{};  ///< their tangential rows count as bilateral in `unilateral`
 };
 

@@ -31,9 +31,16 @@ VectorXd Compliance::operator*(const VectorXd& x) const {
     if (sparse_) return *sparse_ * x;
     const int m = static_cast<int>(x.size()), step = 1;
     if (m < least_rows_for_blas) return *dense_ * x;
-    const double one = 1, zero = 0;
-    VectorXd product(m);
-    dgemv_("N", &m, &m, &one, dense_->data(), &m, x.data(), &step, &zero, product.data(), &step);
+    const double one = 1;
+    VectorXd product = VectorXd::Zero(m);
+    for (int begin = 0, end = 0; begin < m; begin = end) {  // most multipliers are zero, side by side
+        const bool is_zero = x[begin] == 0;
+        while (end < m && (x[end] == 0) == is_zero) ++end;
+        const int n = end - begin;
+        if (!is_zero)
+            dgemv_("N", &m, &n, &one, dense_->data() + static_cast<Index>(begin) * m, &m, x.data() + begin, &step, &one,
+                   product.data(), &step);
+    }
     return product;
 }
 

@@ -268,10 +268,13 @@ private:
                out_.passes.size() >= comparable_from_ + most_beginnings * max_passes;
     }
 
-    /// Did the last pass miss contacts, or close others than the one before?
+    /// Did the last pass miss or close other contacts than the one before?
     bool has_changed_contacts() const {
         const std::size_t n = out_.passes.size();
-        if (any_missed(missed_) || n < comparable_from_ + 2) return true;
+        if (n < comparable_from_ + 2) return true;
+        if (!std::equal(missed_.begin(), missed_.end(), missed_before_.begin(), missed_before_.end(),
+                        [](const auto& a, const auto& b) { return a.empty() == b.empty(); }))
+            return true;
         const std::vector<ContactRecord>&now = out_.passes[n - 1].contacts, &before = out_.passes[n - 2].contacts;
         return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
                            [](const ContactRecord& a, const ContactRecord& b) { return a.runs.empty() == b.runs.empty(); });
@@ -290,6 +293,7 @@ private:
     bool is_in_contact(const SolvedAssembly& now) const { return any_run(now) || any_missed(missed_); }
 
     void look_for_missed(const SolvedAssembly& now) {
+        missed_before_ = std::move(missed_);
         missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target) : MissedContacts(now.contacts.size());
     }
 
@@ -422,14 +426,14 @@ private:
     SolvedAssembly last_;  // of steps
     NextGrids next_;
     WantedSizes wanted_;
-    WantedSizes raisers_;      // where stresses turned out to be worst
-    TheoryOfContacts theory_;  // of the first solution's contacts
-    MissedContacts missed_;    // of the last solution
+    WantedSizes raisers_;                    // where stresses turned out to be worst
+    TheoryOfContacts theory_;                // of the first solution's contacts
+    MissedContacts missed_, missed_before_;  // of the last solution, and of the one before
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;
     std::size_t comparable_from_ = 0;  // passes before have other candidates
-    std::size_t settled_from_ = 0;     // passes before closed other contacts, or missed some
+    std::size_t settled_from_ = 0;     // passes before closed or missed other contacts
 };
 
 GridWalk::GridWalk(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,

@@ -106,26 +106,32 @@ MissedContact missed_between(double begin, double end, double depth) {
     return m;
 }
 
-/// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is.
+/// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is. What goes on
+/// from a stretch under pressure is no contact of its own: bodies overlap there by what the pressure's end lacks, which has an
+/// estimate, and by motions that nothing holds, which tilt the gap.
 std::vector<MissedContact> overlaps(const DeformedZone& zone, const ContactInterface& c) {
-    std::vector<GapAt> gaps;
+    std::vector<GapAt> gaps;  // 0: under pressure
     for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
+    const std::size_t n = gaps.size();
     std::vector<MissedContact> found;
-    for (std::size_t i = 0; i < gaps.size(); ++i) {
-        const double before = i == 0 ? c.s.front() : gaps[i - 1].s, after = i + 1 == gaps.size() ? c.s.back() : gaps[i + 1].s;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double before = i == 0 ? c.s.front() : gaps[i - 1].s;
+        const auto after = [&] { return i + 1 == n ? c.s.back() : gaps[i + 1].s; };
         if (gaps[i].gap < 0) {
-            if (i == 0 || gaps[i - 1].gap >= 0) found.push_back(missed_between(before, after, 0));
-            found.back().run.end = after;
-            found.back().depth = std::max(found.back().depth, -gaps[i].gap);
+            const std::size_t first = i;
+            double depth = -gaps[i].gap;
+            for (; i + 1 < n && gaps[i + 1].gap < 0; ++i) depth = std::max(depth, -gaps[i + 1].gap);
+            const bool goes_on = (first > 0 && gaps[first - 1].gap == 0) || (i + 1 < n && gaps[i + 1].gap == 0);
+            if (!goes_on) found.push_back(missed_between(before, after(), depth));
             continue;
         }
         const bool is_least =
-            gaps[i].gap > 0 && i > 0 && i + 1 < gaps.size() && gaps[i].gap <= gaps[i - 1].gap && gaps[i].gap <= gaps[i + 1].gap;
+            gaps[i].gap > 0 && i > 0 && i + 1 < n && gaps[i].gap <= gaps[i - 1].gap && gaps[i].gap <= gaps[i + 1].gap;
         if (!is_least) continue;
-        const GapAt least = least_between(zone, before, after);
+        const GapAt least = least_between(zone, before, after());
         if (least.gap < 0)
             found.push_back(
-                missed_between(edge_between(zone, before, least.s), edge_between(zone, after, least.s), -least.gap));
+                missed_between(edge_between(zone, before, least.s), edge_between(zone, after(), least.s), -least.gap));
     }
     return found;
 }

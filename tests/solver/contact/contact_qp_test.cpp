@@ -222,6 +222,35 @@ TEST(ContactQp, GivesTheSameAnswerWhateverIsExpected) {
     EXPECT_LT(with_the_answer, without / 2);
 }
 
+/// A loaded body, and one between two faces with clearance that nothing loads: it is kept where the neighbour's answer has it.
+TEST(ContactQp, WhatNothingHoldsStaysWhereANeighbourHasIt) {
+    for (unsigned seed = 1; seed <= 200; ++seed) {
+        const ContactQp loaded = random_problem(seed, 12, 2, true);
+        MatrixXd compliance = MatrixXd::Identity(14, 14), modes = MatrixXd::Zero(14, 3);
+        compliance.topLeftCorner(12, 12) = loaded.compliance.to_dense();
+        modes.topLeftCorner(12, 2) = loaded.modes;
+        modes(12, 2) = 1;
+        modes(13, 2) = -1;
+        ContactQp qp = problem_of(compliance, modes);
+        qp.gap << loaded.gap, 1, 1;
+        qp.drawn_gap << loaded.drawn_gap, 1, 1;
+        std::copy(loaded.unilateral.begin(), loaded.unilateral.end(), qp.unilateral.begin());
+        load_with(qp, (VectorXd(3) << loaded.mode_load, 0).finished());
+        const ContactQpResult before = solve_contact_qp(loaded);
+        ASSERT_TRUE(before.converged && before.feasible) << seed;
+        std::mt19937 random = generator(seed);
+        qp.expected = random_matrix(random, 14, 1);
+        qp.expected.tail(2).setZero();
+        const double rest = 0.5;
+        qp.near = (VectorXd(3) << before.amplitudes(), rest).finished();
+        const ContactQpResult r = solve_contact_qp(qp);
+        ASSERT_TRUE(r.converged) << seed;
+        EXPECT_LT(kkt_error(qp, r), 1e-9) << seed;
+        EXPECT_LT((r.multipliers.head(12) - before.multipliers).norm(), 1e-8 * before.multipliers.norm()) << seed;
+        EXPECT_NEAR(r.amplitudes()[2], rest, 1e-9) << seed;
+    }
+}
+
 TEST(ContactQp, SolvesOnceWithoutUnilateralRows) {
     for (unsigned trial = 0; trial < 20; ++trial) {
         SCOPED_TRACE(trial);
