@@ -69,6 +69,7 @@ struct AssemblySolution {
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;
+    bool is_one_of_several = false;  ///< friction: another answer was found from another start
     double residual = 0;  ///< violation of the contact conditions by these displacements and pressures (contact_residual)
     SolveSeconds seconds;
 };

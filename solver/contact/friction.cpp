@@ -21,8 +21,14 @@ using Eigen::VectorXd;
 constexpr double answer_residual = 1e-9;  // of the conditions: what pivots find, ties and all, is no answer above
 constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
 constexpr int friction_passes = 12, friction_reduced_passes = 7;
-/// Mechanisms: how much larger coefficients are looked at, and how closely.
-constexpr double largest_factor = 1000, factor_accuracy = 1e-5;
+/// Of the loads: what the first term may have left of them in a pass that is at rest. From pass to pass the term falls tenfold,
+/// and what it bears with it, unless that drives a motion: then more than this share stays.
+constexpr double first_borne = 1e-4, still_borne = 0.5;
+/// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
+constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 1e-4;
+constexpr int factors_tried = 16;
+/// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
+constexpr double large_coefficient = 0.5, differs = 1e-6;
 
 VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
     return qp.modes.transpose() * multipliers + qp.mode_load;
@@ -59,10 +65,11 @@ void write_answer(const ShiftedQp& shifted, const VectorXd& settled, ContactStat
 }
 
 /// The search without a proximal term; where it does not find the answer nothing is changed.
-bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResult& result) {
+bool search_exactly(const ShiftedQp& shifted, Repeats repeats, ContactState& state, ContactQpResult& result) {
     ContactState exact;
     ActiveSet states = result.active;
-    if (search_states(shifted, no_term(shifted.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
+    if (search_states(shifted, no_term(shifted.qp.modes.cols()), repeats, states, exact, result.iterations) !=
+            SetSearch::found ||
         !is_in_balance(shifted.qp, exact.multipliers))
         return false;
     state = std::move(exact);
@@ -77,29 +84,83 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
            is_in_balance(shifted.qp, state.multipliers);
 }
 
-bool pass_by_pass(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
-    Proximal proximal = first_term(stiffness);
+/// What passes under a proximal term end with: the answer; a motion that goes on however small the term, since nothing but the
+/// term bears the rest of the loads; or neither.
+enum class Passed { held, sliding, lost };
+
+/// The motion of the last pass, and by which factor friction would have to be larger to bear in it what the term does.
+struct Sliding {
+    VectorXd motion{};
+    double factor = 0;
+};
+
+Sliding sliding_of(const ContactQp& qp, const ContactState& state, const VectorXd& from) {
+    const VectorXd motion = state.amplitudes - from;
+    double friction = 0;
+    for (const FrictionRow& f : qp.friction) friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
+    const double left = imbalance_of(qp, state.multipliers).dot(motion);
+    return {motion, friction > 0 ? 1 + left / friction : 0};
+}
+
+Passed pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result,
+                    Sliding& sliding) {
     const Index n = shifted.qp.modes.cols();
+    bool slides = false;
+    double borne_before = 0;
     for (int pass = 0; pass < friction_passes; ++pass) {
-        if (search_states(shifted, proximal, result.active, state, result.iterations) != SetSearch::found) {
+        if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) !=
+            SetSearch::found) {
             result.used_fallback = true;
             std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
-            if (!states) return false;
+            if (!states) return Passed::lost;
             result.active = std::move(*states);
-            if (!solve_states(shifted, proximal, result.active, state)) return false;
+            if (!solve_states(shifted, proximal, result.active, state)) return Passed::lost;
         }
-        if (search_exactly(shifted, state, result)) return true;
-        ContactState exact;
-        if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
-            state = std::move(exact);
-            return true;
+        const double borne = n > 0 ? imbalance_of(shifted.qp, state.multipliers).norm() : 0;
+        slides = borne > (pass == 0 ? first_borne * force_scale(shifted.qp, state.multipliers) : still_borne * borne_before);
+        borne_before = borne;
+        if (!slides) {
+            if (search_exactly(shifted, Repeats::one_by_one, state, result)) return Passed::held;
+            ContactState exact;
+            if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
+                state = std::move(exact);
+                return Passed::held;
+            }
         }
-        if (meets_conditions(shifted, state)) return true;
-        if (n == 0) return false;  // there is nothing that further passes could change
+        if (meets_conditions(shifted, state)) return Passed::held;
+        if (n == 0) return Passed::lost;  // there is nothing that further passes could change
+        if (slides) sliding = sliding_of(shifted.qp, state, proximal.anchor);
         proximal.anchor = state.amplitudes;
         if (pass + 1 < friction_reduced_passes) proximal.stiffness *= 0.1;
     }
-    return false;
+    return slides ? Passed::sliding : Passed::lost;
+}
+
+ContactQp with_friction_times(ContactQp qp, double factor) {
+    for (FrictionRow& f : qp.friction) f.coefficient *= factor;
+    return qp;
+}
+
+/// By which factor coefficients would have to be larger to hold bodies that slide; 0: not found. Their pressures change with
+/// the coefficients: what friction lacks in each motion is added, until the bodies rest.
+double factor_that_stops(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, const Sliding& first) {
+    double slides_at = 1, held_at = 0, factor = first.factor;
+    for (int k = 0; k < factors_tried && factor > slides_at && factor <= largest_factor; ++k) {
+        const ContactQp qp = with_friction_times(shifted.qp, factor);
+        ContactQpResult tried;
+        tried.active = states;
+        ContactState state;
+        Sliding sliding;
+        const Passed passed = pass_by_pass({qp, shifted.gap}, proximal, state, tried, sliding);
+        if (passed == Passed::lost) break;
+        const bool is_held = passed == Passed::held;
+        (is_held ? held_at : slides_at) = factor;
+        const double next = is_held ? factor / (1 + sliding_accuracy) : factor * sliding.factor;
+        if (held_at > 0 && held_at <= (1 + 1.01 * sliding_accuracy) * slides_at) break;
+        if (!is_held && sliding.factor < 1 + factor_accuracy) return next;
+        factor = held_at > 0 && (k > 0 && (next <= slides_at || next >= held_at)) ? std::sqrt(slides_at * held_at) : next;
+    }
+    return held_at;
 }
 
 /// Forces within the cones of friction, all coefficients times a factor, that balance the loads as far as they can: by the
@@ -130,14 +191,19 @@ bool can_balance(const ContactQp& qp, const NonnegativeResult& balance) {
 }
 
 /// The residual is a motion that lifts off as it slides, at right angles to the cones' edges. What slides does not lift:
-/// without the share that opens pressed rows.
+/// without the share that opens pressed rows or moves what is held.
 VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
     constexpr double notable = 1e-3;
     const VectorXd motion = -balance.residual;
     std::vector<Index> pressed;
-    for (std::size_t k = 0; k < qp.friction.size(); ++k)
+    std::vector<char> is_held(qp.unilateral.size(), 1);
+    for (std::size_t k = 0; k < qp.friction.size(); ++k) {
+        is_held[static_cast<std::size_t>(qp.friction[k].normal)] = is_held[static_cast<std::size_t>(qp.friction[k].tangential)] = 0;
         if (balance.x[static_cast<Index>(2 * k)] != 0 || balance.x[static_cast<Index>(2 * k + 1)] != 0)
             pressed.push_back(qp.friction[k].normal);
+    }
+    for (std::size_t k = 0; k < is_held.size(); ++k)
+        if (is_held[k] && !qp.unilateral[k]) pressed.push_back(static_cast<Index>(k));
     if (pressed.empty()) return motion;
     const MatrixXd rows = qp.modes(pressed, Eigen::all);
     const VectorXd sliding = motion - least_squares(rows, rows * motion);
@@ -172,9 +238,26 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     if (!settled) return false;
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     ContactState state;
-    result.converged = search_exactly(near, state, result);
+    result.converged = search_exactly(near, Repeats::end, state, result);
     if (result.converged) write_answer(near, *settled, state, result);
     return result.converged;
+}
+
+/// The answer from the other end: from the pressures without friction, all of them slipping as that answer moves.
+void look_for_another(const ContactQp& qp, ContactQpResult& result) {
+    const auto is_large = [](const FrictionRow& f) { return f.coefficient >= large_coefficient && std::isfinite(f.coefficient); };
+    if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return;
+    const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
+    ContactQpResult other;
+    other.active = result.active;
+    for (const FrictionRow& f : qp.friction) {
+        char& state = other.active[static_cast<std::size_t>(f.tangential)];
+        if (state != row_state::open) state = qp.drawn_gap.size() > 0 && near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
+    }
+    ContactState state;
+    if (!search_exactly(near, Repeats::end, state, other)) return;
+    const double largest = result.multipliers.cwiseAbs().maxCoeff();
+    result.is_one_of_several = (state.multipliers - result.multipliers).cwiseAbs().maxCoeff() > differs * largest;
 }
 
 }  // namespace
@@ -182,7 +265,10 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
 ContactQpResult solve_with_friction(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
-    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
+    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) {
+        look_for_another(qp, result);
+        return result;
+    }
     const Settled start = settle_rigidly(qp);
     const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
     ContactState state;
@@ -192,14 +278,23 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
         result.active = states_of(qp, pressures);
     };
     stick_where_pressed();
-    result.converged = search_exactly(near, state, result);
+    result.converged = search_exactly(near, Repeats::end, state, result);
     if (!result.converged) {
         if (finds_motion(qp, result)) return result;
         stick_where_pressed();
-        result.converged = pass_by_pass(near, start.stiffness, state, result);
+        Sliding sliding;
+        const Passed passed = pass_by_pass(near, first_term(start.stiffness), state, result, sliding);
+        result.converged = passed == Passed::held;
+        if (passed == Passed::sliding) {
+            result.feasible = false;
+            result.mechanism = sliding.motion;
+            result.holding_factor = factor_that_stops(near, first_term(start.stiffness), result.active, sliding);
+            return result;
+        }
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);
+    if (result.converged) look_for_another(qp, result);
     return result;
 }
 

@@ -25,9 +25,14 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 ///    a Winkler foundation, everything that is pressed sticking.
 /// 2. Where that does not end: are there any pressures and tractions within the cones of friction that balance the loads?
 ///    Non-negative least squares over the cones' edges; if there are none, their residual is a motion.
-/// 3. Passes of step 1 under a proximal term on the amplitudes; where one repeats a set, Lemke's pivots find the states of the
-///    linear complementarity problem that it is [Klarbring86]. Each pass tries the set without the term.
-/// Converged is what meets all conditions; several answers are possible where coefficients are large, and one of them is given.
+/// 3. Passes of step 1 under a proximal term on the amplitudes, where a set comes back one row at a time; where that does not
+///    end, Lemke's pivots find the states of the linear complementarity problem that it is [Klarbring86]. Each pass tries the
+///    set without the term.
+/// 4. Where the term bears as much of the loads in the end however much it was reduced, the bodies slide: forces within the
+///    cones would balance, but elastic bodies do not press on each other so, or not there (a shrink fit, round bodies). That
+///    motion is the mechanism, and step 3 is tried with larger coefficients until it stops.
+/// Converged is what meets all conditions. Several answers are possible where coefficients are large: a second search then
+/// begins with everything slipping, and where it finds another answer that is told (is_one_of_several).
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// The largest violation of the conditions, scaled like contact_residual. Tractions beyond their bound are relative to the
