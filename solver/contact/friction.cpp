@@ -243,7 +243,7 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     return result.converged;
 }
 
-/// The answer from the other end: from the pressures without friction, all of them slipping as that answer moves.
+/// The search from the other end: all that is pressed slips, the way that the bodies moved as they settled.
 void look_for_another(const ContactQp& qp, ContactQpResult& result) {
     const auto is_large = [](const FrictionRow& f) { return f.coefficient >= large_coefficient && std::isfinite(f.coefficient); };
     if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return;
@@ -252,7 +252,7 @@ void look_for_another(const ContactQp& qp, ContactQpResult& result) {
     other.active = result.active;
     for (const FrictionRow& f : qp.friction) {
         char& state = other.active[static_cast<std::size_t>(f.tangential)];
-        if (state != row_state::open) state = qp.drawn_gap.size() > 0 && near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
+        if (state != row_state::open) state = near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
     }
     ContactState state;
     if (!search_exactly(near, Repeats::end, state, other)) return;

@@ -79,7 +79,7 @@ MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unk
 }
 
 std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
-    if (std::optional<VectorXd> x = solve_square(a, b)) return x;
+    if (std::optional<VectorXd> x = solve_square(a, b); x && x->allFinite()) return x;
     VectorXd x = least_squares(a, b);
     const double terms = (a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()).maxCoeff();
     const bool is_consistent = (a * x - b).cwiseAbs().maxCoeff() <= consistent * terms;  // false of what is no number, too
