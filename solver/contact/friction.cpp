@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "solver/contact/friction_states.hpp"
@@ -20,13 +21,19 @@ using Eigen::VectorXd;
 
 constexpr double answer_residual = 1e-9;  // of the conditions: what pivots find, ties and all, is no answer above
 constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
+constexpr double first_fraction = 1e-6;   // of the foundation's stiffness: the first term
 constexpr int friction_passes = 12, friction_reduced_passes = 7;
-/// Of the loads: what the first term may have left of them in a pass that is at rest. From pass to pass the term falls tenfold,
-/// and what it bears with it, unless that drives a motion: then more than this share stays.
-constexpr double first_borne = 1e-4, still_borne = 0.5;
+/// Creep: the term, of the foundation's stiffness; what it bears, of the loads and of the pass before, where the bodies slide,
+/// and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the contacts.
+constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-4, creep_is_slow = 0.9;
+constexpr int creep_passes = 24, least_creep_passes = 5;
+/// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
+constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
 /// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
-constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 1e-4;
+constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 5e-5;
 constexpr int factors_tried = 16;
+/// Bodies that would rest with so much more friction may do so on finer cells.
+constexpr double near_limit = 1.05;
 /// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
 constexpr double large_coefficient = 0.5, differs = 1e-6;
 
@@ -44,9 +51,9 @@ Proximal no_term(Index n) {
     return {MatrixXd::Zero(n, n), VectorXd::Zero(n)};
 }
 
-/// Positive definite however the rows lie: a trifle of the foundation's stiffness.
-Proximal first_term(const MatrixXd& stiffness) {
-    constexpr double fraction = 1e-6, least = 1e-6;
+/// Positive definite however the rows lie: a fraction of the foundation's stiffness.
+Proximal term_of(const MatrixXd& stiffness, double fraction) {
+    constexpr double least = 1e-6;
     const Index n = stiffness.cols();
     Proximal proximal = no_term(n);
     if (n == 0) return proximal;
@@ -84,56 +91,93 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
            is_in_balance(shifted.qp, state.multipliers);
 }
 
-/// What passes under a proximal term end with: the answer; a motion that goes on however small the term, since nothing but the
-/// term bears the rest of the loads; or neither.
-enum class Passed { held, sliding, lost };
-
-/// The motion of the last pass, and by which factor friction would have to be larger to bear in it what the term does.
-struct Sliding {
-    VectorXd motion{};
-    double factor = 0;
-};
-
-Sliding sliding_of(const ContactQp& qp, const ContactState& state, const VectorXd& from) {
-    const VectorXd motion = state.amplitudes - from;
-    double friction = 0;
-    for (const FrictionRow& f : qp.friction) friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
-    const double left = imbalance_of(qp, state.multipliers).dot(motion);
-    return {motion, friction > 0 ? 1 + left / friction : 0};
+/// The state under a proximal term from the states in `result`; false: none was found.
+bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
+    if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) == SetSearch::found)
+        return true;
+    result.used_fallback = true;
+    std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
+    if (!states) return false;
+    result.active = std::move(*states);
+    return solve_states(shifted, proximal, result.active, state);
 }
 
-Passed pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result,
-                    Sliding& sliding) {
+bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {
     const Index n = shifted.qp.modes.cols();
-    bool slides = false;
-    double borne_before = 0;
     for (int pass = 0; pass < friction_passes; ++pass) {
-        if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) !=
-            SetSearch::found) {
-            result.used_fallback = true;
-            std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
-            if (!states) return Passed::lost;
-            result.active = std::move(*states);
-            if (!solve_states(shifted, proximal, result.active, state)) return Passed::lost;
+        if (!solve_pass(shifted, proximal, state, result)) return false;
+        if (search_exactly(shifted, Repeats::one_by_one, state, result)) return true;
+        ContactState exact;
+        if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
+            state = std::move(exact);
+            return true;
         }
-        const double borne = n > 0 ? imbalance_of(shifted.qp, state.multipliers).norm() : 0;
-        slides = borne > (pass == 0 ? first_borne * force_scale(shifted.qp, state.multipliers) : still_borne * borne_before);
-        borne_before = borne;
-        if (!slides) {
-            if (search_exactly(shifted, Repeats::one_by_one, state, result)) return Passed::held;
-            ContactState exact;
-            if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
-                state = std::move(exact);
-                return Passed::held;
-            }
-        }
-        if (meets_conditions(shifted, state)) return Passed::held;
-        if (n == 0) return Passed::lost;  // there is nothing that further passes could change
-        if (slides) sliding = sliding_of(shifted.qp, state, proximal.anchor);
+        if (meets_conditions(shifted, state)) return true;
+        if (n == 0) return false;  // there is nothing that further passes could change
         proximal.anchor = state.amplitudes;
         if (pass + 1 < friction_reduced_passes) proximal.stiffness *= 0.1;
     }
-    return slides ? Passed::sliding : Passed::lost;
+    return false;
+}
+
+/// Bodies that slide on and on: how they move in a pass of creep, and by which factor friction would have to be larger to bear
+/// in it what the term does.
+struct Sliding {
+    VectorXd motion;
+    double factor;
+};
+
+/// How often the last motion fits into the way to what stops it; 0: nothing does. The first row that it closes tells.
+double way_to_stop(const ShiftedQp& shifted, const VectorXd& motion, const ContactState& state, const ActiveSet& states) {
+    const VectorXd gap = gap_of(shifted, state), rate = shifted.qp.modes * motion;
+    std::vector<char> is_tangential(states.size(), 0);
+    double slip = 0, way = std::numeric_limits<double>::infinity(), slope = 0;
+    for (const FrictionRow& f : shifted.qp.friction) {
+        is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
+        if (states[static_cast<std::size_t>(f.normal)] != row_state::open) slip = std::max(slip, std::abs(rate[f.tangential]));
+    }
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const auto row = static_cast<Index>(k);
+        if (is_tangential[k] || states[k] != row_state::open || !(-rate[row] > stop_rounding * slip)) continue;
+        if (gap[row] > -rate[row] * way) continue;
+        way = gap[row] / -rate[row];
+        slope = -rate[row];
+    }
+    return slope >= stop_slope * slip && std::isfinite(way) ? way : 0;
+}
+
+/// Bodies held back by a term that forgets how far they came, from pass to pass: where there is rest they come to it at once;
+/// where the term bears as much in the end, they slide. What slides towards something is taken there. Nothing too where what
+/// moves does not slip (what rolls). state: where to begin, and how it ends; no multipliers: no state was found.
+std::optional<Sliding> creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state,
+                             ContactQpResult& result) {
+    const ContactQp& qp = shifted.qp;
+    Proximal term = term_of(stiffness, creep_fraction);
+    term.anchor = state.amplitudes;
+    double borne = 0;
+    for (int pass = 0; pass < creep_passes; ++pass) {
+        if (!solve_pass(shifted, term, state, result)) {
+            state.multipliers.resize(0);
+            return std::nullopt;
+        }
+        const VectorXd motion = state.amplitudes - term.anchor, imbalance = imbalance_of(qp, state.multipliers);
+        const double borne_before = borne;
+        borne = imbalance.norm();
+        if (borne <= creep_load * force_scale(qp, state.multipliers)) return std::nullopt;
+        const bool goes_on = pass > 0 && borne >= creep_lasts * borne_before;
+        const double way = goes_on ? way_to_stop(shifted, motion, state, result.active) : 0;
+        if (goes_on && way <= 1 && pass + 1 >= least_creep_passes) {
+            double friction = 0;
+            for (const FrictionRow& f : qp.friction)
+                friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
+            const double left = imbalance.dot(motion);
+            if (left > 0 && left < largest_factor * friction) return Sliding{motion, 1 + left / friction};
+            return std::nullopt;
+        }
+        if (pass > 0 && !goes_on && borne > creep_is_slow * borne_before) term.stiffness *= 0.1;  // soft parts take their time
+        term.anchor = state.amplitudes + (way > 1 ? way - 1 : 0) * motion;
+    }
+    return std::nullopt;
 }
 
 ContactQp with_friction_times(ContactQp qp, double factor) {
@@ -141,24 +185,23 @@ ContactQp with_friction_times(ContactQp qp, double factor) {
     return qp;
 }
 
-/// By which factor coefficients would have to be larger to hold bodies that slide; 0: not found. Their pressures change with
-/// the coefficients: what friction lacks in each motion is added, until the bodies rest.
-double factor_that_stops(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, const Sliding& first) {
+/// By which factor coefficients would have to be larger to hold bodies that slide from a state on; 0: not found. Their
+/// pressures change with the coefficients: what friction lacks in each motion is added, until the bodies rest.
+double factor_that_stops(const ShiftedQp& shifted, const MatrixXd& stiffness, const ContactState& from, const ActiveSet& states,
+                         const Sliding& first) {
     double slides_at = 1, held_at = 0, factor = first.factor;
-    for (int k = 0; k < factors_tried && factor > slides_at && factor <= largest_factor; ++k) {
+    for (int k = 0; k < factors_tried && factor <= largest_factor; ++k) {
         const ContactQp qp = with_friction_times(shifted.qp, factor);
         ContactQpResult tried;
         tried.active = states;
-        ContactState state;
-        Sliding sliding;
-        const Passed passed = pass_by_pass({qp, shifted.gap}, proximal, state, tried, sliding);
-        if (passed == Passed::lost) break;
-        const bool is_held = passed == Passed::held;
-        (is_held ? held_at : slides_at) = factor;
-        const double next = is_held ? factor / (1 + sliding_accuracy) : factor * sliding.factor;
+        ContactState state = from;
+        const std::optional<Sliding> sliding = creep({qp, shifted.gap}, stiffness, state, tried);
+        if (state.multipliers.size() == 0) break;
+        if (sliding && sliding->factor < 1 + factor_accuracy) return factor * sliding->factor;
+        (sliding ? slides_at : held_at) = factor;
         if (held_at > 0 && held_at <= (1 + 1.01 * sliding_accuracy) * slides_at) break;
-        if (!is_held && sliding.factor < 1 + factor_accuracy) return next;
-        factor = held_at > 0 && (k > 0 && (next <= slides_at || next >= held_at)) ? std::sqrt(slides_at * held_at) : next;
+        factor = sliding ? factor * sliding->factor : factor / (1 + sliding_accuracy);
+        if (held_at > 0 && (factor <= slides_at || factor >= held_at)) factor = std::sqrt(slides_at * held_at);
     }
     return held_at;
 }
@@ -198,7 +241,8 @@ VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
     std::vector<Index> pressed;
     std::vector<char> is_held(qp.unilateral.size(), 1);
     for (std::size_t k = 0; k < qp.friction.size(); ++k) {
-        is_held[static_cast<std::size_t>(qp.friction[k].normal)] = is_held[static_cast<std::size_t>(qp.friction[k].tangential)] = 0;
+        is_held[static_cast<std::size_t>(qp.friction[k].normal)] =
+            is_held[static_cast<std::size_t>(qp.friction[k].tangential)] = 0;
         if (balance.x[static_cast<Index>(2 * k)] != 0 || balance.x[static_cast<Index>(2 * k + 1)] != 0)
             pressed.push_back(qp.friction[k].normal);
     }
@@ -245,7 +289,9 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
 
 /// The search from the other end: all that is pressed slips, the way that the bodies moved as they settled.
 void look_for_another(const ContactQp& qp, ContactQpResult& result) {
-    const auto is_large = [](const FrictionRow& f) { return f.coefficient >= large_coefficient && std::isfinite(f.coefficient); };
+    const auto is_large = [](const FrictionRow& f) {
+        return f.coefficient >= large_coefficient && std::isfinite(f.coefficient);
+    };
     if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return;
     const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
     ContactQpResult other;
@@ -280,16 +326,29 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     stick_where_pressed();
     result.converged = search_exactly(near, Repeats::end, state, result);
     if (!result.converged) {
-        if (finds_motion(qp, result)) return result;
+        const bool is_beyond_cones = finds_motion(qp, result);
         stick_where_pressed();
-        Sliding sliding;
-        const Passed passed = pass_by_pass(near, first_term(start.stiffness), state, result, sliding);
-        result.converged = passed == Passed::held;
-        if (passed == Passed::sliding) {
-            result.feasible = false;
-            result.mechanism = sliding.motion;
-            result.holding_factor = factor_that_stops(near, first_term(start.stiffness), result.active, sliding);
+        state.amplitudes = VectorXd::Zero(qp.modes.cols());
+        if (is_beyond_cones) {
+            const Sliding least{result.mechanism, (1 + factor_accuracy) * result.holding_factor};
+            const double factor =
+                result.holding_factor > 0 ? factor_that_stops(near, start.stiffness, state, result.active, least) : 0;
+            if (factor > 0) result.holding_factor = factor;
             return result;
+        }
+        const std::optional<Sliding> sliding = qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result) : std::nullopt;
+        if (sliding) {
+            const double factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
+            result.feasible = factor > 0 && factor < near_limit;
+            result.mechanism = sliding->motion;
+            result.holding_factor = factor;
+            if (result.feasible) write_answer(near, start.amplitudes, state, result);
+            return result;
+        }
+        result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);
+        if (!result.converged) {
+            stick_where_pressed();
+            result.converged = pass_by_pass(near, term_of(start.stiffness, first_fraction), state, result);
         }
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};

@@ -190,6 +190,7 @@ private:
     }
 
     bool end(SolvedAssembly&& now, PathEnd why) {
+        if (now.solution.mechanism.empty()) now.solution.mechanism = std::move(now.solution.sliding);
         recover_stress(now);
         out_.solved = std::move(now);
         out_.end = why;

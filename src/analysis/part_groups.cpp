@@ -50,6 +50,7 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     to.is_one_of_several = to.is_one_of_several || from.is_one_of_several;
     append_motions(to.neutral, from.neutral, parts_before);
     append_motions(to.mechanism, from.mechanism, parts_before);
+    append_motions(to.sliding, from.sliding, parts_before);
     to.groups += from.groups;
     add_outcome(from, to);
 }
