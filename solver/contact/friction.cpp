@@ -26,14 +26,12 @@ constexpr int friction_passes = 12, friction_reduced_passes = 7;
 /// Creep: the term, of the foundation's stiffness; what it bears, of the loads and of the pass before, where the bodies slide,
 /// and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the contacts.
 constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-4, creep_is_slow = 0.9;
-constexpr int creep_passes = 24, least_creep_passes = 5;
+constexpr int creep_passes = 24, steady_passes = 4;
 /// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
 constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
 /// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
 constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 5e-5;
 constexpr int factors_tried = 16;
-/// Bodies that would rest with so much more friction may do so on finer cells.
-constexpr double near_limit = 1.05;
 /// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
 constexpr double large_coefficient = 0.5, differs = 1e-6;
 
@@ -146,38 +144,58 @@ double way_to_stop(const ShiftedQp& shifted, const VectorXd& motion, const Conta
     return slope >= stop_slope * slip && std::isfinite(way) ? way : 0;
 }
 
+/// What creep ends with: bodies that rest, or slide; neither where no state was found, or where what moves does not slip (what
+/// rolls), or moves on too slowly to tell.
+struct Creep {
+    bool rests = false;
+    std::optional<Sliding> sliding{};
+};
+
+Creep sliding_in(const ContactQp& qp, const ContactState& state, const VectorXd& motion) {
+    double friction = 0;
+    for (const FrictionRow& f : qp.friction)
+        friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
+    const double left = imbalance_of(qp, state.multipliers).dot(motion);
+    if (!(left > 0 && left < largest_factor * friction)) return {};
+    return {false, Sliding{motion, 1 + left / friction}};
+}
+
+/// Which rows are pressed, whether they stick or slip.
+std::vector<char> pressed_in(const ActiveSet& states) {
+    std::vector<char> pressed(states.size());
+    std::transform(states.begin(), states.end(), pressed.begin(), [](char state) { return state != row_state::open; });
+    return pressed;
+}
+
 /// Bodies held back by a term that forgets how far they came, from pass to pass: where there is rest they come to it at once;
-/// where the term bears as much in the end, they slide. What slides towards something is taken there. Nothing too where what
-/// moves does not slip (what rolls). state: where to begin, and how it ends; no multipliers: no state was found.
-std::optional<Sliding> creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state,
-                             ContactQpResult& result) {
+/// where the term bears as much in the end, they slide. So they do where it bears hardly less because the contact moves on
+/// along a round face; on rows that stay the same, soft parts take their time. What slides towards something is taken there.
+/// state: where to begin, and how it ends; no multipliers: no state was found.
+Creep creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
     const ContactQp& qp = shifted.qp;
     Proximal term = term_of(stiffness, creep_fraction);
     term.anchor = state.amplitudes;
     double borne = 0;
+    int steady = 0;
     for (int pass = 0; pass < creep_passes; ++pass) {
+        const std::vector<char> pressed_before = pressed_in(result.active);
         if (!solve_pass(shifted, term, state, result)) {
             state.multipliers.resize(0);
-            return std::nullopt;
+            return {};
         }
-        const VectorXd motion = state.amplitudes - term.anchor, imbalance = imbalance_of(qp, state.multipliers);
+        const VectorXd motion = state.amplitudes - term.anchor;
         const double borne_before = borne;
-        borne = imbalance.norm();
-        if (borne <= creep_load * force_scale(qp, state.multipliers)) return std::nullopt;
-        const bool goes_on = pass > 0 && borne >= creep_lasts * borne_before;
+        borne = imbalance_of(qp, state.multipliers).norm();
+        if (borne <= creep_load * force_scale(qp, state.multipliers)) return {true, {}};
+        const bool is_slow = pass > 0 && borne > creep_is_slow * borne_before;
+        const bool goes_on = is_slow && (borne >= creep_lasts * borne_before || pressed_before != pressed_in(result.active));
         const double way = goes_on ? way_to_stop(shifted, motion, state, result.active) : 0;
-        if (goes_on && way <= 1 && pass + 1 >= least_creep_passes) {
-            double friction = 0;
-            for (const FrictionRow& f : qp.friction)
-                friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
-            const double left = imbalance.dot(motion);
-            if (left > 0 && left < largest_factor * friction) return Sliding{motion, 1 + left / friction};
-            return std::nullopt;
-        }
-        if (pass > 0 && !goes_on && borne > creep_is_slow * borne_before) term.stiffness *= 0.1;  // soft parts take their time
+        steady = goes_on && way <= 1 ? steady + 1 : 0;
+        if (steady >= steady_passes) return sliding_in(qp, state, motion);
+        if (is_slow && !goes_on) term.stiffness *= 0.1;
         term.anchor = state.amplitudes + (way > 1 ? way - 1 : 0) * motion;
     }
-    return std::nullopt;
+    return {};
 }
 
 ContactQp with_friction_times(ContactQp qp, double factor) {
@@ -195,8 +213,8 @@ double factor_that_stops(const ShiftedQp& shifted, const MatrixXd& stiffness, co
         ContactQpResult tried;
         tried.active = states;
         ContactState state = from;
-        const std::optional<Sliding> sliding = creep({qp, shifted.gap}, stiffness, state, tried);
-        if (state.multipliers.size() == 0) break;
+        const auto [rests, sliding] = creep({qp, shifted.gap}, stiffness, state, tried);
+        if (!rests && !sliding) break;
         if (sliding && sliding->factor < 1 + factor_accuracy) return factor * sliding->factor;
         (sliding ? slides_at : held_at) = factor;
         if (held_at > 0 && held_at <= (1 + 1.01 * sliding_accuracy) * slides_at) break;
@@ -336,13 +354,12 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
             if (factor > 0) result.holding_factor = factor;
             return result;
         }
-        const std::optional<Sliding> sliding = qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result) : std::nullopt;
+        const std::optional<Sliding> sliding =
+            qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result).sliding : std::nullopt;
         if (sliding) {
-            const double factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
-            result.feasible = factor > 0 && factor < near_limit;
             result.mechanism = sliding->motion;
-            result.holding_factor = factor;
-            if (result.feasible) write_answer(near, start.amplitudes, state, result);
+            result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
+            write_answer(near, start.amplitudes, state, result);
             return result;
         }
         result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);

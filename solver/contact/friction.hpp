@@ -28,8 +28,8 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// 3. Forces within the cones may balance, and elastic bodies not press on each other so, or not there (a shrink fit, round
 ///    bodies). Passes of step 1 under a proximal term on the amplitudes, a brake that gives way from pass to pass (creep):
 ///    where it bears as much of the loads in the end, the bodies slide. That motion is the mechanism, and the same is tried
-///    with larger coefficients until they rest. Where little more friction holds, the coarseness of the rows may be what lacks:
-///    then the state in which they slide is given as well (feasible, not converged, with a mechanism).
+///    with larger coefficients until they rest. Finer
+///    rows may press elsewhere: the state in which they slide is given as well (feasible, not converged, with a mechanism).
 /// 4. Step 1 from where the creep ended, else passes of step 1 under a term that is reduced tenfold each time. Each pass tries
 /// the set without the term. In 3 and 4, where a set comes back rows change one at a time; where that does not end, Lemke's
 /// pivots find the states of the linear complementarity problem that it is [Klarbring86]. Converged is what meets all

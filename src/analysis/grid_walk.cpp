@@ -190,7 +190,6 @@ private:
     }
 
     bool end(SolvedAssembly&& now, PathEnd why) {
-        if (now.solution.mechanism.empty()) now.solution.mechanism = std::move(now.solution.sliding);
         recover_stress(now);
         out_.solved = std::move(now);
         out_.end = why;
@@ -290,6 +289,16 @@ private:
         return "";
     }
 
+    /// What slides on the first cells may rest on those that follow the contacts; where it does not, that is the motion.
+    void tell_sliding(SolvedAssembly& now) {
+        if (!is_solved(now) || now.solution.converged) return;
+        const bool had_slid = !slid_.sliding.empty();
+        if (!now.solution.sliding.empty()) slid_ = {now.solution.sliding, now.solution.holding_factor};
+        if (!had_slid && !grids_are_fixed(scene_)) return;
+        now.solution.mechanism = slid_.sliding;
+        now.solution.holding_factor = slid_.factor;
+    }
+
     /// After one solution; true: it is the last one.
     bool step(SolvedAssembly now) {
         const bool stuck = !is_solved(now);
@@ -310,6 +319,7 @@ private:
         }
         out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
+        tell_sliding(now);
         if (now.failure.empty()) now.failure = lost_part(now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         if (grids_are_fixed(scene_))
@@ -380,6 +390,10 @@ private:
     WantedSizes raisers_;      // where stresses turned out to be worst
     TheoryOfContacts theory_;  // of the first solution's contacts
     MissedContacts missed_;    // of the last solution
+    struct {
+        std::vector<solver::PartMotion> sliding{};
+        double factor = 0;
+    } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;

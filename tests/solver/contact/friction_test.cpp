@@ -216,8 +216,8 @@ TEST(Friction, ThatCannotHoldTheLoadsIsToldByAMotion) {
         ContactQp more = qp, less = qp;
         for (FrictionRow& f : more.friction) f.coefficient *= r.holding_factor * (1 + 1e-4);
         for (FrictionRow& f : less.friction) f.coefficient *= r.holding_factor * (1 - 1e-4);
-        EXPECT_EQ(solve_contact_qp(more).mechanism.size(), 0) << seed;
-        EXPECT_GT(solve_contact_qp(less).mechanism.size(), 0) << seed;
+        EXPECT_TRUE(solve_contact_qp(more).feasible) << seed;
+        EXPECT_FALSE(solve_contact_qp(less).feasible) << seed;
     }
     EXPECT_GT(mechanisms, 20);
 }
@@ -279,17 +279,14 @@ TEST(Friction, OfAFitHoldsAsMuchAsItsPressureGives) {
     ASSERT_TRUE(held.feasible && held.converged);
     EXPECT_NEAR(held.multipliers[0], 1, 1e-12);
     EXPECT_NEAR(held.multipliers[1] + held.multipliers[3], -0.399, 1e-12);
-    for (const double push : {0.6, 8.0}) {
+    for (const double push : {0.401, 0.6, 8.0}) {
         const ContactQpResult slid = solve_contact_qp(wedged_block(0.2, push));
-        ASSERT_FALSE(slid.feasible) << push;
+        ASSERT_TRUE(!slid.converged && slid.mechanism.size() == 2) << push;
+        EXPECT_TRUE(slid.feasible) << "other rows may hold it: how it slides is given";
+        EXPECT_NEAR(slid.multipliers[1] + slid.multipliers[3], -0.4, 1e-12);
         EXPECT_NEAR(slid.mechanism.normalized().x(), 1, 1e-12) << push;
         EXPECT_NEAR(slid.holding_factor, push / 0.4, 1e-4 * slid.holding_factor);
     }
-    const ContactQpResult hardly = solve_contact_qp(wedged_block(0.2, 0.401));
-    EXPECT_FALSE(hardly.converged);
-    EXPECT_TRUE(hardly.feasible) << "other cells may hold it: how it slides is given";
-    EXPECT_NEAR(hardly.mechanism.normalized().x(), 1, 1e-12);
-    EXPECT_NEAR(hardly.multipliers[1] + hardly.multipliers[3], -0.4, 1e-12);
 }
 
 TEST(Friction, SlidesAsFarAsAStop) {

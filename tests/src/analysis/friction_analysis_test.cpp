@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "src/analysis/analysis.hpp"
 #include "src/plan/plan.hpp"
@@ -153,65 +152,6 @@ TEST(FrictionAnalysis, RemembersFromStepToStep) {
         return most;
     };
     EXPECT_LT(largest(0), 0.1 * largest(2)) << "pressed alone it is the same on both sides; pushed and let go it is not";
-}
-
-/// A tube shrunk on another, around their axis: it bears 2 pi r h mu p along it.
-Result tubes(double share) {
-    return analyze(read_scene_text(R"({"abut": 1, "analysis": "axisymmetric",
-        "parameters": {"share": )" + std::to_string(share) +
-                                       R"(, "mu": 0.1, "p": 23.4375},
-        "materials": {"m": {"E": 1e5, "nu": 0}},
-        "parts": [{"name": "in", "material": "m", "geometry": {"rectangle": {"min": [1, 0], "max": [2, 1]}}},
-                  {"name": "out", "material": "m", "geometry": {"rectangle": {"min": [2, 0], "max": [3, 1]}}}],
-        "supports": [{"part": "out", "rigid": {"translation": [null, 0], "rotation": null}}],
-        "loads": [{"part": "in", "force": [0, "share*2*pi*2*mu*p"]}],
-        "contacts": {"pairs": [{"between": ["in/right", "out/left"], "interference": 0.002, "friction": "mu"}]}})",
-                                   "tubes.json"),
-                   {});
-}
-
-TEST(FrictionAnalysis, HoldsTubesAlongTheirAxis) {
-    const Result held = tubes(0.9);
-    ASSERT_EQ(held.status, "ok") << held.message;
-    EXPECT_NEAR(*held.contacts.at(0).friction->utilisation, 0.9, 1e-3);
-    EXPECT_LT(held.equilibrium.relative_residual, 1e-9);
-    const Result slides = tubes(1.2);
-    EXPECT_EQ(slides.status, "failed");
-    EXPECT_NE(slides.message.find("in slides along (0, 1). A coefficient of friction of 0.12 would hold it"), std::string::npos)
-        << slides.message;
-}
-
-/// A round pad on a block, pressed and pushed, on grids turned and shifted anyhow.
-TEST(LongFriction, HoldsItsIdentitiesWhateverTheNumbers) {
-    std::mt19937 random(28);
-    const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-    for (int k = 0; k < 2000; ++k) {
-        const double mu = between(0, 2), share = between(-0.98, 0.98), ratio = std::pow(10, between(-3, 3));
-        const auto grid = [&] {
-            return R"({"cells": [)" + std::to_string(random() % 12 + 8) + "," + std::to_string(random() % 8 + 6) +
-                   R"(], "angle": )" + std::to_string(between(0, 90)) + R"(, "offset": [)" + std::to_string(between(0, 0.2)) +
-                   "," + std::to_string(between(0, 0.2)) + "]}";
-        };
-        const std::string numbers = R"("parameters": {"mu": )" + std::to_string(mu) + R"(, "share": )" + std::to_string(share) +
-                                    R"(, "E": )" + std::to_string(1e5 * ratio) + R"(, "P": )" +
-                                    std::to_string(between(100, 3000)) + "}";
-        const Result r = analyze(read_scene_text(R"({"abut": 1, )" + numbers + R"(,
-            "materials": {"m": {"E": 1e5, "nu": 0.3}, "other": {"E": "E", "nu": 0.2}},
-            "parts": [{"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-1, -1], "max": [1, 0]}}},
-                      {"name": "pad", "material": "other", "geometry": {"intersection": [
-                         {"circle": {"center": [0, 2], "radius": 2}}, {"rectangle": {"min": [-0.7, 0], "max": [0.7, 1]}}]}}],
-            "supports": [{"on": "block/bottom", "fix": ["x", "y"]}, {"part": "pad", "rigid": {"rotation": 0}}],
-            "loads": [{"on": "pad/top", "force": ["share*mu*P", "-P"]}],
-            "contacts": {"friction": "mu"}, "accuracy": {"grids": {"block": )" +
-                                                     grid() + R"(, "pad": )" + grid() + "}}}",
-                                                 "pad.json"),
-                                 {});
-        ASSERT_EQ(r.status, "ok") << k << ": " << numbers << ": " << r.message;
-        const ContactResult& c = r.contacts.at(0);
-        EXPECT_LT(beyond_bound(c), 1e-12 * c.max_pressure.value) << k << ": " << numbers;
-        EXPECT_LT(std::max(r.equilibrium.relative_residual, r.equilibrium.relative_moment_residual), 1e-9)
-            << k << ": " << numbers;
-    }
 }
 
 }  // namespace abut::friction_analysis_test
