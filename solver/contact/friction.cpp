@@ -344,16 +344,9 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     stick_where_pressed();
     result.converged = search_exactly(near, Repeats::end, state, result);
     if (!result.converged) {
-        const bool is_beyond_cones = finds_motion(qp, result);
+        if (finds_motion(qp, result)) return result;
         stick_where_pressed();
         state.amplitudes = VectorXd::Zero(qp.modes.cols());
-        if (is_beyond_cones) {
-            const Sliding least{result.mechanism, (1 + factor_accuracy) * result.holding_factor};
-            const double factor =
-                result.holding_factor > 0 ? factor_that_stops(near, start.stiffness, state, result.active, least) : 0;
-            if (factor > 0) result.holding_factor = factor;
-            return result;
-        }
         const std::optional<Sliding> sliding =
             qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result).sliding : std::nullopt;
         if (sliding) {

@@ -311,7 +311,8 @@ private:
             wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
             return false;
         }
-        const double needed = stuck ? 0.0 : needed_search_factor(scene_, now);
+        const bool slides = !now.solution.sliding.empty();  // so far as the brake let it, which says nothing
+        const double needed = stuck || slides ? 0.0 : needed_search_factor(scene_, now);
         if (now.failure.empty() && may_widen() &&
             (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor_)) {
             widen(now, needed, stuck);
@@ -320,7 +321,7 @@ private:
         out_.search_too_short = !stuck && scene_.parts.size() > 1 && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         tell_sliding(now);
-        if (now.failure.empty()) now.failure = lost_part(now);
+        if (now.failure.empty() && !slides) now.failure = lost_part(now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
