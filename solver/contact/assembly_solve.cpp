@@ -249,7 +249,13 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
         return answered;
     }
     ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
-    recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
+    if (held.result.mechanism.size() > 0) {
+        solution.sliding = part_motions(problem.parts, held.held * held.result.mechanism);
+        solution.holding_factor = held.result.holding_factor;
+        recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
+    } else {
+        recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
+    }
     if (levers.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);
             forces && *forces != answer.forces) {

@@ -65,10 +65,12 @@ struct AssemblySolution {
     std::vector<double> constraint_force;       ///< by constraint
     std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
     std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
+    std::vector<PartMotion> sliding;            ///< not empty: they do so at these cells, the rest is how they slide there
     double holding_factor = 0;  ///< of a mechanism: coefficients of friction so many times as large would hold; 0: none do
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;
+    bool is_one_of_several = false;  ///< friction: another answer was found from another start
     double residual = 0;  ///< violation of the contact conditions by these displacements and pressures (contact_residual)
     SolveSeconds seconds;
 };

@@ -52,9 +52,10 @@ struct ContactQpResult {
     bool converged = false;
     bool used_fallback = false;  ///< the primal-dual active set repeated or lost a set: the descending one went on
     bool feasible = true;        ///< false: no pressures >= 0 balance the loads
-    Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive
-    double holding_factor = 0;   ///< with !feasible: coefficients of friction so many times as large would hold; 0: none do
+    Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive; else friction may hold it
+    double holding_factor = 0;   ///< with a mechanism: coefficients of friction so many times as large would hold; 0: none do
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
+    bool is_one_of_several = false;  ///< friction: another answer was found from another start
 };
 
 /// Solves the contact problem, in these steps:

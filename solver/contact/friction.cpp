@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "solver/contact/friction_states.hpp"
@@ -20,9 +21,19 @@ using Eigen::VectorXd;
 
 constexpr double answer_residual = 1e-9;  // of the conditions: what pivots find, ties and all, is no answer above
 constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
+constexpr double first_fraction = 1e-6;   // of the foundation's stiffness: the first term
 constexpr int friction_passes = 12, friction_reduced_passes = 7;
-/// Mechanisms: how much larger coefficients are looked at, and how closely.
-constexpr double largest_factor = 1000, factor_accuracy = 1e-5;
+/// Creep: the term, of the foundation's stiffness; what it bears, of the loads and of the pass before, where the bodies slide,
+/// and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the contacts.
+constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-4, creep_is_slow = 0.9;
+constexpr int creep_passes = 24, steady_passes = 4;
+/// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
+constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
+/// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
+constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 5e-5;
+constexpr int factors_tried = 16;
+/// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
+constexpr double large_coefficient = 0.5, differs = 1e-6;
 
 VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
     return qp.modes.transpose() * multipliers + qp.mode_load;
@@ -38,9 +49,9 @@ Proximal no_term(Index n) {
     return {MatrixXd::Zero(n, n), VectorXd::Zero(n)};
 }
 
-/// Positive definite however the rows lie: a trifle of the foundation's stiffness.
-Proximal first_term(const MatrixXd& stiffness) {
-    constexpr double fraction = 1e-6, least = 1e-6;
+/// Positive definite however the rows lie: a fraction of the foundation's stiffness.
+Proximal term_of(const MatrixXd& stiffness, double fraction) {
+    constexpr double least = 1e-6;
     const Index n = stiffness.cols();
     Proximal proximal = no_term(n);
     if (n == 0) return proximal;
@@ -59,10 +70,11 @@ void write_answer(const ShiftedQp& shifted, const VectorXd& settled, ContactStat
 }
 
 /// The search without a proximal term; where it does not find the answer nothing is changed.
-bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResult& result) {
+bool search_exactly(const ShiftedQp& shifted, Repeats repeats, ContactState& state, ContactQpResult& result) {
     ContactState exact;
     ActiveSet states = result.active;
-    if (search_states(shifted, no_term(shifted.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
+    if (search_states(shifted, no_term(shifted.qp.modes.cols()), repeats, states, exact, result.iterations) !=
+            SetSearch::found ||
         !is_in_balance(shifted.qp, exact.multipliers))
         return false;
     state = std::move(exact);
@@ -77,18 +89,22 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
            is_in_balance(shifted.qp, state.multipliers);
 }
 
-bool pass_by_pass(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
-    Proximal proximal = first_term(stiffness);
+/// The state under a proximal term from the states in `result`; false: none was found.
+bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
+    if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) == SetSearch::found)
+        return true;
+    result.used_fallback = true;
+    std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
+    if (!states) return false;
+    result.active = std::move(*states);
+    return solve_states(shifted, proximal, result.active, state);
+}
+
+bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {
     const Index n = shifted.qp.modes.cols();
     for (int pass = 0; pass < friction_passes; ++pass) {
-        if (search_states(shifted, proximal, result.active, state, result.iterations) != SetSearch::found) {
-            result.used_fallback = true;
-            std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
-            if (!states) return false;
-            result.active = std::move(*states);
-            if (!solve_states(shifted, proximal, result.active, state)) return false;
-        }
-        if (search_exactly(shifted, state, result)) return true;
+        if (!solve_pass(shifted, proximal, state, result)) return false;
+        if (search_exactly(shifted, Repeats::one_by_one, state, result)) return true;
         ContactState exact;
         if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
             state = std::move(exact);
@@ -100,6 +116,112 @@ bool pass_by_pass(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactSt
         if (pass + 1 < friction_reduced_passes) proximal.stiffness *= 0.1;
     }
     return false;
+}
+
+/// Bodies that slide on and on: how they move in a pass of creep, and by which factor friction would have to be larger to bear
+/// in it what the term does.
+struct Sliding {
+    VectorXd motion;
+    double factor;
+};
+
+/// How often the last motion fits into the way to what stops it; 0: nothing does. The first row that it closes tells.
+double way_to_stop(const ShiftedQp& shifted, const VectorXd& motion, const ContactState& state, const ActiveSet& states) {
+    const VectorXd gap = gap_of(shifted, state), rate = shifted.qp.modes * motion;
+    std::vector<char> is_tangential(states.size(), 0);
+    double slip = 0, way = std::numeric_limits<double>::infinity(), slope = 0;
+    for (const FrictionRow& f : shifted.qp.friction) {
+        is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
+        if (states[static_cast<std::size_t>(f.normal)] != row_state::open) slip = std::max(slip, std::abs(rate[f.tangential]));
+    }
+    for (std::size_t k = 0; k < states.size(); ++k) {
+        const auto row = static_cast<Index>(k);
+        if (is_tangential[k] || states[k] != row_state::open || !(-rate[row] > stop_rounding * slip)) continue;
+        if (gap[row] > -rate[row] * way) continue;
+        way = gap[row] / -rate[row];
+        slope = -rate[row];
+    }
+    return slope >= stop_slope * slip && std::isfinite(way) ? way : 0;
+}
+
+/// What creep ends with: bodies that rest, or slide; neither where no state was found, or where what moves does not slip (what
+/// rolls), or moves on too slowly to tell.
+struct Creep {
+    bool rests = false;
+    std::optional<Sliding> sliding{};
+};
+
+Creep sliding_in(const ContactQp& qp, const ContactState& state, const VectorXd& motion) {
+    double friction = 0;
+    for (const FrictionRow& f : qp.friction)
+        friction -= state.multipliers[f.tangential] * qp.modes.row(f.tangential).dot(motion);
+    const double left = imbalance_of(qp, state.multipliers).dot(motion);
+    if (!(left > 0 && left < largest_factor * friction)) return {};
+    return {false, Sliding{motion, 1 + left / friction}};
+}
+
+/// Which rows are pressed, whether they stick or slip.
+std::vector<char> pressed_in(const ActiveSet& states) {
+    std::vector<char> pressed(states.size());
+    std::transform(states.begin(), states.end(), pressed.begin(), [](char state) { return state != row_state::open; });
+    return pressed;
+}
+
+/// Bodies held back by a term that forgets how far they came, from pass to pass: where there is rest they come to it at once;
+/// where the term bears as much in the end, they slide. So they do where it bears hardly less because the contact moves on
+/// along a round face; on rows that stay the same, soft parts take their time. What slides towards something is taken there.
+/// state: where to begin, and how it ends; no multipliers: no state was found.
+Creep creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
+    const ContactQp& qp = shifted.qp;
+    Proximal term = term_of(stiffness, creep_fraction);
+    term.anchor = state.amplitudes;
+    double borne = 0;
+    int steady = 0;
+    for (int pass = 0; pass < creep_passes; ++pass) {
+        const std::vector<char> pressed_before = pressed_in(result.active);
+        if (!solve_pass(shifted, term, state, result)) {
+            state.multipliers.resize(0);
+            return {};
+        }
+        const VectorXd motion = state.amplitudes - term.anchor;
+        const double borne_before = borne;
+        borne = imbalance_of(qp, state.multipliers).norm();
+        if (borne <= creep_load * force_scale(qp, state.multipliers)) return {true, {}};
+        const bool is_slow = pass > 0 && borne > creep_is_slow * borne_before;
+        const bool goes_on = is_slow && (borne >= creep_lasts * borne_before || pressed_before != pressed_in(result.active));
+        const double way = goes_on ? way_to_stop(shifted, motion, state, result.active) : 0;
+        steady = goes_on && way <= 1 ? steady + 1 : 0;
+        if (steady >= steady_passes) return sliding_in(qp, state, motion);
+        if (is_slow && !goes_on) term.stiffness *= 0.1;
+        term.anchor = state.amplitudes + (way > 1 ? way - 1 : 0) * motion;
+    }
+    return {};
+}
+
+ContactQp with_friction_times(ContactQp qp, double factor) {
+    for (FrictionRow& f : qp.friction) f.coefficient *= factor;
+    return qp;
+}
+
+/// By which factor coefficients would have to be larger to hold bodies that slide from a state on; 0: not found. Their
+/// pressures change with the coefficients: what friction lacks in each motion is added, until the bodies rest.
+double factor_that_stops(const ShiftedQp& shifted, const MatrixXd& stiffness, const ContactState& from, const ActiveSet& states,
+                         const Sliding& first) {
+    double slides_at = 1, held_at = 0, factor = first.factor;
+    for (int k = 0; k < factors_tried && factor <= largest_factor; ++k) {
+        const ContactQp qp = with_friction_times(shifted.qp, factor);
+        ContactQpResult tried;
+        tried.active = states;
+        ContactState state = from;
+        const auto [rests, sliding] = creep({qp, shifted.gap}, stiffness, state, tried);
+        if (!rests && !sliding) break;
+        if (sliding && sliding->factor < 1 + factor_accuracy) return factor * sliding->factor;
+        (sliding ? slides_at : held_at) = factor;
+        if (held_at > 0 && held_at <= (1 + 1.01 * sliding_accuracy) * slides_at) break;
+        factor = sliding ? factor * sliding->factor : factor / (1 + sliding_accuracy);
+        if (held_at > 0 && (factor <= slides_at || factor >= held_at)) factor = std::sqrt(slides_at * held_at);
+    }
+    return held_at;
 }
 
 /// Forces within the cones of friction, all coefficients times a factor, that balance the loads as far as they can: by the
@@ -130,14 +252,20 @@ bool can_balance(const ContactQp& qp, const NonnegativeResult& balance) {
 }
 
 /// The residual is a motion that lifts off as it slides, at right angles to the cones' edges. What slides does not lift:
-/// without the share that opens pressed rows.
+/// without the share that opens pressed rows or moves what is held.
 VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
     constexpr double notable = 1e-3;
     const VectorXd motion = -balance.residual;
     std::vector<Index> pressed;
-    for (std::size_t k = 0; k < qp.friction.size(); ++k)
+    std::vector<char> is_held(qp.unilateral.size(), 1);
+    for (std::size_t k = 0; k < qp.friction.size(); ++k) {
+        is_held[static_cast<std::size_t>(qp.friction[k].normal)] =
+            is_held[static_cast<std::size_t>(qp.friction[k].tangential)] = 0;
         if (balance.x[static_cast<Index>(2 * k)] != 0 || balance.x[static_cast<Index>(2 * k + 1)] != 0)
             pressed.push_back(qp.friction[k].normal);
+    }
+    for (std::size_t k = 0; k < is_held.size(); ++k)
+        if (is_held[k] && !qp.unilateral[k]) pressed.push_back(static_cast<Index>(k));
     if (pressed.empty()) return motion;
     const MatrixXd rows = qp.modes(pressed, Eigen::all);
     const VectorXd sliding = motion - least_squares(rows, rows * motion);
@@ -172,9 +300,28 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     if (!settled) return false;
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     ContactState state;
-    result.converged = search_exactly(near, state, result);
+    result.converged = search_exactly(near, Repeats::end, state, result);
     if (result.converged) write_answer(near, *settled, state, result);
     return result.converged;
+}
+
+/// The search from the other end: all that is pressed slips, the way that the bodies moved as they settled.
+void look_for_another(const ContactQp& qp, ContactQpResult& result) {
+    const auto is_large = [](const FrictionRow& f) {
+        return f.coefficient >= large_coefficient && std::isfinite(f.coefficient);
+    };
+    if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return;
+    const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
+    ContactQpResult other;
+    other.active = result.active;
+    for (const FrictionRow& f : qp.friction) {
+        char& state = other.active[static_cast<std::size_t>(f.tangential)];
+        if (state != row_state::open) state = near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
+    }
+    ContactState state;
+    if (!search_exactly(near, Repeats::end, state, other)) return;
+    const double largest = result.multipliers.cwiseAbs().maxCoeff();
+    result.is_one_of_several = (state.multipliers - result.multipliers).cwiseAbs().maxCoeff() > differs * largest;
 }
 
 }  // namespace
@@ -182,7 +329,10 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
 ContactQpResult solve_with_friction(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
-    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
+    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) {
+        look_for_another(qp, result);
+        return result;
+    }
     const Settled start = settle_rigidly(qp);
     const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
     ContactState state;
@@ -192,14 +342,28 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
         result.active = states_of(qp, pressures);
     };
     stick_where_pressed();
-    result.converged = search_exactly(near, state, result);
+    result.converged = search_exactly(near, Repeats::end, state, result);
     if (!result.converged) {
         if (finds_motion(qp, result)) return result;
         stick_where_pressed();
-        result.converged = pass_by_pass(near, start.stiffness, state, result);
+        state.amplitudes = VectorXd::Zero(qp.modes.cols());
+        const std::optional<Sliding> sliding =
+            qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result).sliding : std::nullopt;
+        if (sliding) {
+            result.mechanism = sliding->motion;
+            result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
+            write_answer(near, start.amplitudes, state, result);
+            return result;
+        }
+        result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);
+        if (!result.converged) {
+            stick_where_pressed();
+            result.converged = pass_by_pass(near, term_of(start.stiffness, first_fraction), state, result);
+        }
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);
+    if (result.converged) look_for_another(qp, result);
     return result;
 }
 

@@ -17,7 +17,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_newton_steps = 40;
-constexpr int single_steps_a_row = 1;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
@@ -80,7 +79,7 @@ MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unk
 }
 
 std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
-    if (std::optional<VectorXd> x = solve_square(a, b)) return x;
+    if (std::optional<VectorXd> x = solve_square(a, b); x && x->allFinite()) return x;
     VectorXd x = least_squares(a, b);
     const double terms = (a.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs()).maxCoeff();
     const bool is_consistent = (a * x - b).cwiseAbs().maxCoeff() <= consistent * terms;  // false of what is no number, too
@@ -261,17 +260,17 @@ ActiveSet worst_changed(const ShiftedQp& shifted, const ActiveSet& states, const
 
 }  // namespace
 
-SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
-                        int& iterations) {
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repeats repeats, ActiveSet& states,
+                        ContactState& state, int& iterations) {
     std::set<ActiveSet> seen;
     bool one_by_one = false;
     int left = most_newton_steps;
     for (; left > 0; --left) {
         if (!seen.insert(states).second) {
-            if (one_by_one) return SetSearch::repeated;
+            if (one_by_one || repeats == Repeats::end) return SetSearch::repeated;
             one_by_one = true;
             seen = {states};
-            left = single_steps_a_row * static_cast<int>(states.size());
+            left = static_cast<int>(states.size());
         }
         ++iterations;
         if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;

@@ -18,10 +18,12 @@ bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const Acti
 /// traction sticks, what closes sticks at first.
 ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& state);
 
-/// Semismooth Newton steps from `states`. Where a set comes back, steps that change the row alone that is worst; the steps left
-/// are then some for each row.
-SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
-                        int& iterations);
+/// Where a set comes back: the search ends, or goes on by steps that change the row alone that is worst, one for each row.
+enum class Repeats { end, one_by_one };
+
+/// Semismooth Newton steps from `states`.
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repeats repeats, ActiveSet& states,
+                        ContactState& state, int& iterations);
 
 /// The states of a solution under a proximal term that is positive definite, by Lemke's pivots; nothing where these end without
 /// one.

@@ -183,10 +183,11 @@ VectorXd mean_rotation(const PartSystem& part) {
     return rotation / rotation.dot(motions.col(2));
 }
 
-/// Of friction, the interface's points have the gap as drawn.
+/// Of friction, the interface's points have the gap as drawn. Around an axis no section turns as a whole.
 void add_turnings(const std::vector<PartSystem>& parts, const Interface& face, int first_row, Rows& rows) {
     for (int part : face.part) {
         Turning& turning = rows.turning[static_cast<std::size_t>(part)];
+        if (parts[static_cast<std::size_t>(part)].input.axis) return;
         if (turning.rotation.size() > 0) continue;
         turning = {mean_rotation(parts[static_cast<std::size_t>(part)]), VectorXd::Zero(rows.n)};
     }

@@ -117,7 +117,7 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
     all.modes = modes_;
     all.mode_load = mode_load;
     HeldAnswer held = solve_held(all, split_, levers_);
-    if (!held.result.feasible) return {held.result, held.held * held.result.mechanism};
+    if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))
             held.result.multipliers = *forces;
@@ -153,7 +153,7 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     const Found found = search(mode_load);
     answer.iterations = found.result.iterations;
     answer.converged = found.result.converged;
-    if (!found.result.feasible) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
+    if (found.result.mechanism.size() > 0) answer.mechanism = part_motions(problem_.parts, found.amplitudes);
     if (!answer.mechanism.empty() || !answer.converged) return answer;
     qp_.expected = found.result.multipliers;
     // rows that carry nothing but rounding would come and go

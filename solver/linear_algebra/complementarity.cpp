@@ -18,7 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double least_pivot = 1e-11;  // of the largest entry of the column
-constexpr int pivots_a_row = 20;
+constexpr int pivots_a_row = 6;
 
 class Dictionary {
 public:

@@ -165,10 +165,10 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
     note_own_factors(scene, out, result);
-    if (has_friction(out))
+    if (solved.solution.is_one_of_several)
         result.warnings.push_back(
-            "shear of friction is known less well than the pressures: where little slips, or slip has turned, it may be off by "
-            "several per cent of its bound, which the estimates do not see");
+            "friction is so large that this is one of several answers: another state of sticking and slipping balances the same "
+            "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);
 }

@@ -94,19 +94,34 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
-/// Friction's traction counts like the pressure, over its bound: the borders of slip, whose places are less certain than ends
-/// of contact and ask for no cells as small, with the rest's change.
-void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure, ContactError& e) {
+/// A traction that ends like a root somewhere between knots has an error in proportion to their spacing.
+double missing_of_traction(double refinement) {
+    return refinement < 1 ? std::clamp(refinement / (1 - refinement), missing_at_least, 1.0) : 1;
+}
+
+/// Friction's traction counts like the pressure, over its bound. The borders of slip are ends to it. Inside, where slip once
+/// ended, its roots are not where anything is known of them now.
+void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure,
+               const std::optional<ContactError>& known, ContactError& e) {
     if (!now.shear || !before.shear) return;
     const auto with_traction = [](ContactRecord record) {
         record.coefficients = record.shear->coefficients;
         record.runs.insert(record.runs.end(), record.shear->borders.begin(), record.shear->borders.end());
         return record;
     };
-    const PressureChange c = change_of(with_traction(now), with_traction(before));
+    const PressureChange c =
+        change_of(with_traction(now), with_traction(before), known ? known->local_of_shear : std::vector<double>{});
     const double bound = now.shear->bound * norm_of_pressure;
-    e.inside = std::max(e.inside, std::hypot(now.shear->border_error, missing * c.inside) / bound);
-    e.pressure = std::max(e.pressure, std::hypot(e.ends, e.inside));
+    double square = 0;
+    for (std::size_t i = 0; i < c.local.size(); ++i) {
+        const double share = missing_of_traction(c.local[i].refinement);
+        const double its = std::max(share * share * c.local[i].square, c.local[i].kept);
+        square += its;
+        e.local_of_shear.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
+    }
+    e.ends = std::max(e.ends, now.shear->border_error / bound);
+    e.inside = std::max(e.inside, std::sqrt(square) / bound);
+    e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error, std::sqrt(square)) / bound);
 }
 
 }  // namespace
@@ -126,7 +141,7 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         const PressureChange c = change_of(now.contacts[k], before.contacts[k], known ? known->local : std::vector<double>{});
         if (!(c.norm > 0)) continue;
         ContactError error = estimate(now.contacts[k], c, known, k < theory.size() ? theory[k] : std::nullopt);
-        add_shear(now.contacts[k], before.contacts[k], c.norm, error);
+        add_shear(now.contacts[k], before.contacts[k], c.norm, known, error);
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;
         e.contacts[k]->share_of_peak = c.peak;

@@ -19,14 +19,15 @@ namespace abut {
 /// The estimated errors of one contact, relative to its own values.
 struct ContactError {
     double pressure = 0;  ///< L2 over the contact, the larger of the pressure's and of friction's traction over its bound:
-    double ends = 0, inside = 0;  ///<   of its free ends, and of the rest
+    double ends = 0, inside = 0;  ///<   of its free ends, to which the borders of slip belong, and of the rest
     double change = 0;            ///< of the rest, from the grids before
     double peak = 0, force = 0, length = 0;
     double share = 1;          ///< of the strongest contact's pressure (L2)
     double share_of_peak = 1;  ///< of the largest pressure of all contacts
     std::vector<double>
-        local{};             ///< of the rest, by interval of the pressure: squared error over length, in the pressure's units
-    bool at_corner = false;  ///< the largest pressure stands at a corner, where it may have no limit
+        local{};  ///< of the rest, by interval of the pressure: squared error over length, in the pressure's units
+    std::vector<double> local_of_shear{};  ///< the same of friction's traction
+    bool at_corner = false;                ///< the largest pressure stands at a corner, where it may have no limit
 };
 
 /// The estimated errors of a solution; unset: nothing to compare with.

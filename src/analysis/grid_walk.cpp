@@ -313,6 +313,16 @@ private:
         return "";
     }
 
+    /// What slides on the first cells may rest on those that follow the contacts; where it does not, that is the motion.
+    void tell_sliding(SolvedAssembly& now) {
+        if (!is_solved(now) || now.solution.converged) return;
+        const bool had_slid = !slid_.sliding.empty();
+        if (!now.solution.sliding.empty()) slid_ = {now.solution.sliding, now.solution.holding_factor};
+        if (!had_slid && !grids_are_fixed(scene_)) return;
+        now.solution.mechanism = slid_.sliding;
+        now.solution.holding_factor = slid_.factor;
+    }
+
     /// After one solution; true: it is the last one.
     bool step(SolvedAssembly now) {
         const bool stuck = !is_solved(now);
@@ -325,7 +335,8 @@ private:
             wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
             return false;
         }
-        const double needed = stuck ? 0.0 : needed_search_factor(scene_, now);
+        const bool slides = !now.solution.sliding.empty();  // so far as the brake let it, which says nothing
+        const double needed = stuck || slides ? 0.0 : needed_search_factor(scene_, now);
         if (now.failure.empty() && may_widen() &&
             (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor_)) {
             widen(now, needed, stuck);
@@ -333,7 +344,8 @@ private:
         }
         out_.search_too_short = !stuck && searches_contacts(scene_) && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
-        if (now.failure.empty()) now.failure = lost_part(now);
+        tell_sliding(now);
+        if (now.failure.empty() && !slides) now.failure = lost_part(now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
@@ -429,6 +441,10 @@ private:
     WantedSizes raisers_;                    // where stresses turned out to be worst
     TheoryOfContacts theory_;                // of the first solution's contacts
     MissedContacts missed_, missed_before_;  // of the last solution, and of the one before
+    struct {
+        std::vector<solver::PartMotion> sliding{};
+        double factor = 0;
+    } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
     int widenings_ = 0;
     bool meets_others_ = false;

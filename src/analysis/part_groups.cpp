@@ -47,8 +47,10 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     append(to.pressure, from.pressure);
     append(to.constraint_force, from.constraint_force);
     to.holding_factor = std::max(to.holding_factor, from.holding_factor);
+    to.is_one_of_several = to.is_one_of_several || from.is_one_of_several;
     append_motions(to.neutral, from.neutral, parts_before);
     append_motions(to.mechanism, from.mechanism, parts_before);
+    append_motions(to.sliding, from.sliding, parts_before);
     to.groups += from.groups;
     add_outcome(from, to);
 }

@@ -87,7 +87,7 @@ std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_
     if (coefficient == 0) return std::nullopt;
     ShearRecord record{
         solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])], std::min(1.0, coefficient), {}, 0};
-    double squares = 0;
+    double squares = std::pow(traction_error_at_ends(solved, contact), 2);
     for (const StickBorder& border : stick_borders(solved, contact)) {
         record.borders.push_back({border.s, border.s, false, false, border.end, {}});
         squares += border.end.error * border.end.error;
@@ -155,6 +155,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             inside.push_back({std::abs(p), std::abs(p - p0)});
             LocalChange& local = change.local[static_cast<std::size_t>(i)];
             local.square += square;
+            local.refinement = std::max(local.refinement, closer);
             if (closer > same_cells) local.kept += w * error_at(before, error_before, s0);
             if (p > 0 && p0 > 0) {
                 ratios += w * std::log(closer);

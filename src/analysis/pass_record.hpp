@@ -13,7 +13,7 @@ struct ShearRecord {
     Eigen::VectorXd coefficients;  ///< of the pressure's spline
     double bound;  ///< coefficient of friction, but no more than 1: what errors are relative to, of the pressure
     std::vector<ContactRun> borders;  ///< between sticking and slipping, each as a stretch without length
-    double border_error;              ///< L2
+    double border_error;              ///< L2, with that at the contact's ends
 };
 
 /// A contact's pressure in one pass.
@@ -40,8 +40,9 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
 /// A change in one interval of a pressure's knots, without the neighbourhoods of corners and of free ends.
 struct LocalChange {
-    double square = 0;  ///< of the difference, integrated
-    double kept = 0;    ///< squared error of before, integrated where the knots stand no closer than then
+    double square = 0;      ///< of the difference, integrated
+    double kept = 0;        ///< squared error of before, integrated where the knots stand no closer than then
+    double refinement = 0;  ///< the knots' spacing over that before, at most
 };
 
 /// The change of a contact's pressure along the middle curve, over both solutions' contact; `before` must be of the same zone.

@@ -40,6 +40,7 @@ void continue_from(const SolvedAssembly& half, SolvedAssembly& now) {
 
 SolvedAssembly advance(const StepOnGrids& s, double from, double to, const SolvedAssembly* before, int halvings) {
     SolvedAssembly now = solve_at(s, to, before);
+    if (now.solution.mechanism.empty()) now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
     if (halvings == 0 || !now.failure.empty() || !now.solution.mechanism.empty()) return now;
     if (now.solution.converged && changed_share(now, before ? *before : SolvedAssembly{}) <= most_changed) return now;
     const double middle = 0.5 * (from + to);

@@ -56,14 +56,6 @@ void append_wrong_supports(const Scene& scene, std::vector<Problem>& problems) {
                             "take \"auto\", \"aligned\" or \"nitsche\""});
 }
 
-/// Nothing is known of its answers yet.
-void append_friction(const Scene& scene, std::vector<Problem>& problems) {
-    const char *what = "there is no friction in an axisymmetric analysis yet", *hint = "take it out: contacts are smooth then";
-    if (scene.contacts.friction > 0) problems.push_back({"/contacts/friction", what, hint});
-    for (const PairRule& rule : scene.contacts.pairs)
-        if (rule.friction.value_or(0) > 0) problems.push_back({rule.where, what, hint});
-}
-
 /// Edges on the axis have no area: u_x is 0 there by itself, and nothing else can be said there.
 void append_conditions_on_axis(const Scene& scene, const ResolvedConditions& conditions, std::vector<Problem>& problems) {
     const auto append = [&](const std::vector<EdgePortion>& portions, const std::string& where, const char* hint) {
@@ -104,7 +96,6 @@ void append_axisymmetric_problems(const Scene& scene, const ResolvedConditions& 
     append_wrong_loads(scene, problems);
     append_wrong_gravity(scene, problems);
     append_wrong_supports(scene, problems);
-    append_friction(scene, problems);
     append_conditions_on_axis(scene, conditions, problems);
 }
 

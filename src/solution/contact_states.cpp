@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/base/index.hpp"
 
@@ -14,6 +15,7 @@ constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is t
 constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
 constexpr double border_slack = 0.01;    // of a run: borders nearer to its end are part of that
 constexpr int samples = 400;             // along a contact
+constexpr int end_samples = 60;          // up to the reach of its end
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
     return solved.problem.interfaces[at(solved.shear_of[contact])];
@@ -43,6 +45,48 @@ double work_of_friction(const SolvedAssembly& solved, const solver::Interface& f
         if (!solved.problem.before.empty()) slip -= opening_of(rows, at(part), solved.problem.before[at(part)]);
     }
     return -traction.head(rows.n).dot(slip);
+}
+
+/// The traction over the root of an end's pressure, by the distance from that end: at its bound one way up to the distance
+/// `width`; farther in it keeps what it had been before, that share of the bound, as far as it still sticks.
+struct SlipAtEnd {
+    double way, kept, width;
+
+    double at(double x) const { return way * std::sqrt(x) - (way - kept) * std::sqrt(std::max(0.0, x - width)); }
+};
+
+/// Those whose force up to `reach` is `share` of what the bound would have there: of what carried no traction before, of what
+/// had slipped the other way, and of what is pressed and sheared at once.
+std::vector<SlipAtEnd> slips_of_force(double share, double reach) {
+    std::vector<SlipAtEnd> slips{{0, share, 0}};
+    for (const double way : {1.0, -1.0})
+        for (const double kept : {0.0, -way}) {
+            const double rest = std::clamp((way - share) / (way - kept), 0.0, 1.0);
+            slips.push_back({way, kept, reach * (1 - std::cbrt(rest * rest))});
+        }
+    return slips;
+}
+
+/// L2 distance up to the reach of a free end between the traction and the nearest of these. place: by distance from the end.
+template <class Place>
+double misfit_at_end(const SolvedAssembly& solved, std::size_t contact, double reach, Place place) {
+    double normal = 0, shear = 0;
+    const double step = reach / end_samples;
+    const auto distance = [=](int k) { return (k + 0.5) * step; };
+    for (int k = 0; k < end_samples; ++k) {
+        normal += step * friction_of(solved, contact) * pressure_in(solved, contact, place(distance(k)));
+        shear += step * traction_in(solved, contact, place(distance(k)));
+    }
+    if (!(normal > 0)) return 0;
+    const double amplitude = 1.5 * normal / (reach * std::sqrt(reach));
+    double least = std::numeric_limits<double>::infinity();
+    for (const SlipAtEnd& slip : slips_of_force(shear / normal, reach)) {
+        double square = 0;
+        for (int k = 0; k < end_samples; ++k)
+            square += step * std::pow(traction_in(solved, contact, place(distance(k))) - amplitude * slip.at(distance(k)), 2);
+        least = std::min(least, square);
+    }
+    return std::sqrt(least);
 }
 
 bool slips(FrictionState state) {
@@ -82,6 +126,18 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
         }
     std::sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
     return borders;
+}
+
+double traction_error_at_ends(const SolvedAssembly& solved, std::size_t contact) {
+    if (std::isinf(friction_of(solved, contact))) return 0;
+    double squares = 0;
+    for (const ContactRun& run : solved.runs[contact]) {
+        if (run.at_begin.kind == RunEnd::Kind::free)
+            squares += std::pow(misfit_at_end(solved, contact, run.at_begin.reach, [&](double x) { return run.begin + x; }), 2);
+        if (run.at_end.kind == RunEnd::Kind::free)
+            squares += std::pow(misfit_at_end(solved, contact, run.at_end.reach, [&](double x) { return run.end - x; }), 2);
+    }
+    return std::sqrt(squares);
 }
 
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {

@@ -23,6 +23,10 @@ struct StickBorder {
 /// The borders of a contact, ascending; none nearer to an end of contact than the knots there stand apart.
 std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact);
 
+/// The traction's error at a contact's free ends, L2: from tractions of the same force that slip there, however narrow the
+/// stretch that slips is beside the knots. None of rough faces, where the traction may have no limit.
+double traction_error_at_ends(const SolvedAssembly& solved, std::size_t contact);
+
 /// What friction does in a contact.
 struct FrictionSums {
     double normal = 0, shear = 0;              ///< integrals of pressure and of traction on the second part (force)

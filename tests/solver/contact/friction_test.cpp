@@ -147,7 +147,7 @@ bool is_among(const ContactQpResult& r, const std::vector<Point>& answers) {
 }
 
 struct Tally {
-    int solved = 0, unsolved = 0, none = 0, several = 0, by_pivots = 0;
+    int solved = 0, unsolved = 0, none = 0, several = 0, told_several = 0, by_pivots = 0;
 };
 
 /// Every answer that the solver gives is one of the answers.
@@ -160,6 +160,8 @@ Tally compare(const Sizes& size, double coefficient, bool balanced, unsigned n_p
         tally.several += answers.size() > 1;
         if (r.feasible && r.converged) {
             EXPECT_TRUE(is_among(r, answers)) << "seed " << seed << ": " << answers.size() << " answers";
+            EXPECT_TRUE(!r.is_one_of_several || answers.size() > 1) << "seed " << seed;
+            tally.told_several += r.is_one_of_several;
             EXPECT_LT(violation(qp, {r.multipliers, r.amplitudes()}), 1e-7) << "seed " << seed;
             EXPECT_LT(r.residual, 1e-8) << "seed " << seed;
             ++tally.solved;
@@ -189,13 +191,15 @@ TEST(Friction, IsSolvedWhereverAllStatesTriedFindAnAnswer) {
 }
 /// Where coefficients are large there may be several answers, and none is found of a few problems; but never a wrong one.
 TEST(Friction, OfAnySizeIsAnsweredByAnAnswerOrNotAtAll) {
-    int several = 0;
+    int several = 0, told = 0;
     for (const double coefficient : {0.5, 1.0, 2.0}) {
         const Tally tally = compare({4, 0, 1, 1}, coefficient, true, 100);
         EXPECT_EQ(tally.unsolved, 0) << coefficient;
         several += tally.several;
+        told += tally.told_several;
     }
     EXPECT_GT(several, 0);
+    EXPECT_GT(told, 0) << "the search from a second start finds some";
     EXPECT_LE(compare({4, 1, 1, 2}, rough, true, 100).unsolved, 5);
 }
 
@@ -243,6 +247,55 @@ TEST(Friction, HoldsUpToItsCone) {
     EXPECT_NEAR(slid.mechanism.normalized().x(), 1, 1e-14) << "along the face: what slides does not lift";
     EXPECT_NEAR(slid.holding_factor, 1 + 1e-5 / 3, 2e-5);
     EXPECT_TRUE(solve_contact_qp(pushed_block(rough, 5)).converged);
+}
+
+/// A block between two walls that press on it by their interference of 1, pushed along them: motions x, y; a stop at `gap`.
+ContactQp wedged_block(double coefficient, double push, std::optional<double> gap = std::nullopt) {
+    const Index m = gap ? 5 : 4;
+    ContactQp qp{MatrixXd(MatrixXd::Identity(m, m)),
+                 VectorXd::Zero(m),
+                 MatrixXd::Zero(m, 2),
+                 Eigen::Vector2d(push, 0),
+                 std::vector<char>(static_cast<std::size_t>(m), 1),
+                 VectorXd::Ones(m),
+                 VectorXd::Zero(m),
+                 push};
+    qp.gap[0] = qp.gap[2] = -1;
+    qp.modes(0, 1) = 1;
+    qp.modes(2, 1) = -1;
+    qp.modes(1, 0) = qp.modes(3, 0) = 1;
+    if (gap) {
+        qp.modes(4, 0) = -1;
+        qp.gap[4] = *gap;
+    }
+    qp.drawn_gap = qp.gap;
+    qp.unilateral[1] = qp.unilateral[3] = 0;
+    for (int k : {0, 2}) qp.friction.push_back({k, k + 1, coefficient});
+    return qp;
+}
+
+TEST(Friction, OfAFitHoldsAsMuchAsItsPressureGives) {
+    const ContactQpResult held = solve_contact_qp(wedged_block(0.2, 0.399));
+    ASSERT_TRUE(held.feasible && held.converged);
+    EXPECT_NEAR(held.multipliers[0], 1, 1e-12);
+    EXPECT_NEAR(held.multipliers[1] + held.multipliers[3], -0.399, 1e-12);
+    for (const double push : {0.401, 0.6, 8.0}) {
+        const ContactQpResult slid = solve_contact_qp(wedged_block(0.2, push));
+        ASSERT_TRUE(!slid.converged && slid.mechanism.size() == 2) << push;
+        EXPECT_TRUE(slid.feasible) << "other rows may hold it: how it slides is given";
+        EXPECT_NEAR(slid.multipliers[1] + slid.multipliers[3], -0.4, 1e-12);
+        EXPECT_NEAR(slid.mechanism.normalized().x(), 1, 1e-12) << push;
+        EXPECT_NEAR(slid.holding_factor, push / 0.4, 1e-4 * slid.holding_factor);
+    }
+}
+
+TEST(Friction, SlidesAsFarAsAStop) {
+    for (const double gap : {0.5, 50.0, 5e4}) {
+        const ContactQpResult r = solve_contact_qp(wedged_block(0.2, 0.7, gap));
+        ASSERT_TRUE(r.feasible && r.converged) << gap;
+        EXPECT_NEAR(r.multipliers[4], 0.3, 1e-9) << gap;
+        EXPECT_NEAR(r.amplitudes()[0], gap + 0.3, 1e-9 * gap) << gap;
+    }
 }
 
 TEST(Friction, ViolationsAreSeen) {

@@ -48,9 +48,6 @@ TEST(Axisymmetric, RefusesWhatHasNoMeaningAroundAnAxis) {
     t.geometry = R"({"rectangle": {"min": [-0.1, 0], "max": [2, 1]}})";
     expect_refusal(t, "/parts/0", "across the axis");
     t = {};
-    t.more = R"(, "contacts": {"friction": 0.2})";
-    expect_refusal(t, "/contacts/friction", "no friction");
-    t = {};
     t.loads = R"([{"gravity": [1, 0]}])";
     expect_refusal(t, "/loads/0/gravity", "not axisymmetric");
     t = {};
