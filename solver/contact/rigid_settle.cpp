@@ -68,8 +68,8 @@ double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd&
     return 0;
 }
 
-/// From so many motions on, a row is moved by few of them.
-constexpr Index many_motions = 48;
+/// From so many motions on, a row, which two bodies' move, has few entries.
+constexpr Index many_motions = 12;
 
 /// G'WG with a diagonal W where rows have few entries.
 MatrixXd gram_by_rows(const MatrixXd& modes, const VectorXd& weight) {

@@ -74,8 +74,10 @@ TEST_P(Cholmod, FactorsGiveTheAnswersOfOurs) {
     EXPECT_LE(difference(ours, theirs), rounding);
 }
 
-INSTANTIATE_TEST_SUITE_P(Examples, Cholmod, testing::ValuesIn(scenes()),
-                         [](const auto& scene) { return std::filesystem::path(scene.param).stem().string(); });
+INSTANTIATE_TEST_SUITE_P(Examples, Cholmod, testing::ValuesIn(scenes()), [](const auto& scene) {
+    const std::filesystem::path file = scene.param;
+    return file.parent_path().filename().string() + "_" + file.stem().string();
+});
 
 }  // namespace
 }  // namespace abut::cholmod_test

@@ -183,7 +183,7 @@ TEST(Settle, ABlockOnALedgeStaysOrTips) {
                     std::to_string(tilt) + R"(, "translate": [)" + (stays ? "47" : "54") + ", 5]}}",
                 held_floor, R"({"gravity": [0, -1]})"));
             EXPECT_EQ(settling.end, stays ? Settling::End::rests : Settling::End::never) << tilt << settling.why;
-            if (stays) EXPECT_NEAR(settling.placements.at(1).angle, -tilt * std::numbers::pi / 180, of_size);
+            if (stays) { EXPECT_NEAR(settling.placements.at(1).angle, -tilt * std::numbers::pi / 180, of_size); }
         }
 }
 

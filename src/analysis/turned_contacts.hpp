@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts whose line of action turns as parts move: small displacements take forces along the normals of where parts are
+// drawn.
+#pragma once
+#include "src/analysis/outcome.hpp"
+#include "src/results/result.hpp"
+
+namespace abut {
+
+/// Warns, with a reason against the answer, where the rigid motions of parts that are not followed turn a contact's normal by
+/// more than forces are to be known to, or turn a round part so far that its friction has another lever.
+void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result);
+
+}  // namespace abut
