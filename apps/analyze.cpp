@@ -143,6 +143,7 @@ CommandSpec analyze_spec() {
           "time and memory that finer grids may take, such as 30s, 2GB or 5min,2GB: where the next would take more, the last "
           "answer stands"},
          {"--case", "NAME", "the load case of this name alone, as if the scene had no others"},
+         {"--format", "F", "also write these, with commas between: vtu (ParaView), svg, png (pictures), json, csv, html"},
          {"--threads", "N", "at most so many threads, with the same answer (default: one for each processor)"},
          {"--plan", "", "print which effects would be computed and why, and stop"},
          {"--json", "", "print the result (or the plan) as JSON instead of a table"},

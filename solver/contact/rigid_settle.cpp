@@ -28,8 +28,53 @@ constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
 /// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
 constexpr double free_pivot = 1e-3;
 
-VectorXd pressures(const ContactQp& qp, const VectorXd& amplitudes) {
-    const VectorXd gap = qp.drawn_gap + qp.modes * amplitudes;
+/// From so many motions on, a row, which two bodies' move, has few entries.
+constexpr Index many_motions = 12;
+
+/// G, by the entries of its rows where these are few.
+class MotionRows {
+public:
+    explicit MotionRows(const MatrixXd& modes) : modes_(modes) {
+        if (is_sparse()) by_row_ = modes.sparseView();
+    }
+    VectorXd times(const VectorXd& amplitudes) const {
+        return is_sparse() ? VectorXd(by_row_ * amplitudes) : VectorXd(modes_ * amplitudes);
+    }
+    VectorXd transposed_times(const VectorXd& rows) const {
+        return is_sparse() ? VectorXd(by_row_.transpose() * rows) : VectorXd(modes_.transpose() * rows);
+    }
+    VectorXd transposed_sizes_times(const VectorXd& rows) const {
+        return is_sparse() ? VectorXd(by_row_.cwiseAbs().transpose() * rows) : VectorXd(modes_.cwiseAbs().transpose() * rows);
+    }
+
+    /// G'WG with a diagonal W.
+    MatrixXd gram(const VectorXd& weight) const {
+        MatrixXd gram = MatrixXd::Zero(modes_.cols(), modes_.cols());
+        if (is_sparse()) {
+            for (Index k = 0; k < by_row_.rows(); ++k)
+                for (Entry a(by_row_, k); a && weight[k] != 0; ++a)
+                    for (Entry b(by_row_, k); b; ++b) gram(a.col(), b.col()) += a.value() * weight[k] * b.value();
+            return gram;
+        }
+        VectorXd column(modes_.rows());
+        for (Index j = 0; j < modes_.cols(); ++j) {
+            column = weight.cwiseProduct(modes_.col(j));
+            for (Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = column.dot(modes_.col(i));
+        }
+        return gram;
+    }
+
+private:
+    using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using Entry = SparseRows::InnerIterator;
+    bool is_sparse() const { return modes_.cols() >= many_motions; }
+
+    const MatrixXd& modes_;
+    SparseRows by_row_;
+};
+
+VectorXd pressures(const ContactQp& qp, const MotionRows& modes, const VectorXd& amplitudes) {
+    const VectorXd gap = qp.drawn_gap + modes.times(amplitudes);
     VectorXd l = -qp.foundation.cwiseProduct(gap);
     for (Index k = 0; k < l.size(); ++k)
         if (qp.unilateral[static_cast<std::size_t>(k)]) l[k] = std::max(0.0, l[k]);
@@ -46,21 +91,22 @@ Energy energy_of(const ContactQp& qp, const VectorXd& amplitudes, const VectorXd
     return {stored - work.sum(), energy_rounding * (stored + work.cwiseAbs().sum())};
 }
 
-VectorXd imbalance(const ContactQp& qp, const VectorXd& l) {
-    return qp.modes.transpose() * l + qp.mode_load;
+VectorXd imbalance(const ContactQp& qp, const MotionRows& modes, const VectorXd& l) {
+    return modes.transposed_times(l) + qp.mode_load;
 }
 
 /// Goes the largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by,
 /// that halves the imbalance. 0: none, and stays. energy: of `s`.
-double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd& direction, Settled& s, Energy& energy) {
+double move_along(const ContactQp& qp, const MotionRows& modes, const VectorXd& residual, const VectorXd& direction, Settled& s,
+                  Energy& energy) {
     const Energy before = energy;
     const double slope = residual.dot(direction);
     for (double reach = 1; reach > least_reach; reach *= 0.5) {
-        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, trial);
+        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, modes, trial);
         const double wanted = sufficient_descent * reach * slope;
         energy = energy_of(qp, trial, l);
         const bool falls = energy.value <= before.value - wanted;
-        if (!falls && (wanted > before.rounding || imbalance(qp, l).norm() > 0.5 * residual.norm())) continue;
+        if (!falls && (wanted > before.rounding || imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) continue;
         s.amplitudes = std::move(trial);
         s.multipliers = std::move(l);
         return reach;
@@ -68,39 +114,16 @@ double move_along(const ContactQp& qp, const VectorXd& residual, const VectorXd&
     return 0;
 }
 
-/// From so many motions on, a row, which two bodies' move, has few entries.
-constexpr Index many_motions = 12;
-
-/// G'WG with a diagonal W where rows have few entries.
-MatrixXd gram_by_rows(const MatrixXd& modes, const VectorXd& weight) {
-    MatrixXd gram = MatrixXd::Zero(modes.cols(), modes.cols());
-    const Eigen::SparseMatrix<double, Eigen::RowMajor> by_row = modes.sparseView();
-    using Entry = Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator;
-    for (Index k = 0; k < modes.rows(); ++k) {
-        if (weight[k] == 0) continue;
-        for (Entry a(by_row, k); a; ++a)
-            for (Entry b(by_row, k); b; ++b) gram(a.col(), b.col()) += a.value() * weight[k] * b.value();
-    }
-    return gram;
-}
-
-/// G'WG with a diagonal W; motions are few, rows many.
-MatrixXd weighted_gram(const MatrixXd& modes, const VectorXd& weight) {
-    if (modes.cols() >= many_motions) return gram_by_rows(modes, weight);
-    MatrixXd gram(modes.cols(), modes.cols());
-    VectorXd column(modes.rows());
-    for (Index j = 0; j < modes.cols(); ++j) {
-        column = weight.cwiseProduct(modes.col(j));
-        for (Index i = 0; i <= j; ++i) gram(i, j) = gram(j, i) = column.dot(modes.col(i));
-    }
-    return gram;
-}
-
 /// G'KG of a foundation, and a little (`held`) against motions that it does not hold.
-MatrixXd held_stiffness(const MatrixXd& modes, const VectorXd& foundation, double held) {
-    MatrixXd stiffness = weighted_gram(modes, foundation);
+MatrixXd held_stiffness(const MotionRows& modes, const VectorXd& foundation, double held) {
+    MatrixXd stiffness = modes.gram(foundation);
     stiffness.diagonal().array() += held;
     return stiffness;
+}
+
+double force_scale_of(const ContactQp& qp, const MotionRows& modes, const VectorXd& multipliers) {
+    if (qp.modes.size() == 0) return qp.load_scale;
+    return std::max(qp.load_scale, modes.transposed_sizes_times(multipliers.cwiseAbs()).maxCoeff());
 }
 
 VectorXd pressed_foundation(const ContactQp& qp, const VectorXd& l) {
@@ -110,31 +133,31 @@ VectorXd pressed_foundation(const ContactQp& qp, const VectorXd& l) {
 }  // namespace
 
 double force_scale(const ContactQp& qp, const VectorXd& multipliers) {
-    if (qp.modes.size() == 0) return qp.load_scale;
-    return std::max(qp.load_scale, (qp.modes.cwiseAbs().transpose() * multipliers.cwiseAbs()).maxCoeff());
+    return force_scale_of(qp, MotionRows(qp.modes), multipliers);
 }
 
 MatrixXd foundation_stiffness(const ContactQp& qp) {
-    return weighted_gram(qp.modes, qp.foundation);
+    return MotionRows(qp.modes).gram(qp.foundation);
 }
 
 Settled settle_rigidly(const ContactQp& qp) {
     const Index n = qp.modes.cols();
     Settled s{VectorXd::Zero(n), VectorXd::Zero(qp.gap.size()), MatrixXd::Zero(n, n), n == 0};
     if (qp.gap.size() == 0) return s;
-    s.stiffness = foundation_stiffness(qp);
-    s.multipliers = pressures(qp, s.amplitudes);
+    const MotionRows modes(qp.modes);
+    s.stiffness = modes.gram(qp.foundation);
+    s.multipliers = pressures(qp, modes, s.amplitudes);
     if (n == 0) return s;
     const double mean = s.stiffness.trace() / static_cast<double>(n);
     double held = first_held;
     Energy energy = energy_of(qp, s.amplitudes, s.multipliers);
     for (int step = 0; step < max_newton_steps; ++step) {
-        const VectorXd residual = imbalance(qp, s.multipliers);
-        s.balanced = residual.norm() <= balance_tolerance * force_scale(qp, s.multipliers);
+        const VectorXd residual = imbalance(qp, modes, s.multipliers);
+        s.balanced = residual.norm() <= balance_tolerance * force_scale_of(qp, modes, s.multipliers);
         if (s.balanced || mean == 0) break;
         const VectorXd direction =
-            PivotedCholesky(held_stiffness(qp.modes, pressed_foundation(qp, s.multipliers), held * mean)).solve(residual);
-        const double reach = move_along(qp, residual, direction, s, energy);
+            PivotedCholesky(held_stiffness(modes, pressed_foundation(qp, s.multipliers), held * mean)).solve(residual);
+        const double reach = move_along(qp, modes, residual, direction, s, energy);
         if (reach == 0) break;
         held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
     }
@@ -147,7 +170,7 @@ std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& 
     VectorXd foundation = qp.foundation;
     for (Index k = 0; k < foundation.size(); ++k)
         if (!closed[static_cast<std::size_t>(k)]) foundation[k] = 0;
-    const PivotedCholesky factor(weighted_gram(qp.modes, foundation));
+    const PivotedCholesky factor(MotionRows(qp.modes).gram(foundation));
     const VectorXd pivots = factor.pivots();
     if (!factor.succeeded() || !(pivots.minCoeff() > free_pivot * pivots.maxCoeff())) return std::nullopt;
     return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));

@@ -169,7 +169,8 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     note_own_factors(scene, out, result);
     if (solved.solution.is_one_of_several)
         result.warnings.push_back(
-            "friction is so large that this is one of several answers: another state of sticking and slipping balances the same "
+            "friction is so large that this is one of several answers: another state of sticking and slipping balances the "
+            "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
     warn_of_unpaired_touches(scene, result);

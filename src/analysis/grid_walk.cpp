@@ -37,6 +37,8 @@ constexpr int max_passes = 7, most_beginnings = 4;
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
+/// Fall of an error in one pass that was worth it.
+constexpr double worthwhile = 0.7;
 /// Error of the energy, of the target, below which the pressures lack nothing by the shape's cells.
 constexpr double aimed_energy = 0.5;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
@@ -242,12 +244,16 @@ private:
     }
 
     /// What a pressure lacks by the cells away from it is of the size of what the energy lacks: cells become smaller where that
-    /// error is, if it counts.
+    /// error is, if it counts; and everywhere if it does not, but the contacts' own cells did not help.
     void refine_shape(const SolvedAssembly& now) {
         recover_stress(now);
+        const std::size_t n = out_.errors.size();
         const std::optional<double>& energy = out_.errors.back().energy;
-        if (energy && *energy <= aimed_energy * out_.target) return;
-        if (!add_stress_raisers(now, out_.stress, raisers_)) next_.coarseness /= coarsening_step;
+        const bool is_low = energy && *energy <= aimed_energy * out_.target,
+                   has_fallen = n < comparable_from_ + 2 || !out_.errors[n - 2].contact_pressure ||
+                                *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 2].contact_pressure;
+        if (is_low && has_fallen) return;
+        if (is_low || !add_stress_raisers(now, out_.stress, raisers_)) next_.coarseness /= coarsening_step;
     }
 
     /// Would the next grids take more than the user gives?
@@ -394,11 +400,10 @@ private:
     /// Where one part has as many cells as it may, others may still have too few. The first estimates are of coarse grids, and
     /// rise as often as they fall: two passes tell.
     bool is_improving() const {
-        constexpr double worthwhile = 0.5;
         const std::size_t n = out_.errors.size();
         if (n < comparable_from_ + 4 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 3].contact_pressure)
             return true;
-        return *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 3].contact_pressure;
+        return *out_.errors[n - 1].contact_pressure < worthwhile * worthwhile * *out_.errors[n - 3].contact_pressure;
     }
 
     bool is_reached() const {

@@ -9,8 +9,8 @@
 
 namespace abut {
 
-/// Memory of a pass at its peak, for each unknown: factor, space and rules (3e3 on some ten thousand unknowns, halved cells; 4e3
-/// on a million of equal cells).
+/// Memory of a pass at its peak, for each unknown: factor, space and rules (3e3 on some ten thousand unknowns, halved cells;
+/// 4e3 on a million of equal cells).
 inline constexpr double bytes_per_unknown = 4e3;
 
 /// The grid of a part, and the part in the grid's frame.

@@ -28,7 +28,7 @@ constexpr double overlap_at_rest = 1e-4;
 /// drive it less than the least drag holds.
 constexpr double spring_closing = 1e-9;
 /// Of a motion: smaller digits are rounding; of a part's size: what moves less has not moved.
-constexpr double rest_digits = 1e-10, moved_at_all = 1e-7;
+constexpr double rest_digits = 1e-7, moved_at_all = 1e-7;
 /// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
 /// over a step's length times a factor between this and one.
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
@@ -298,12 +298,10 @@ private:
             .amplitudes;
     }
 
-    /// Does what was pushed a little go on by itself, instead of back or nowhere?
-    bool goes_on(const VectorXd& push, const VectorXd& next) const {
-        return std::any_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
-            const VectorXd own = b.own(push);
-            return own.norm() > 0.1 * push_fraction * b.size && (own + b.own(next)).norm() > (1 + unstable_growth) * own.norm();
-        });
+    /// Does a part that was pushed a little go on by itself, instead of back or nowhere?
+    static bool goes_on(const MovingPart& b, const VectorXd& push, const VectorXd& next) {
+        const VectorXd own = b.own(push);
+        return own.norm() > 0.1 * push_fraction * b.size && (own + b.own(next)).norm() > (1 + unstable_growth) * own.norm();
     }
 
     /// A balance that a little push ends is none, where the part's own loads end it: a bar on its tip. What others press, like
@@ -311,7 +309,11 @@ private:
     Settling pushed(Settling end) {
         const std::vector<Placement> before = placements_;
         const VectorXd push = neutral_push();
-        if (push.norm() == 0 || !advance(push) || !goes_on(push, step_under(least_drag))) return end;
+        if (push.norm() == 0 || !advance(push)) return end;
+        const VectorXd next = step_under(least_drag);
+        std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles
+        for (const MovingPart& b : moving_.list) goes[at(b.part)] = goes_on(b, push, next);
+        if (std::none_of(goes.begin(), goes.end(), [](char c) { return c != 0; })) return end;
         walk();
         Settling unstable{Settling::End::never, "", {}, {}, ""};
         bool is_by_own_loads = false;
@@ -320,7 +322,7 @@ private:
             constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
             if (by.norm() <= sizes_[i] && std::abs(placements_[i].angle - before[i].angle) <= tipped) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
-            is_by_own_loads = is_by_own_loads || pull_on(i) > 0;
+            is_by_own_loads = is_by_own_loads || (goes[i] && pull_on(i) > 0);
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;

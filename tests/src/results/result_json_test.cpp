@@ -133,7 +133,7 @@ TEST(ResultTable, ShowsContactsReactionsAndResidualInAlignedColumns) {
     while (std::getline(lines, line)) {
         EXPECT_TRUE(line.empty() || line.back() != ' ') << line;
         if (line.rfind("contact", 0) == 0) pressure_column = line.find("max pressure [MPa]");
-        if (line.rfind("1        bracket - pin", 0) == 0) found = line.find("132.4") == pressure_column;
+        if (line.rfind("1        bracket/hole - pin/circle", 0) == 0) found = line.find("132.4") == pressure_column;
     }
     EXPECT_TRUE(found) << table;
     EXPECT_NE(table.find("fix x, y on bracket/bottom"), std::string::npos);
