@@ -6,6 +6,7 @@
 //   (k1 w2 + k2 w1 - k1 k2 d) / (k1 + k2).
 #include "src/analysis/turned_contacts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "src/analysis/placement.hpp"
@@ -42,6 +43,8 @@ Turned turned_at(const geometry::FacingPair& pair, const solver::RigidMotion& m1
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
     const double noted = noted_turn * out.target;
+    double largest = 0;
+    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.force.norm());
     std::vector<Finding> normals, levers;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
@@ -52,13 +55,14 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
         const Turned turned = turned_at(pair, rigid_motion_of(solved, at(c.face.part[0])),
                                         rigid_motion_of(solved, at(c.face.part[1])), out.candidates[k].friction);
         const std::string number = contact_number(k), advice = "; draw the parts nearer to where they come to rest";
-        if (turned.normal > noted)
+        const double share = result.contacts[k].force.norm() / largest;
+        if (share * turned.normal > noted)
             normals.push_back(
                 {turned.normal, "contact " + number,
                  "parts move so far that the force of contact " + number + " turns by " + percent_text(turned.normal) +
                      " of itself, which the answer leaves out: forces may be off by more than their errors say" + advice,
                  "the force of contact " + number + " turns by " + percent_text(turned.normal) + " of itself as parts move"});
-        if (turned.lever > noted)
+        if (share * turned.lever > noted)
             levers.push_back(
                 {turned.lever, "contact " + number,
                  "a round part turns so far that friction in contact " + number + " seems to bear a moment that is " +

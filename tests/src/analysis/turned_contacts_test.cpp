@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What turns as parts move by less than they are followed for, against statics where they come to rest.
+#include "src/analysis/turned_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/verification/scene_answers.hpp"
+
+namespace abut::turned_contacts_test {
+namespace {
+
+std::string circle(const std::string& name, double x, double y) {
+    return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"circle": {"center": )" + test::pair_text(x, y) +
+           R"(, "radius": 10}}})";
+}
+
+bool has_reason(const Result& r, const std::string& kind) {
+    return std::any_of(r.reasons.begin(), r.reasons.end(), [&](const Reason& reason) { return reason.kind == kind; });
+}
+
+/// A disc on two others, between walls that are so far from these.
+Result three_discs(double gap) {
+    const double apart = 11, height = 10 + std::sqrt(400 - apart * apart), wall = apart + 10 + gap;
+    const auto number = [](double v) { return std::to_string(v); };
+    const std::string inner = number(wall), outer = number(wall + 15);
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "box", "material": "m", "geometry": {"difference": [
+            {"rectangle": {"min": [-)" +
+                        outer + R"(, -15], "max": [)" + outer + R"(, 60]}},
+            {"rectangle": {"min": [-)" +
+                        inner + R"(, 0], "max": [)" + inner + R"(, 61]}}]}}, )" + circle("l", -apart, 10) + ", " +
+                        circle("r", apart, 10) + ", " + circle("t", 0, height) + R"(],
+        "supports": [{"on": {"part": "box", "facing": [0, -1]}, "fix": ["x", "y"]}], "loads": [{"part": "t", "force": [0, -500]}]})");
+}
+
+/// A disc between two plates, turned by this share of what friction holds.
+Result clamped_disc(double share) {
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "lo", "material": "m", "geometry": {"rectangle": {"min": [-40, -20], "max": [40, 0]}}}, )" +
+                        circle("d", 0, 10) + R"(,
+        {"name": "up", "material": "m", "geometry": {"rectangle": {"min": [-40, 20], "max": [40, 40]}}}],
+        "supports": [{"on": "lo/bottom", "fix": ["x", "y"]}, {"on": "up/left", "roller": true}, {"on": "up/right", "roller": true}],
+        "loads": [{"on": "up/top", "force": [0, -2000]}, {"part": "d", "moment": )" +
+                        std::to_string(share * 2 * 0.15 * 2000 * 10) + R"(}], "contacts": {"friction": 0.15}})");
+}
+
+}  // namespace
+
+/// The walls' forces at rest are 11 % above those of the places as drawn.
+TEST(TurnedContacts, DiscsThatMoveApartAreTold) {
+    const Result moved = three_discs(0.9), at_rest = three_discs(0);
+    ASSERT_EQ(moved.status, "ok") << moved.message;
+    EXPECT_TRUE(has_reason(moved, "turned_force"));
+    ASSERT_EQ(at_rest.status, "ok") << at_rest.message;
+    EXPECT_FALSE(has_reason(at_rest, "turned_force"));
+}
+
+/// Pressure on a disc goes through its centre: friction alone bears the moment.
+TEST(TurnedContacts, MomentsBeyondFrictionAreTold) {
+    const Result beyond = clamped_disc(1.05), below = clamped_disc(0.5);
+    EXPECT_TRUE(beyond.status != "ok" || has_reason(beyond, "turned_lever")) << beyond.message;
+    ASSERT_EQ(below.status, "ok") << below.message;
+    EXPECT_FALSE(has_reason(below, "turned_lever"));
+}
+
+}  // namespace abut::turned_contacts_test
