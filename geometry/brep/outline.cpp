@@ -8,10 +8,23 @@
 
 namespace abut::geometry {
 
-Part outer_outline(const Part& part) {
+namespace {
+
+Part outline_of(const Part& part, const Loop& loop) {
     Part outline;
-    for (const int e : part.loops.front().edges) outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
+    for (const int e : loop.edges) outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
     return outline;
+}
+
+}  // namespace
+
+Part outer_outline(const Part& part) {
+    return outline_of(part, part.loops.front());
+}
+
+int count_pieces(const Part& part) {
+    return static_cast<int>(std::count_if(part.loops.begin(), part.loops.end(),
+                                          [&](const Loop& loop) { return area(outline_of(part, loop)) > 0; }));
 }
 
 bool lies_in_outline(const Part& inner, const Part& outer) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parts without their holes.
+// The outer loops of parts.
 #pragma once
 #include "geometry/brep/part.hpp"
 
@@ -7,6 +7,9 @@ namespace abut::geometry {
 
 /// The first loop of a part, the outer one, as a part by itself.
 Part outer_outline(const Part& part);
+
+/// The number of separate pieces that a part consists of: its outer loops.
+int count_pieces(const Part& part);
 
 /// Lies the part inside the other's outer outline, in its material, in its holes, or partly in both? Corners and middles of its
 /// edges tell: of outlines that cross one of these is outside as a rule.

@@ -17,6 +17,7 @@
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
 #include "src/analysis/self_contact.hpp"
+#include "src/analysis/slender_parts.hpp"
 #include "src/analysis/turned_contacts.hpp"
 #include "src/analysis/unpaired_touches.hpp"
 #include "src/answers/contact_results.hpp"
@@ -166,6 +167,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     tell_neutral_motions(scene, solved, result);
     check_assumptions(scene, out, result);
     warn_of_turned_contacts(scene, out, result);
+    warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);
     if (solved.solution.is_one_of_several)
         result.warnings.push_back(

@@ -15,6 +15,7 @@
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/results/findings.hpp"
+#include "src/results/result_units.hpp"
 #include "src/scene/dissertation_method.hpp"
 #include "src/solution/contact_measures.hpp"
 
@@ -152,6 +153,26 @@ void check_bonds(Result& result) {
     tell(std::move(findings), "bond", result);
 }
 
+/// A plane model spreads what a thin part presses a thick one with over the whole thickness of that.
+void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const solver::Interface& face = solved.contacts[k].face;
+        if (k >= solved.runs.size() || solved.runs[k].empty()) continue;
+        const PartOnGrid *thin = &solved.grids[at(face.part[0])], *thick = &solved.grids[at(face.part[1])];
+        if (thin->input.thickness > thick->input.thickness) std::swap(thin, thick);
+        const double ratio = thick->input.thickness / thin->input.thickness;
+        if (ratio == 1 || thick->is_rigid || face.bilateral) continue;
+        const std::string& name = scene.parts[at(thick->part)].name;
+        findings.push_back({ratio, "contact " + contact_number(k),
+                            "contact " + contact_number(k) + " presses part " + name + " over " +
+                                number_text(thin->input.thickness, 3) + " of its thickness of " +
+                                number_text(thick->input.thickness, 3) + ": beside it the stress of " + name +
+                                " is an average, and up to " + number_text(ratio, 2) + " times as large where it is pressed"});
+    }
+    tell(std::move(findings), "thickness", result);
+}
+
 /// Parts whose contact reaches the end of what was searched: "a and b".
 std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
     std::string names;
@@ -266,6 +287,7 @@ void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
     check_kinematics(scene, out.solved, result);
     check_yield(scene, out.solved, result);
     check_bonds(result);
+    check_thickness(scene, out.solved, result);
     check_rules(scene, out, result);
     check_grids(scene, out, result);
     check_rounding(out.target, result);

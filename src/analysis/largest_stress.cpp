@@ -15,7 +15,8 @@ namespace abut {
 
 namespace {
 
-constexpr double cells_from_corner = 2;  // a largest stress no farther from a corner is the corner's
+constexpr double rounding_of_strain = 1e-11;  // of displacement over size
+constexpr double cells_from_corner = 2;       // a largest stress no farther from a corner is the corner's
 
 /// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
 /// quadrature points of its element. At one point they may agree by chance.
@@ -56,6 +57,8 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     result.displacement = found.displacement;
     result.von_mises = found.von_mises;
     if (found.element < 0 || grid.is_rigid) return result;
+    if (found.von_mises.value <= rounding_of_strain * grid.input.elasticity.d11 * found.displacement.value / grid.size)
+        return result;
     result.cell = grid.cells.grid.box(grid.elements.cell_of(found.element)).size().maxCoeff();
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {

@@ -1,75 +1,260 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symbols: body 1 has its outward normal n towards body 2, k1 and k2 are their curvatures (positive convex), a1 and a2 how far
-// the contact moves along t, n turned right, on either body. Where bodies turn by w1 and w2 and move against each other along t
-// by d, a1 = d + a2 and w1 - k1 a1 = w2 + k2 a2, both the angle that the normal turns by:
+// Small displacements balance forces where parts are drawn. Here they are balanced once more, by statics, where the solution
+// has put the parts: the lines of action turn with their faces and move with their points, dead loads act where they have gone,
+// and the shortest change of the forces that balances all this is what the answer leaves out.
 //
-//   (k1 w2 + k2 w1 - k1 k2 d) / (k1 + k2).
+// A contact of convex bodies. Symbols: body 1 has its outward normal n towards body 2, k1 and k2 are their curvatures (positive
+// convex), a1 and a2 how far the contact moves along t, n turned right, on either body. Where bodies turn by w1 and w2 and move
+// against each other along t by d, a1 = d + a2 and w1 - k1 a1 = w2 + k2 a2, both the angle that the normal turns by:
+//
+//   (k1 w2 + k2 w1 - k1 k2 d) / (k1 + k2),    a2 = (w1 - w2 - k1 d) / (k1 + k2).
+//
+// In a hollow face the pressure moves along as it has to: a joint about the centre of the body inside. Flat faces give their
+// force to any place within them.
 #include "src/analysis/turned_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "solver/linear_algebra/dense.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
+#include "src/solution/contact_measures.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
 namespace {
 
+using Eigen::Index;
+using geometry::cross, geometry::left_of;
+
 /// Forces are known to about a tenth of what pressures are.
 constexpr double noted_turn = 0.5;  // of the target
+/// Of a part's size: how well it is known where a contact's force acts; what works less in a motion works nothing.
+constexpr double known_places = 1e-3;
 
-struct Turned {
-    double normal = 0, lever = 0;  ///< radians; the lever's turn over the coefficient of friction
+/// A contact's force on its first part: where and what it is as drawn, and as parts have moved if it keeps its size; what else
+/// it can be there without friction's bound.
+struct MovedForce {
+    std::size_t contact;
+    Vec2 drawn, moved;  ///< places
+    Vec2 force{0, 0}, turned{0, 0};
+    bool any_direction = false;  ///< a joint, or friction
+    bool any_place = false;      ///< flat faces, bonds
 };
 
-Turned turned_at(const geometry::FacingPair& pair, const solver::RigidMotion& m1, const solver::RigidMotion& m2,
-                 double friction) {
+/// How far body 1 has the contact move along t, and the angle that the normal turns by.
+struct Rolled {
+    double along = 0, angle = 0;
+};
+
+/// Of convex bodies; a corner's curvature may be infinite.
+Rolled rolled(double k1, double k2, double w1, double w2, double d) {
+    if (std::isinf(k1)) return {0, w2 - k2 * d};
+    if (std::isinf(k2)) return {d, w1 - k1 * d};
+    const double sum = k1 + k2;
+    return {d + (w1 - w2 - k1 * d) / sum, (k1 * w2 + k2 * w1 - k1 * k2 * d) / sum};
+}
+
+Vec2 turned_by(const Vec2& v, double angle) {
+    return v * std::cos(angle) + left_of(v) * std::sin(angle);
+}
+
+MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force,
+                       const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool sticks) {
     const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
-    if (k1 < 0 || k2 < 0 || k1 + k2 == 0) return {};  // hollow and flat faces: pressure moves along them as it has to
-    const Vec2 along = -geometry::left_of(pair.normal);
-    const double slide = (m2.at(pair.on2.x) - m1.at(pair.on1.x)).dot(along);
-    Turned turned;
-    turned.normal = std::abs(k1 * m2.rotation + k2 * m1.rotation - k1 * k2 * slide) / (k1 + k2);
-    if (friction > 0) turned.lever = std::abs(m1.rotation - m2.rotation) / friction;
-    return turned;
+    MovedForce line{0, pair.on1.x, pair.on1.x, force, force, sticks};
+    if (k1 < 0 || k2 < 0) {
+        const double inner = k1 < 0 ? k2 : k1;
+        if (inner > 0) line.drawn += (k1 < 0 ? 1 : -1) / inner * pair.normal;
+        line.moved = line.drawn + (k1 < 0 ? m2 : m1).at(line.drawn);
+        line.any_direction = true;
+    } else if (k1 + k2 == 0 || c.face.bilateral) {
+        const double angle = 0.5 * (m1.rotation + m2.rotation);
+        line.moved += 0.5 * (m1.at(line.drawn) + m2.at(line.drawn));
+        line.turned = turned_by(force, angle);
+        line.any_place = true;
+        line.any_direction = sticks || c.face.bilateral;
+    } else {
+        const Vec2 along = -left_of(pair.normal);
+        const double slide = (m2.at(pair.on2.x) - m1.at(pair.on1.x)).dot(along);
+        const Rolled r = rolled(k1, k2, m1.rotation, m2.rotation, slide);
+        // no farther than the faces go
+        const double most = std::min(c.zone.chain1.length, c.zone.chain2.length);
+        line.moved += m1.at(line.drawn) + std::clamp(r.along, -most, most) * along;
+        line.turned = turned_by(force, r.angle);
+    }
+    return line;
+}
+
+/// The system that forces balance in: a row for every free motion of a part that nothing but contacts holds in it.
+struct Balance {
+    std::vector<std::size_t> part;            ///< by row: among the grids
+    std::vector<solver::RigidMotion> motion;  ///< by row, in assembly coordinates
+};
+
+Balance balance_of(const SolvedAssembly& solved) {
+    Balance b;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) {
+        const auto holds = [&](const solver::MeanConstraint& c) { return at(c.part) == i; };
+        if (std::any_of(solved.problem.constraints.begin(), solved.problem.constraints.end(), holds)) continue;
+        const Frame& frame = solved.grids[i].frame;
+        for (const solver::RigidMotion& m : solved.problem.parts[i].free_motions) {
+            b.part.push_back(i);
+            b.motion.push_back({frame.vector_to_global(m.translation), m.rotation, frame.to_global(m.center)});
+        }
+    }
+    return b;
+}
+
+/// What a force on a contact's first part, and its opposite on the second, work in a row's motion.
+double work_in_row(const SolvedAssembly& solved, const Balance& b, std::size_t row, std::size_t contact, const Vec2& place,
+                   const Vec2& force) {
+    const std::array<int, 2>& part = solved.contacts[contact].face.part;
+    double sum = 0;
+    for (int side : {0, 1})
+        if (at(part[at(side)]) == b.part[row]) sum += (side == 0 ? 1 : -1) * force.dot(b.motion[row].at(place));
+    return sum;
+}
+
+/// How much more a part's dead loads work in a row's motion once they act where the part has gone.
+double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t row, const solver::RigidMotion& moved) {
+    const std::size_t i = b.part[row];
+    const solver::PartSystem& part = solved.problem.parts[i];
+    Eigen::VectorXd aside = part.applied;  // loads turned left: their moment is the sum of place times load
+    for (Index f = 0; f + 1 < aside.size(); f += 2) aside.segment<2>(f) = left_of(part.applied.segment<2>(f));
+    const Vec2 center = solved.grids[i].frame.to_local(moved.center);
+    const solver::Resultant total = resultant_of(part.input.space, part.applied),
+                            turned = resultant_of(part.input.space, aside);
+    const double virial = turned.moment - cross(center, turned.force);
+    const Vec2 force = solved.grids[i].frame.vector_to_global(total.force);
+    return b.motion[row].rotation * (cross(moved.translation, force) - moved.rotation * virial);
+}
+
+std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
+                                     const std::vector<solver::RigidMotion>& motions) {
+    std::vector<MovedForce> lines;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        if (solved.runs[k].empty()) continue;
+        const ContactInterface& c = solved.contacts[k];
+        const ContactRun& run = solved.runs[k].front();
+        const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (run.begin + run.end));
+        if (!pair.found) continue;
+        lines.push_back(moved_force(c, pair, contact_force(solved, k).force, motions[at(c.face.part[0])],
+                                    motions[at(c.face.part[1])], friction_of(solved, k) > 0));
+        lines.back().contact = k;
+    }
+    return lines;
+}
+
+/// Changes of the lines' forces on their first parts that balance them where parts have gone, with those of `turned`; and by
+/// row what they leave out of balance.
+struct Rebalanced {
+    std::vector<Vec2> change;
+    Eigen::VectorXd left;
+};
+
+Rebalanced rebalanced(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
+                      const std::vector<solver::RigidMotion>& motions) {
+    struct Unknown {
+        std::size_t line;
+        Vec2 direction;  ///< zero: a couple
+    };
+    std::vector<Unknown> unknowns;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const Vec2 direction = lines[k].force.norm() > 0 ? lines[k].force.normalized() : Vec2(1, 0);
+        unknowns.push_back({k, direction});
+        if (lines[k].any_direction) unknowns.push_back({k, left_of(direction)});
+        if (lines[k].any_place) unknowns.push_back({k, {0, 0}});
+    }
+    // by the places as drawn: the same to the first order, and what works nothing in a motion does so here
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Index>(b.part.size()), static_cast<Index>(unknowns.size()));
+    Eigen::VectorXd off = Eigen::VectorXd::Zero(matrix.rows());
+    for (std::size_t row = 0; row < b.part.size(); ++row) {
+        const auto r = static_cast<Index>(row);
+        const double size = solved.grids[b.part[row]].size;
+        off[r] = load_change(solved, b, row, motions[b.part[row]]);
+        for (const MovedForce& l : lines)
+            off[r] += work_in_row(solved, b, row, l.contact, l.moved, l.turned) -
+                      work_in_row(solved, b, row, l.contact, l.drawn, l.force);
+        for (std::size_t j = 0; j < unknowns.size(); ++j) {
+            const MovedForce& l = lines[unknowns[j].line];
+            const Vec2& along = unknowns[j].direction;
+            // a couple at the part's size: a force there and its opposite at the line
+            matrix(r, static_cast<Index>(j)) = along.norm() > 0
+                                                   ? work_in_row(solved, b, row, l.contact, l.drawn, along)
+                                                   : work_in_row(solved, b, row, l.contact, l.drawn + Vec2(size, 0), {0, 1}) -
+                                                         work_in_row(solved, b, row, l.contact, l.drawn, {0, 1});
+        }
+    }
+    const auto [values, vectors] = solver::right_singular_vectors(matrix);
+    Index rank = 0;
+    while (rank < values.size() && values[rank] > known_places * values[0]) ++rank;
+    const auto range = vectors.leftCols(rank);
+    const Eigen::VectorXd along_range = -(range.transpose() * (matrix.transpose() * off));
+    const Eigen::VectorXd change = range * along_range.cwiseQuotient(values.head(rank).cwiseAbs2());
+    Rebalanced result{std::vector<Vec2>(lines.size()), off + matrix * change};
+    for (std::size_t k = 0; k < lines.size(); ++k) result.change[k] = lines[k].turned - lines[k].force;
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+        result.change[unknowns[j].line] += change[static_cast<Index>(j)] * unknowns[j].direction;
+    return result;
+}
+
+/// A round part that friction holds by a moment has another lever once it has turned.
+double turned_lever(const SolvedAssembly& solved, std::size_t contact, const std::vector<solver::RigidMotion>& motions) {
+    const std::array<int, 2>& part = solved.contacts[contact].face.part;
+    const double friction = friction_of(solved, contact);
+    return friction > 0 ? std::abs(motions[at(part[0])].rotation - motions[at(part[1])].rotation) / friction : 0;
 }
 
 }  // namespace
 
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
-    const double noted = noted_turn * out.target;
+    const Balance balance = balance_of(solved);
+    if (balance.part.empty()) return;
+    std::vector<solver::RigidMotion> motions;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) motions.push_back(rigid_motion_of(solved, i));
+    const std::vector<MovedForce> lines = moved_forces(scene, solved, motions);
+    if (lines.empty()) return;
     double largest = 0;
-    for (const ContactResult& c : result.contacts) largest = std::max(largest, c.force.norm());
-    std::vector<Finding> normals, levers;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        const ContactInterface& c = solved.contacts[k];
-        if (solved.runs[k].empty() || c.face.bilateral) continue;
-        const ContactRun& run = solved.runs[k].front();
-        const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (run.begin + run.end));
-        if (!pair.found) continue;
-        const Turned turned = turned_at(pair, rigid_motion_of(solved, at(c.face.part[0])),
-                                        rigid_motion_of(solved, at(c.face.part[1])), out.candidates[k].friction);
-        const std::string number = contact_number(k), advice = "; draw the parts nearer to where they come to rest";
-        const double share = result.contacts[k].force.norm() / largest;
-        if (share * turned.normal > noted)
-            normals.push_back(
-                {turned.normal, "contact " + number,
-                 "parts move so far that the force of contact " + number + " turns by " + percent_text(turned.normal) +
-                     " of itself, which the answer leaves out: forces may be off by more than their errors say" + advice,
-                 "the force of contact " + number + " turns by " + percent_text(turned.normal) + " of itself as parts move"});
-        if (share * turned.lever > noted)
+    for (const MovedForce& l : lines) largest = std::max(largest, l.force.norm());
+    const Rebalanced moved = rebalanced(solved, balance, lines, motions);
+    const double noted = noted_turn * out.target;
+    const std::string advice = "; draw the parts nearer to where they come to rest";
+    std::vector<Finding> forces, levers, motions_left;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const std::string number = contact_number(lines[k].contact);
+        if (const double share = moved.change[k].norm() / largest; share > noted) {
+            const std::string text =
+                "the force of contact " + number + " changes by " + percent_text(share) + " of the largest one as parts move";
+            forces.push_back({share, "contact " + number,
+                              text + ", which the answer leaves out: forces may be off by more than their errors say" + advice,
+                              text});
+        }
+        const ContactInterface& c = solved.contacts[lines[k].contact];
+        const double lever = turned_lever(solved, lines[k].contact, motions);
+        if (!c.face.bilateral && !lines[k].any_place && lines[k].force.norm() / largest * lever > noted)
             levers.push_back(
-                {turned.lever, "contact " + number,
+                {lever, "contact " + number,
                  "a round part turns so far that friction in contact " + number + " seems to bear a moment that is " +
-                     percent_text(turned.lever) + " too large" + advice,
-                 "friction in contact " + number + " bears a moment that is " + percent_text(turned.lever) + " too large"});
+                     percent_text(lever) + " too large" + advice,
+                 "friction in contact " + number + " bears a moment that is " + percent_text(lever) + " too large"});
     }
-    tell(std::move(normals), "turned_force", result);
+    for (std::size_t row = 0; row < balance.part.size(); ++row) {
+        const double share = std::abs(moved.left[static_cast<Index>(row)]) / largest;
+        if (share <= noted) continue;
+        const std::string& name = scene.parts[at(solved.grids[balance.part[row]].part)].name;
+        const std::string text =
+            "where part " + name + " has moved to, " + percent_text(share) + " of the largest contact force is not balanced";
+        motions_left.push_back({share, name, text + ": it may go on moving" + advice, text});
+    }
+    tell(std::move(forces), "turned_force", result);
+    tell(std::move(motions_left), "turned_balance", result);
     tell(std::move(levers), "turned_lever", result);
 }
 

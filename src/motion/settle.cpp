@@ -457,11 +457,34 @@ private:
     double apart_ = 0;
 };
 
+/// The middle of an assembly that is drawn farther from the origin than it is large: there its coordinates lose the digits that
+/// small steps need.
+std::optional<Vec2> far_middle(const Scene& scene) {
+    geometry::Box2 box;
+    for (const ScenePart& part : scene.parts) box.extend(bounding_box(part.part));
+    if (box.center().norm() <= box.diagonal()) return std::nullopt;
+    return box.center();
+}
+
+/// The scene with its parts elsewhere, and its prescribed motions as they were.
+Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Vec2& by) {
+    Scene scene = placed(drawn, conditions, std::vector<Placement>(drawn.parts.size(), Placement{0, by}));
+    for (std::size_t i = 0; i < scene.supports.size(); ++i)
+        if (scene.supports[i].kind == Support::Kind::rigid) scene.supports[i] = drawn.supports[i];
+    return scene;
+}
+
 }  // namespace
 
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from, bool to_the_end) {
     if (const std::string why = why_not_settled(drawn); !why.empty()) return {Settling::End::not_asked, why};
-    return Way(drawn, conditions, from).follow(to_the_end);
+    const std::optional<Vec2> middle = far_middle(drawn);
+    if (!middle) return Way(drawn, conditions, from).follow(to_the_end);
+    std::vector<Placement> about_middle = from;
+    for (Placement& p : about_middle) p.shift += p.turned(*middle) - *middle;
+    Settling settling = Way(shifted(drawn, conditions, -*middle), conditions, about_middle).follow(to_the_end);
+    for (Placement& p : settling.placements) p.shift += *middle - p.turned(*middle);
+    return settling;
 }
 
 Effect large_motion_effect(const Settling& settling) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 
 #include "src/base/index.hpp"
+#include "src/io/number_text.hpp"
 #include "src/plan/axisymmetric.hpp"
 #include "src/plan/dissertation_limits.hpp"
 #include "src/plan/loads.hpp"
+#include "src/plan/plan.hpp"
 
 namespace abut {
 
@@ -44,19 +46,36 @@ void append_contradictions(const Scene& scene, const std::vector<std::vector<Edg
             }
 }
 
-/// Held points must lie in their part, and the part's mean motion must not be held as well: weighted functions do not know it.
+bool is_on_boundary(const geometry::Part& part, const Vec2& p) {
+    return std::any_of(part.edges.begin(), part.edges.end(), [&](const geometry::Edge& edge) {
+        return (point(edge.curve, closest_parameter(edge.curve, p)) - p).norm() <= merge_length(part);
+    });
+}
+
+/// Points are held by weight functions, which know neither the part's mean motion nor strains that are not elastic.
+std::string why_no_points(const Scene& scene, int part) {
+    const ScenePart& p = scene.parts[at(part)];
+    for (const Support& other : scene.supports)
+        if (other.kind == Support::Kind::rigid && other.part == p.name) return "which has a rigid support, too";
+    for (const Load& load : scene.loads)
+        if (load.kind == Load::Kind::temperature && acts_on_volume_of(scene, load, part)) return "whose temperature changes";
+    if (is_nearly_incompressible(scene, scene.materials[at(p.material)])) return "which is nearly incompressible";
+    return "";
+}
+
 void append_wrong_points(const Scene& scene, std::vector<Problem>& problems) {
     for (const Support& s : scene.supports) {
         if (s.kind != Support::Kind::points) continue;
-        for (const Support& other : scene.supports)
-            if (other.kind == Support::Kind::rigid && other.part == s.part)
-                problems.push_back({s.where, "part " + s.part + " has a rigid support, too", "take one of them away"});
-        for (const ScenePart& part : scene.parts) {
+        for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i) {
+            const ScenePart& part = scene.parts[at(i)];
             if (part.name != s.part) continue;
+            if (const std::string why = why_no_points(scene, i); !why.empty())
+                problems.push_back({s.where, "points cannot be held of part " + part.name + ", " + why,
+                                    "hold edges instead, by \"roller\" or \"fix\""});
             for (const Vec2& p : s.at)
-                if (!contains(part.part, p))
+                if (!contains(part.part, p) && !is_on_boundary(part.part, p))
                     problems.push_back({s.where,
-                                        "the point (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) +
+                                        "the point (" + number_text(p.x(), 6) + ", " + number_text(p.y(), 6) +
                                             ") lies outside part " + part.name,
                                         "hold points inside the part"});
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "geometry/brep/outline.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/dilatation.hpp"
 #include "src/base/index.hpp"
@@ -61,7 +62,12 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
         const Vec2 x = g.frame.to_global(system.failed_at->at);
         where = ", near (" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
     }
-    return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
+    const ScenePart& part = scene.parts[at(g.part)];
+    if (const int pieces = count_pieces(part.part); pieces > 1 && system.failed_at)
+        return "part " + part.name + " consists of " + std::to_string(pieces) +
+               " separate pieces, and its own supports do not hold " + "each of them" + where +
+               "; make every piece a part, or support it";
+    return "part " + part.name + where + ": " + system.failure;
 }
 
 /// What the system's own code spent on its effects.

@@ -24,6 +24,16 @@ TEST(Outline, TheOuterOneHasNoHoles) {
     EXPECT_EQ(outer_outline(plate).edges.size(), 4u);
 }
 
+TEST(Outline, HolesAreNoPieces) {
+    EXPECT_EQ(count_pieces(plate), 1);
+    Part two = plate;
+    const auto first = static_cast<int>(two.edges.size());
+    for (const Edge& edge : pin.edges) two.edges.push_back(edge);
+    two.loops.push_back({{}});
+    for (std::size_t e = 0; e < pin.edges.size(); ++e) two.loops.back().edges.push_back(first + static_cast<int>(e));
+    EXPECT_EQ(count_pieces(two), 2);
+}
+
 TEST(Outline, WhatLiesInHolesOrMaterialLiesInTheOutline) {
     EXPECT_TRUE(lies_in_outline(pin, plate));
     EXPECT_FALSE(lies_in_outline(plate, pin));

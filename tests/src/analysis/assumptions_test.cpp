@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tests/verification/scene_answers.hpp"
 
@@ -106,6 +107,38 @@ TEST(Assumptions, BondsInTensionAreSaid) {
     const std::string w = warning(bar(3), "bonded pair in tension: a/right and b/left are pulled apart with up to 3 at (2, ");
     EXPECT_NE(w.find("contacts.pairs"), std::string::npos) << w;
     EXPECT_TRUE(warning(bar(-3), "bonded pair").empty());
+}
+
+/// A column on a plate, pressed from above with this mean stress.
+Result column(double width, double stress, double thickness_of_plate = 1) {
+    const std::string w = test::number(0.5 * width);
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [
+        {"name": "plate", "material": "m", "thickness": )" +
+                        test::number(thickness_of_plate) + R"(, "geometry": {"rectangle": {"min": [-5, -2], "max": [5, 0]}}},
+        {"name": "column", "material": "m", "geometry": {"rectangle": {"min": [-)" +
+                        w + R"(, 0], "max": [)" + w + R"(, 10]}}}],
+        "supports": [{"on": "plate/bottom", "fix": ["x", "y"]}],
+        "loads": [{"on": "column/top", "pressure": )" +
+                        test::number(stress) + "}]}");
+}
+
+/// Euler's stress of the column pinned at both ends, with the length from corner to corner, is 0.1 here but for its ends'
+/// share.
+TEST(Assumptions, SlenderColumnsAreSaidToBuckle) {
+    const double thickness = 0.11;
+    const double euler = std::pow(M_PI * thickness / 10, 2) / 12 * 1000;
+    EXPECT_TRUE(warning(column(thickness, 0.2 * euler), "part column is slender").empty());
+    const Result between = column(thickness, 0.5 * euler), beyond = column(thickness, 5 * euler);
+    EXPECT_FALSE(warning(between, "part column is slender, and pressed along its length by").empty());
+    EXPECT_FALSE(has_reason(between, "buckling", ""));
+    EXPECT_TRUE(has_reason(beyond, "buckling", "part column may buckle"));
+    EXPECT_TRUE(warning(column(5, 5), "part column is slender").empty());
+    EXPECT_TRUE(warning(column(thickness, -5 * euler), "part column is slender").empty());
+}
+
+TEST(Assumptions, ThinPartsThatPressThickOnesAreSaid) {
+    EXPECT_FALSE(warning(column(2, 1, 3), "contact 1 presses part plate over 1 of its thickness of 3").empty());
+    EXPECT_TRUE(warning(column(2, 1), "contact 1 presses").empty());
 }
 
 }  // namespace

@@ -214,5 +214,17 @@ TEST(SupportMethods, AutoDropsFunctionsWhereThatIsExactAndNeverPicksAStructure) 
     EXPECT_NE(weak.why.find("outermost lines"), std::string::npos);
 }
 
+TEST(SupportMethods, HeldPointsMayBeCornersAndNeedAPartThatTheyGoWith) {
+    const auto at = [](const std::string& points) { return R"({"part": "a", "fix": ["x", "y"], "at": )" + points + "}"; };
+    EXPECT_EQ(problem_of({.supports = at("[[0, 0], [2, 0]]"), .loads = pulled}), "");
+    EXPECT_NE(problem_of({.supports = at("[[0, 0], [2, -0.01]]"), .loads = pulled}).find("(2, -0.01) lies outside part a"),
+              std::string::npos);
+    const std::string warm =
+        R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3, "expansion": 1e-5}}, "parts": [{"name": "a", "material": "m",
+            "geometry": {"rectangle": {"min": [0, 0], "max": [2, 1]}}}], "supports": [)" +
+        at("[[0, 0], [2, 0]]") + R"(], "loads": [{"part": "a", "temperature": 10}]})";
+    EXPECT_THROW(analyze(read_scene_text(warm, "s.json"), {}), InputError);
+}
+
 }  // namespace
 }  // namespace abut::support_methods_test

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/verification/scene_answers.hpp"
 
@@ -36,6 +37,25 @@ Result three_discs(double gap) {
         "supports": [{"on": {"part": "box", "facing": [0, -1]}, "fix": ["x", "y"]}], "loads": [{"part": "t", "force": [0, -500]}]})");
 }
 
+/// A strut of length 50, up by 10 degrees, on a pin, with its round end so far from a wall, pressed down there.
+Result strut(double gap) {
+    const double angle = std::numbers::pi / 18, x = 50 * std::cos(angle), y = 50 * std::sin(angle);
+    const auto number = [](double v) { return std::to_string(v); };
+    const std::string wall = number(x + 6 + gap), behind = number(x + 26 + gap);
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "strut", "material": "m", "geometry": {"difference": [{"union": [{"circle": {"center": [0, 0], "radius": 9}},
+            {"slot": {"from": [0, 0], "to": )" +
+                        test::pair_text(x, y) + R"(, "radius": 6}}]},
+            {"circle": {"center": [0, 0], "radius": 5}}]}}, )" +
+                        "{" + R"("name": "pin", "material": "m",
+            "geometry": {"circle": {"center": [0, 0], "radius": 4.999}}},
+        {"name": "wall", "material": "m", "geometry": {"rectangle": {"min": [)" +
+                        wall + R"(, -20], "max": [)" + behind + R"(, 40]}}}],
+        "supports": [{"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}}, {"on": "wall/right", "fix": ["x", "y"]}],
+        "loads": [{"on": {"part": "strut", "near": )" +
+                        test::pair_text(x + 6, y) + R"(}, "force": [0, -5], "at": )" + test::pair_text(x, y) + "}]}");
+}
+
 /// A disc between two plates, turned by this share of what friction holds.
 Result clamped_disc(double share) {
     return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
@@ -52,6 +72,15 @@ Result clamped_disc(double share) {
 /// The walls' forces at rest are 11 % above those of the places as drawn.
 TEST(TurnedContacts, DiscsThatMoveApartAreTold) {
     const Result moved = three_discs(0.9), at_rest = three_discs(0);
+    ASSERT_EQ(moved.status, "ok") << moved.message;
+    EXPECT_TRUE(has_reason(moved, "turned_force"));
+    ASSERT_EQ(at_rest.status, "ok") << at_rest.message;
+    EXPECT_FALSE(has_reason(at_rest, "turned_force"));
+}
+
+/// A strut's forces go as the cotangent of its angle, which pins that move in their holes change.
+TEST(TurnedContacts, StrutsThatTurnAreTold) {
+    const Result moved = strut(0.05), at_rest = strut(0);
     ASSERT_EQ(moved.status, "ok") << moved.message;
     EXPECT_TRUE(has_reason(moved, "turned_force"));
     ASSERT_EQ(at_rest.status, "ok") << at_rest.message;

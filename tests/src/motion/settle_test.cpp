@@ -67,6 +67,20 @@ TEST(Settle, APinFindsTheBottomOfItsHoleFromAnywhere) {
         }
 }
 
+/// Coordinates of a site plan or of a car's body.
+TEST(Settle, FarFromTheOriginToo) {
+    for (const double far : {3e5, 1e7}) {
+        const std::string disc = part("disc", R"({"circle": {"center": [)" + std::to_string(far) + R"(, 12], "radius": 10}})");
+        const std::string floor = part("floor", R"({"rectangle": {"min": [)" + std::to_string(far - 50) +
+                                                    R"(, -10], "max": [)" + std::to_string(far + 50) + ", 0]}}");
+        const Scene scene = scene_of(floor + ", " + disc, held_floor, R"({"part": "disc", "force": [0, -100]})");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+        EXPECT_NEAR((way(scene, settling, 1) - Vec2(0, -2)).norm(), 0, 20 * of_size) << far;
+        EXPECT_EQ(settling.placements.at(0).shift, Vec2(0, 0));
+    }
+}
+
 TEST(Settle, WhatGoesNotFarStays) {
     const Scene scene = scene_of(hole_and_pin(9.9, {0, 0}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                                  R"({"part": "pin", "force": [0, -100]})");

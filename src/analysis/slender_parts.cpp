@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Euler's stress of a column of length L and thickness t that is pinned at both ends is pi^2 E t^2 / (12 L^2); held at one end
+// only it is a quarter of that, clamped at both ends four times as much.
+#include "src/analysis/slender_parts.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "src/base/index.hpp"
+#include "src/io/number_text.hpp"
+#include "src/results/findings.hpp"
+
+namespace abut {
+
+namespace {
+
+struct Column {
+    Vec2 along{0, 0};        ///< between the ends that are farthest apart; parts with holes are none
+    double slenderness = 0;  ///< thickness over length
+};
+
+Column column_of(const geometry::Part& part) {
+    Column column;
+    if (part.loops.size() != 1) return column;
+    double perimeter = 0;
+    for (const geometry::Edge& a : part.edges) {
+        perimeter += length(a.curve);
+        for (const geometry::Edge& b : part.edges)
+            if (const Vec2 d = point(b.curve, 0) - point(a.curve, 0); d.norm() > column.along.norm()) column.along = d;
+    }
+    if (column.along.norm() > 0) column.slenderness = 2 * area(part) / perimeter / column.along.norm();
+    return column;
+}
+
+/// The mean stress along a direction, in assembly coordinates.
+double mean_stress(const PartOnGrid& g, const Eigen::VectorXd& displacement, double area, const Vec2& along) {
+    const solver::FunctionIntegrals mean = integrate_functions(g.input);
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (Eigen::Index f = 0; f < mean.dx.size(); ++f)
+        gradient += displacement.segment<2>(2 * f) * Eigen::RowVector2d(mean.dx[f], mean.dy[f]) / area;
+    const Eigen::Vector3d s = stress_of(g.input.elasticity, gradient);
+    const Vec2 e = g.frame.vector_to_local(along.normalized());
+    return s[0] * e.x() * e.x() + s[1] * e.y() * e.y() + 2 * s[2] * e.x() * e.y();
+}
+
+}  // namespace
+
+void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
+    if (out.largest.empty()) return;  // failed
+    std::vector<Finding> findings;
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
+        const PartOnGrid& g = out.solved.grids[k];
+        if (g.is_rigid || g.input.structure || g.input.axis || g.input.free_strain) continue;
+        const ScenePart& part = scene.parts[at(g.part)];
+        const Column column = column_of(part.part);
+        const double euler = std::pow(std::numbers::pi * column.slenderness, 2) / 12 * g.input.elasticity.d11;
+        const double one_end = 0.25 * euler, both_ends = 4 * euler;
+        if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
+        const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part), column.along);
+        if (pressed <= one_end) continue;
+        const std::string pressed_by =
+            "part " + part.name + " is slender, and pressed along its length by " + number_text(pressed, 3) + " on average: ";
+        findings.push_back({pressed / euler, part.name,
+                            pressed_by + "such a column buckles from " + number_text(one_end, 3) +
+                                " on where it is held at one end, from " + number_text(both_ends, 3) +
+                                " on where it is clamped at both, unless something holds its sides; buckling is not computed",
+                            pressed > both_ends ? "part " + part.name + " may buckle" : ""});
+    }
+    tell(std::move(findings), "buckling", result);
+}
+
+}  // namespace abut
