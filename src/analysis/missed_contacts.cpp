@@ -107,10 +107,20 @@ MissedContact missed_between(double begin, double end, double depth) {
     return m;
 }
 
+/// The least gap along a zone, about that of its points.
+double least_of(const DeformedZone& zone, const ContactInterface& c, const std::vector<GapAt>& gaps) {
+    if (gaps.empty()) return std::numeric_limits<double>::infinity();
+    const auto least = std::min_element(gaps.begin(), gaps.end(), [](const GapAt& a, const GapAt& b) { return a.gap < b.gap; });
+    if (least->gap == 0) return 0;
+    const double before = least == gaps.begin() ? c.s.front() : (least - 1)->s,
+                 after = least + 1 == gaps.end() ? c.s.back() : (least + 1)->s;
+    return std::min(least->gap, least_between(zone, before, after).gap);
+}
+
 /// What was seen of one contact.
 struct Seen {
     std::vector<MissedContact> overlaps{};
-    double least_gap = std::numeric_limits<double>::infinity();  ///< at its points; 0: under pressure
+    double least_gap = 0;  ///< 0: under pressure
 };
 
 /// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is. What goes on
@@ -119,10 +129,8 @@ struct Seen {
 Seen look_at(const DeformedZone& zone, const ContactInterface& c) {
     Seen seen;
     std::vector<GapAt> gaps;  // 0: under pressure
-    for (const solver::InterfacePoint& p : c.face.points) {
-        gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
-        seen.least_gap = std::min(seen.least_gap, gaps.back().gap);
-    }
+    for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
+    seen.least_gap = least_of(zone, c, gaps);
     const std::size_t n = gaps.size();
     std::vector<MissedContact>& found = seen.overlaps;
     for (std::size_t i = 0; i < n; ++i) {
@@ -178,7 +186,7 @@ public:
             for (MissedContact m : seen_[k].overlaps) {
                 const double force = std::max(std::min(forces_[a], forces_[b]), negligible_force * of_all);
                 m.share = c.face.thickness * m.depth / compliance_of(solved_, k) / force;
-                if (m.share > least_share && !may_evade(a, k, m.depth) && !may_evade(b, k, m.depth)) missed[k].push_back(m);
+                if (m.share > least_share && !may_evade(a, k) && !may_evade(b, k)) missed[k].push_back(m);
             }
         }
         return missed;
@@ -192,7 +200,8 @@ private:
 
     /// A part on which nothing acts and that nothing holds gets out of the way, as long as that closes no other gap: a move by
     /// the depth closes none by more.
-    bool may_evade(std::size_t part, std::size_t contact, double depth) const {
+    bool may_evade(std::size_t part, std::size_t contact) const {
+        const double depth = -seen_[contact].least_gap;
         if (forces_[part] > 0 || solved_.problem.parts[part].free_motions.size() < 3) return false;
         for (std::size_t k = 0; k < seen_.size(); ++k) {
             const std::array<int, 2>& between = solved_.contacts[k].face.part;
