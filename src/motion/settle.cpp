@@ -61,6 +61,9 @@ public:
         return factor_ * step;
     }
 
+    /// Does a step go against the one before? However much longer it is, the place lies between.
+    bool turns_back(const VectorXd& step) const { return before_.size() > 0 && before_.dot(step) < 0; }
+
 private:
     static constexpr double most = 10;
     VectorXd before_{};
@@ -182,7 +185,7 @@ private:
             VectorXd a = next_step(drag);
             const double far = farthest(a);
             const bool is_near = drag <= least_drag && is_where_led() && far < 0.5 * reach_;
-            if (!is_near || far > before) relaxation = {};
+            if (!is_near || (far > before && !relaxation.turns_back(a))) relaxation = {};
             before = far;
             if (is_near) a = relaxation.of(a);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
