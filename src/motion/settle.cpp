@@ -175,6 +175,13 @@ private:
                            [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
     }
 
+    /// Is any part far from where it was drawn?
+    bool is_placed() const {
+        for (std::size_t i = 0; i < placements_.size(); ++i)
+            if (is_far(moved(i), placements_[i].angle, sizes_[i])) return true;
+        return false;
+    }
+
     /// From the present place to rest.
     Settling walk() {
         double drag = 1;
@@ -198,7 +205,7 @@ private:
             }
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_near && far * step_fraction <= settled) {
-                touch();
+                if (is_placed() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
