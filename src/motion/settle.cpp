@@ -182,8 +182,9 @@ private:
         return false;
     }
 
-    /// From the present place to rest.
-    Settling walk() {
+    /// From the present place to rest, or until it is known where it goes.
+    template <class IsKnown>
+    Settling walk(const IsKnown& is_known) {
         double drag = 1;
         Relaxation relaxation;
         double before = 0;
@@ -204,6 +205,7 @@ private:
                 continue;
             }
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
+            if (is_known()) return lost();
             if (is_near && far * step_fraction <= settled) {
                 if (is_placed() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
@@ -213,6 +215,9 @@ private:
             reach_ = std::min(1.0, 2 * reach_);
         }
         return lost();
+    }
+    Settling walk() {
+        return walk([] { return false; });
     }
 
     /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what
@@ -324,15 +329,26 @@ private:
         std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles
         for (const MovingPart& b : moving_.list) goes[at(b.part)] = goes_on(b, push, next);
         if (std::none_of(goes.begin(), goes.end(), [](char c) { return c != 0; })) return end;
-        walk();
+        const auto has_gone = [&](std::size_t i) {
+            constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
+            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
+            return by.norm() > sizes_[i] || std::abs(placements_[i].angle - before[i].angle) > tipped;
+        };
+        const auto is_loaded = [&](std::size_t i) { return goes[i] && pull_on(i) > 0; };
+        walk([&] {
+            bool any = false, all_loaded = true;
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                any = any || has_gone(i);
+                all_loaded = all_loaded && (!is_loaded(i) || has_gone(i));
+            }
+            return any && all_loaded;
+        });
         Settling unstable{Settling::End::never, "", {}, {}, ""};
         bool is_by_own_loads = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
-            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
-            constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
-            if (by.norm() <= sizes_[i] && std::abs(placements_[i].angle - before[i].angle) <= tipped) continue;
+            if (!has_gone(i)) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
-            is_by_own_loads = is_by_own_loads || (goes[i] && pull_on(i) > 0);
+            is_by_own_loads = is_by_own_loads || is_loaded(i);
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;
