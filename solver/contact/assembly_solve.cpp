@@ -12,9 +12,11 @@
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/neutral_motions.hpp"
+#include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 
@@ -77,6 +79,14 @@ void take_slips_before(const AssemblyProblem& problem, AssemblyRows& all) {
     VectorXd moved = VectorXd::Zero(all.rows.n);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) moved += opening_of(all.rows, i, problem.before[i]);
     for (const FrictionRow& f : all.friction) all.rows.gap0[f.tangential] -= moved[f.tangential];
+}
+
+SolveSeconds& operator+=(SolveSeconds& sum, const SolveSeconds& more) {
+    sum.rows += more.rows;
+    sum.condensation += more.condensation;
+    sum.contact += more.contact;
+    sum.displacements += more.displacements;
+    return sum;
 }
 
 /// What is known of the multipliers, where something is.
@@ -219,14 +229,20 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem) {
     return all;
 }
 
-RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
+namespace {
+
+/// A solution under some rows, before neutral motions are taken.
+struct Attempt {
     RowsSolution answered;
-    AssemblySolution& solution = answered.solution;
+    MatrixXd neutral{};
+    bool is_driven = false;  ///< the mechanism is none of the rows'
+};
+
+Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
+    Attempt attempt;
+    AssemblySolution& solution = attempt.answered.solution;
     Laps laps;
     const Rows& rows = all.rows;
-    solution.n_multipliers = rows.n;
-    solution.contact_problems = std::count(rows.unilateral.begin(), rows.unilateral.end(), 1) > 0 ? 1 : 0;
-
     ContactQp qp = condense(problem.parts, rows, problem.load_scale, threads);
     scale_rows(qp, rows.weight);
     qp.foundation = all.foundation;
@@ -235,8 +251,10 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     solution.seconds.condensation = laps.lap();
 
     const MotionSplit split = split_motions(problem, resistance, qp.modes);
+    attempt.neutral = split.neutral;
     find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
-    if (!solution.mechanism.empty()) return answered;
+    attempt.is_driven = !solution.mechanism.empty();
+    if (attempt.is_driven) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     const HeldAnswer held = solve_held(qp, split, levers);
     solution.iterations = held.result.iterations;
@@ -246,7 +264,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
     if (!held.result.feasible) {
         solution.mechanism = part_motions(problem.parts, held.held * held.result.mechanism);
         solution.holding_factor = held.result.holding_factor;
-        return answered;
+        return attempt;
     }
     ContactAnswer answer{held.result.multipliers, held.result.settled, held.result.motion};
     if (held.result.mechanism.size() > 0) {
@@ -263,10 +281,137 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
             recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
         }
     add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
-    take_least_motion(problem, split.neutral, threads, solution);
-    answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
+    attempt.answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
-    return answered;
+    return attempt;
+}
+
+/// Of many rows, those that may close: C is made of these alone, and the gaps of the others are looked at under the
+/// displacements.
+class RowChoice {
+public:
+    RowChoice(const AssemblyProblem& problem, const AssemblyRows& all) : problem_(problem), all_(all) {
+        const bool are_few = all.rows.n < few_rows || !all.friction.empty() || all.rows.softness.size() > 0;
+        taken_.assign(at(all.rows.n), are_few ? 1 : 0);
+        if (are_few) return;
+        for (int row = 0; row < all.rows.n; ++row) taken_[at(row)] = !all.rows.unilateral[at(row)];
+        const bool knows_some = all.expected.size() > 0 && !all.expected.isZero(0);
+        take_with_neighbours(knows_some ? all.expected : settled_forces());
+    }
+
+    bool is_all() const { return std::find(taken_.begin(), taken_.end(), 0) == taken_.end(); }
+    void take_all() { std::fill(taken_.begin(), taken_.end(), 1); }
+
+    /// The rows taken alone.
+    AssemblyRows chosen() const {
+        std::vector<Index> kept;
+        std::vector<int> number(taken_.size(), -1);
+        for (std::size_t row = 0; row < taken_.size(); ++row)
+            if (taken_[row]) {
+                number[row] = static_cast<int>(kept.size());
+                kept.push_back(static_cast<Index>(row));
+            }
+        AssemblyRows own;
+        own.rows.n = static_cast<int>(kept.size());
+        own.rows.turning.resize(all_.rows.turning.size());
+        own.rows.gap0 = all_.rows.gap0(kept);
+        own.rows.weight = all_.rows.weight(kept);
+        for (const Index row : kept) own.rows.unilateral.push_back(all_.rows.unilateral[static_cast<std::size_t>(row)]);
+        for (const std::vector<RowEntry>& entries : all_.rows.by_part) {
+            own.rows.by_part.emplace_back();
+            for (const RowEntry& e : entries)
+                if (number[at(e.row)] >= 0) own.rows.by_part.back().push_back({number[at(e.row)], e.coefficient, e.value});
+        }
+        own.foundation = all_.foundation(kept);
+        if (expected_.size() > 0)
+            own.expected = expected_(kept);
+        else if (all_.expected.size() > 0)
+            own.expected = all_.expected(kept);
+        return own;
+    }
+
+    /// The multipliers of the chosen rows among all.
+    VectorXd spread(const VectorXd& multipliers) const {
+        VectorXd spread = VectorXd::Zero(all_.rows.n);
+        Index next = 0;
+        for (std::size_t row = 0; row < taken_.size(); ++row)
+            if (taken_[row]) spread[static_cast<Index>(row)] = multipliers[next++];
+        return spread;
+    }
+
+    /// Takes the rows, with their neighbours, that penetrate under the displacements of a solution. False: none does.
+    bool take_penetrating(const RowsSolution& under) {
+        VectorXd opening = VectorXd::Zero(all_.rows.n);
+        for (std::size_t i = 0; i < problem_.parts.size(); ++i)
+            opening += opening_of(all_.rows, i, under.solution.displacement[i]);
+        const VectorXd gap = all_.rows.gap0 + opening, w = all_.rows.weight;
+        const double rounding = gap_rounding * opening.cwiseQuotient(w).cwiseAbs().maxCoeff();
+        VectorXd penetrating = VectorXd::Zero(gap.size());
+        for (Index row = 0; row < gap.size(); ++row)
+            penetrating[row] = !taken_[static_cast<std::size_t>(row)] && gap[row] < -rounding * w[row];
+        if (penetrating.isZero(0)) return false;
+        expected_ = spread(under.multipliers);
+        take_with_neighbours(penetrating);
+        return true;
+    }
+
+private:
+    /// Where rigid bodies would settle.
+    VectorXd settled_forces() const {
+        ContactQp qp = rigid_problem(problem_.parts, all_.rows, problem_.load_scale);
+        scale_rows(qp, all_.rows.weight);
+        qp.foundation = all_.foundation;
+        return settle_rigidly(qp).multipliers;
+    }
+
+    /// Rows that are not zero in `forces`, and those beside.
+    void take_with_neighbours(const VectorXd& forces) {
+        for (std::size_t f = 0; f < all_.first_row.size(); ++f) {
+            const int begin = all_.first_row[f], end = begin + n_rows(problem_.interfaces[f]);
+            for (int row = begin; row < end; ++row)
+                if (forces[row] != 0)
+                    std::fill(taken_.begin() + std::max(begin, row - beside), taken_.begin() + std::min(end, row + beside + 1),
+                              1);
+        }
+    }
+
+    static constexpr int few_rows = 500;  // all of them cost less than a second look
+    static constexpr int beside = 2;
+    static constexpr double gap_rounding = 1e-14;  // of the largest opening
+
+    const AssemblyProblem& problem_;
+    const AssemblyRows& all_;
+    std::vector<char> taken_;
+    VectorXd expected_{};  // of a solution under fewer rows
+};
+
+}  // namespace
+
+RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
+    RowChoice choice(problem, all);
+    SolveSeconds spent;
+    for (int iterations = 0;;) {
+        const bool is_all = choice.is_all();
+        Attempt attempt = is_all ? solve_under(problem, all, resistance, threads)
+                                 : solve_under(problem, choice.chosen(), resistance, threads);
+        AssemblySolution& solution = attempt.answered.solution;
+        iterations += solution.iterations;
+        spent += solution.seconds;
+        const bool has_answer = solution.mechanism.empty() && solution.converged;
+        if (!is_all && !attempt.is_driven) {
+            if (!has_answer) choice.take_all();
+            if (!has_answer || choice.take_penetrating(attempt.answered)) continue;
+            attempt.answered.multipliers = choice.spread(attempt.answered.multipliers);
+        }
+        solution.n_multipliers = all.rows.n;
+        solution.contact_problems = std::count(all.rows.unilateral.begin(), all.rows.unilateral.end(), 1) > 0 ? 1 : 0;
+        solution.iterations = iterations;
+        Laps laps;
+        if (solution.mechanism.empty()) take_least_motion(problem, attempt.neutral, threads, solution);
+        solution.seconds = spent;
+        solution.seconds.displacements += laps.lap();
+        return std::move(attempt.answered);
+    }
 }
 
 void set_loads(const AssemblyProblem& problem, const Rows& rows, const VectorXd& multipliers, std::size_t part,

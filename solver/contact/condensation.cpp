@@ -185,7 +185,7 @@ std::vector<Index> mode_offsets(const std::vector<PartSystem>& parts) {
     return offset;
 }
 
-ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale, int threads) {
+ContactQp rigid_problem(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale) {
     const std::vector<Index> offset = mode_offsets(parts);
     const Index m = rows.n, n = offset.back();
     ENSURE(rows.by_part.size() == parts.size() && rows.turning.size() == parts.size() && rows.gap0.size() == m &&
@@ -193,22 +193,26 @@ ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, doubl
            "rows are of these parts, with a gap, a weight and a kind each");
     ContactQp qp{{},        rows.gap0, MatrixXd::Zero(m, n), VectorXd::Zero(n), rows.unilateral, VectorXd::Zero(m),
                  rows.gap0, load_scale};
+    for (std::size_t i = 0; i < parts.size(); ++i) add_modes(parts[i], rows, i, offset[i], qp);
+    return qp;
+}
+
+ContactQp condense(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale, int threads) {
+    ContactQp qp = rigid_problem(parts, rows, load_scale);
     std::vector<PartShare> shares(parts.size());
     parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const auto k = static_cast<std::size_t>(i);
         shares[k] = share_of(parts[k], rows, k);
     });
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        add_modes(parts[i], rows, i, offset[i], qp);
-        if (shares[i].opening.size() > 0) qp.gap += shares[i].opening;
-    }
+    for (const PartShare& share : shares)
+        if (share.opening.size() > 0) qp.gap += share.opening;
     qp.compliance = sum_of(shares, rows.n, rows.softness);
     return qp;
 }
 
 void scale_rows(ContactQp& qp, const VectorXd& weight) {
     const VectorXd s = weight.cwiseInverse();
-    qp.compliance = qp.compliance.scaled(s);
+    if (qp.compliance.rows() > 0) qp.compliance = qp.compliance.scaled(s);
     qp.gap = s.cwiseProduct(qp.gap);
     qp.drawn_gap = s.cwiseProduct(qp.drawn_gap);
     qp.modes = s.asDiagonal() * qp.modes;

@@ -11,6 +11,9 @@ namespace abut::solver {
 /// Where each part's free motions stand among the amplitudes; parts + 1 offsets.
 std::vector<Eigen::Index> mode_offsets(const std::vector<PartSystem>& parts);
 
+/// The free rigid motions of an assembly's rows, G and h, with gap0 for the gaps and no compliance: what bodies settle by.
+ContactQp rigid_problem(const std::vector<PartSystem>& parts, const Rows& rows, double load_scale);
+
 /// Condenses an assembly: C = sum of D K^-1 D' and softness, g = gap0 + D u of the loads, G = D R, h = R'f with the parts' free
 /// motions R. Not filled in: foundation. load_scale: the largest single load, raised to what prescribed displacements do. One
 /// forward solution a part, of its rows and its load together; parts side by side on `threads` threads, summed in their order.

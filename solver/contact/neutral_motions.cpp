@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/traction_arm.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -158,6 +159,7 @@ std::vector<Index> amplitudes_of(const Interface& face, const std::vector<Index>
 
 /// Of the neutral motions those in which contact forces have levers, scaled to levers of one.
 MatrixXd balanced_motions(const Resistance& resistance, const MatrixXd& neutral) {
+    if (neutral.cols() == 0) return neutral;
     const MatrixXd levers = neutral.transpose() * resistance.acting * neutral;
     const SymmetricEigen eigen = symmetric_eigen(levers);
     MatrixXd balanced(neutral.rows(), 0);
@@ -178,6 +180,7 @@ constexpr double coupling_rounding = 1e-14;
 /// Amplitudes that hang together by what resists their motions, ascending.
 std::vector<std::vector<Index>> coupled_amplitudes(const MatrixXd& squared) {
     const Index n = squared.cols();
+    if (n == 0) return {};
     const double least = coupling_rounding * squared.diagonal().maxCoeff();
     std::vector<std::vector<Index>> sets;
     std::vector<char> found(static_cast<std::size_t>(n), 0);
@@ -192,6 +195,53 @@ std::vector<std::vector<Index>> coupled_amplitudes(const MatrixXd& squared) {
         sets.push_back(std::move(set));
     }
     return sets;
+}
+
+/// Columns of motions that come one after the other, of n amplitudes at most.
+class Motions {
+public:
+    explicit Motions(Index n) : motions_(n, n) {}
+    void add(const MatrixXd& more) {
+        motions_.middleCols(count_, more.cols()) = more;
+        count_ += more.cols();
+    }
+    MatrixXd all() const { return motions_.leftCols(count_); }
+
+private:
+    MatrixXd motions_;
+    Index count_ = 0;
+};
+
+/// What is resisted of each part's own motions, alone, which stay its own: rows of contact are then of two parts' motions. What
+/// is not is neutral whatever the others do.
+MatrixXd resisted_by_part(const std::vector<Index>& offset, const MatrixXd& squared, double limit, Motions& neutral) {
+    Motions resisted(squared.cols());
+    for (std::size_t i = 0; i + 1 < offset.size(); ++i) {
+        const Index first = offset[i], size = offset[i + 1] - first;
+        if (size == 0) continue;
+        const MatrixXd block = squared.block(first, first, size, size);
+        MatrixXd own = MatrixXd::Zero(squared.rows(), size);
+        own.middleRows(first, size).setIdentity();
+        if (Cholesky(block - limit * MatrixXd::Identity(size, size)).succeeded()) {
+            resisted.add(own);
+            continue;
+        }
+        const SingularVectors motions = right_singular_vectors(block);
+        own.middleRows(first, size) = motions.vectors;
+        const Index kept = (motions.values.array() >= limit).count();
+        resisted.add(own.leftCols(kept));
+        neutral.add(own.rightCols(size - kept));
+    }
+    return resisted.all();
+}
+
+/// The motions in which any of the rows moves.
+std::vector<Index> moving_rows(const MatrixXd& modes, const MatrixXd& motions) {
+    const MatrixXd moved = times_few(modes, motions);
+    std::vector<Index> moving;
+    for (Index k = 0; k < motions.cols(); ++k)
+        if (!moved.col(k).isZero(0)) moving.push_back(k);
+    return moving;
 }
 
 }  // namespace
@@ -216,29 +266,26 @@ MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resi
     const auto held = modes.bottomRows(static_cast<Index>(problem.constraints.size()));
     const MatrixXd squared = resistance.contact + held.transpose() * held;
     const double limit = neutral_motion_fraction * neutral_motion_fraction;
-    MatrixXd resisted = MatrixXd::Zero(n, n), neutral = resisted;
-    Index n_resisted = 0, n_neutral = 0;
-    const auto add = [&](const MatrixXd& motions, const std::vector<Index>& amplitudes, MatrixXd& to, Index& count) {
-        to(amplitudes, Eigen::seqN(count, motions.cols())) = motions;
-        count += motions.cols();
-    };
-    for (const std::vector<Index>& own : coupled_amplitudes(squared)) {
+    Motions resisted(n), neutral(n);
+    const MatrixXd left = resisted_by_part(mode_offsets(problem.parts), squared, limit, neutral);
+    const MatrixXd of_left = left.transpose() * squared * left;
+    for (const std::vector<Index>& own : coupled_amplitudes(of_left)) {
         const auto size = static_cast<Index>(own.size());
-        const MatrixXd block = squared(own, own);
+        const MatrixXd block = of_left(own, own), motions = left(Eigen::all, own);
         if (Cholesky(block - limit * MatrixXd::Identity(size, size)).succeeded()) {
-            add(MatrixXd::Identity(size, size), own, resisted, n_resisted);
+            resisted.add(motions);
             continue;
         }
         // Jacobi's rotations leave motions that hardly anything couples apart: one part's stays one part's among equal values
-        const SingularVectors motions = right_singular_vectors(block);
-        const Index kept = (motions.values.array() >= limit).count();
-        add(motions.vectors.leftCols(kept), own, resisted, n_resisted);
-        add(motions.vectors.rightCols(size - kept), own, neutral, n_neutral);
+        const SingularVectors combined = right_singular_vectors(block);
+        const Index kept = (combined.values.array() >= limit).count();
+        resisted.add(motions * combined.vectors.leftCols(kept));
+        neutral.add(motions * combined.vectors.rightCols(size - kept));
     }
-    if (n_neutral == 0) return {MatrixXd::Identity(n, n), MatrixXd(n, 0), MatrixXd(n, 0)};
-    neutral.conservativeResize(Eigen::NoChange, n_neutral);
-    resisted.conservativeResize(Eigen::NoChange, n_resisted);
-    return {resisted, neutral, balanced_motions(resistance, neutral)};
+    const MatrixXd neutral_ones = neutral.all(), with_rows = neutral_ones(Eigen::all, moving_rows(modes, neutral_ones));
+    const MatrixXd resisted_ones = neutral_ones.cols() == 0 ? MatrixXd::Identity(n, n) : resisted.all();
+    return {resisted_ones(Eigen::all, moving_rows(modes, resisted_ones)), neutral_ones,
+            balanced_motions(resistance, with_rows)};
 }
 
 std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {

@@ -8,9 +8,10 @@
 
 namespace abut::solver {
 
-/// Orthonormal bases of the motions that something resists, and of the neutral ones (amplitudes x motions). balanced: neutral
-/// motions in which contact forces have levers all the same, since a force on a round part acts on the line that both bodies
-/// share, not through the part's own centre (scaled to levers of one). Pressures are made to balance in them.
+/// Orthonormal bases of the motions that something resists, as far as rows move in them, and of the neutral ones (amplitudes x
+/// motions), one part's each where that can be. balanced: neutral motions in which contact forces have levers all the same,
+/// since a force on a round part acts on the line that both bodies share, not through the part's own centre (scaled to levers
+/// of one). Pressures are made to balance in them.
 struct MotionSplit {
     Eigen::MatrixXd resisted, neutral, balanced;
 };

@@ -3,6 +3,7 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int max_newton_steps = 100;
+/// Stiff gaps that close one after the other take a step each. On softer ones most close at once, and from where bodies rest on
+/// these it is few steps to where they rest on stiffer ones.
+constexpr int max_newton_steps = 20;
+constexpr std::array<double, 4> softenings{1e-6, 1e-4, 1e-2, 1};
 constexpr double balance_tolerance = 1e-12;  // relative to the loads
 constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
 constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
+constexpr double term_rounding = 2e-16;      // of the terms of a gap
 constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
 /// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
 /// slide far under a small part of its load; more where the step was too long.
@@ -42,6 +47,9 @@ public:
     }
     VectorXd transposed_times(const VectorXd& rows) const {
         return is_sparse() ? VectorXd(by_row_.transpose() * rows) : VectorXd(modes_.transpose() * rows);
+    }
+    VectorXd sizes_times(const VectorXd& amplitudes) const {
+        return is_sparse() ? VectorXd(by_row_.cwiseAbs() * amplitudes) : VectorXd(modes_.cwiseAbs() * amplitudes);
     }
     VectorXd transposed_sizes_times(const VectorXd& rows) const {
         return is_sparse() ? VectorXd(by_row_.cwiseAbs().transpose() * rows) : VectorXd(modes_.cwiseAbs().transpose() * rows);
@@ -73,9 +81,9 @@ private:
     SparseRows by_row_;
 };
 
-VectorXd pressures(const ContactQp& qp, const MotionRows& modes, const VectorXd& amplitudes) {
+VectorXd pressures(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const VectorXd& amplitudes) {
     const VectorXd gap = qp.drawn_gap + modes.times(amplitudes);
-    VectorXd l = -qp.foundation.cwiseProduct(gap);
+    VectorXd l = -foundation.cwiseProduct(gap);
     for (Index k = 0; k < l.size(); ++k)
         if (qp.unilateral[static_cast<std::size_t>(k)]) l[k] = std::max(0.0, l[k]);
     return l;
@@ -85,8 +93,8 @@ VectorXd pressures(const ContactQp& qp, const MotionRows& modes, const VectorXd&
 struct Energy {
     double value, rounding;
 };
-Energy energy_of(const ContactQp& qp, const VectorXd& amplitudes, const VectorXd& l) {
-    const double stored = 0.5 * l.cwiseProduct(l).cwiseQuotient(qp.foundation).sum();
+Energy energy_of(const ContactQp& qp, const VectorXd& foundation, const VectorXd& amplitudes, const VectorXd& l) {
+    const double stored = 0.5 * l.cwiseProduct(l).cwiseQuotient(foundation).sum();
     const VectorXd work = qp.mode_load.cwiseProduct(amplitudes);
     return {stored - work.sum(), energy_rounding * (stored + work.cwiseAbs().sum())};
 }
@@ -97,14 +105,14 @@ VectorXd imbalance(const ContactQp& qp, const MotionRows& modes, const VectorXd&
 
 /// Goes the largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by,
 /// that halves the imbalance. 0: none, and stays. energy: of `s`.
-double move_along(const ContactQp& qp, const MotionRows& modes, const VectorXd& residual, const VectorXd& direction, Settled& s,
-                  Energy& energy) {
+double move_along(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const VectorXd& residual,
+                  const VectorXd& direction, Settled& s, Energy& energy) {
     const Energy before = energy;
     const double slope = residual.dot(direction);
     for (double reach = 1; reach > least_reach; reach *= 0.5) {
-        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, modes, trial);
+        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, foundation, modes, trial);
         const double wanted = sufficient_descent * reach * slope;
-        energy = energy_of(qp, trial, l);
+        energy = energy_of(qp, foundation, trial, l);
         const bool falls = energy.value <= before.value - wanted;
         if (!falls && (wanted > before.rounding || imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) continue;
         s.amplitudes = std::move(trial);
@@ -126,8 +134,38 @@ double force_scale_of(const ContactQp& qp, const MotionRows& modes, const Vector
     return std::max(qp.load_scale, modes.transposed_sizes_times(multipliers.cwiseAbs()).maxCoeff());
 }
 
-VectorXd pressed_foundation(const ContactQp& qp, const VectorXd& l) {
-    return (l.array() != 0).select(qp.foundation, 0.0);
+/// What the rounding of gaps, which are the small differences of drawn gaps and motions, may leave of the balance: stiff gaps
+/// turn it into force.
+double imbalance_rounding(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const Settled& s) {
+    const VectorXd terms = qp.drawn_gap.cwiseAbs() + modes.sizes_times(s.amplitudes.cwiseAbs());
+    const VectorXd force = (s.multipliers.array() != 0).select(foundation.cwiseProduct(terms), 0.0);
+    return term_rounding * modes.transposed_sizes_times(force).norm();
+}
+
+/// Newton's steps on a foundation from the amplitudes of `s`.
+void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, double mean, Settled& s) {
+    s.multipliers = pressures(qp, foundation, modes, s.amplitudes);
+    double held = first_held;
+    Energy energy = energy_of(qp, foundation, s.amplitudes, s.multipliers);
+    for (int step = 0; step < max_newton_steps; ++step) {
+        const VectorXd residual = imbalance(qp, modes, s.multipliers);
+        s.balanced = residual.norm() <= balance_tolerance * force_scale_of(qp, modes, s.multipliers);
+        if (mean == 0 || residual.norm() <= imbalance_rounding(qp, foundation, modes, s)) return;
+        if (s.balanced) return;
+        const VectorXd pressed = (s.multipliers.array() != 0).select(foundation, 0.0);
+        const VectorXd direction = PivotedCholesky(held_stiffness(modes, pressed, held * mean)).solve(residual);
+        const double reach = move_along(qp, foundation, modes, residual, direction, s, energy);
+        if (reach == 0) return;
+        held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
+    }
+}
+
+/// The foundation softer where bodies may lift off.
+VectorXd softened(const ContactQp& qp, double factor) {
+    VectorXd foundation = qp.foundation;
+    for (Index k = 0; k < foundation.size(); ++k)
+        if (qp.unilateral[static_cast<std::size_t>(k)]) foundation[k] *= factor;
+    return foundation;
 }
 
 }  // namespace
@@ -146,21 +184,15 @@ Settled settle_rigidly(const ContactQp& qp) {
     if (qp.gap.size() == 0) return s;
     const MotionRows modes(qp.modes);
     s.stiffness = modes.gram(qp.foundation);
-    s.multipliers = pressures(qp, modes, s.amplitudes);
-    if (n == 0) return s;
-    const double mean = s.stiffness.trace() / static_cast<double>(n);
-    double held = first_held;
-    Energy energy = energy_of(qp, s.amplitudes, s.multipliers);
-    for (int step = 0; step < max_newton_steps; ++step) {
-        const VectorXd residual = imbalance(qp, modes, s.multipliers);
-        s.balanced = residual.norm() <= balance_tolerance * force_scale_of(qp, modes, s.multipliers);
-        if (s.balanced || mean == 0) break;
-        const VectorXd direction =
-            PivotedCholesky(held_stiffness(modes, pressed_foundation(qp, s.multipliers), held * mean)).solve(residual);
-        const double reach = move_along(qp, modes, residual, direction, s, energy);
-        if (reach == 0) break;
-        held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
+    if (n == 0) {
+        s.multipliers = pressures(qp, qp.foundation, modes, s.amplitudes);
+        return s;
     }
+    const double mean = s.stiffness.trace() / static_cast<double>(n);
+    settle_on_foundation(qp, qp.foundation, modes, mean, s);
+    if (s.balanced || mean == 0) return s;
+    s.amplitudes.setZero();
+    for (const double softening : softenings) settle_on_foundation(qp, softened(qp, softening), modes, mean, s);
     return s;
 }
 

@@ -41,7 +41,10 @@ struct DoubtfulPeaks {
     std::vector<Finding> at_corner, uncertain;
 };
 
-void fill_contact(const ContactError& e, double of_force, std::size_t k, ContactResult& c, DoubtfulPeaks& peaks) {
+/// target: of the accuracy. Peaks of contacts that carry next to nothing are told, but speak against nothing.
+void fill_contact(const ContactError& e, double of_force, double target, std::size_t k, ContactResult& c,
+                  DoubtfulPeaks& peaks) {
+    const bool counts = e.share_of_peak * (e.at_corner ? 1 : e.peak) > target;
     c.error_estimate = e.pressure;
     c.errors =
         ContactErrors{e.pressure, std::max(e.peak, 0.5 * of_force), of_force, std::max(e.length, 0.5 * of_force), e.at_corner};
@@ -50,12 +53,12 @@ void fill_contact(const ContactError& e, double of_force, std::size_t k, Contact
         peaks.at_corner.push_back({c.max_pressure.value, name,
                                    largest + " stands at a sharp corner, where it grows with every finer grid (by " +
                                        percent_text(e.peak) + " yet, or more); error estimates leave out what is beside it",
-                                   largest + " stands at a sharp corner, where it has no limit"});
+                                   counts ? largest + " stands at a sharp corner, where it has no limit" : ""});
     else if (e.peak > doubtful && c.max_pressure.value > 0)
         peaks.uncertain.push_back(
             {e.peak, name,
              largest + " is uncertain by " + percent_text(std::min(e.peak, 1.0)) + ": the grids are too coarse for it",
-             largest + " known to " + percent_text(std::min(e.peak, 1.0))});
+             counts ? largest + " known to " + percent_text(std::min(e.peak, 1.0)) : ""});
 }
 
 std::string why_it_ended(const Outcome& out) {
@@ -138,8 +141,8 @@ void fill_errors(const Outcome& out, Result& result) {
     DoubtfulPeaks peaks;
     const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
-        if (error.contacts[k])
-            fill_contact(*error.contacts[k], force_error(error, result, k, k < is_static.size() && is_static[k]), k,
+        if (const std::optional<ContactError>& e = error.contacts[k])
+            fill_contact(*e, force_error(error, result, k, k < is_static.size() && is_static[k]), out.target, k,
                          result.contacts[k], peaks);
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();

@@ -300,7 +300,7 @@ private:
 
     void look_for_missed(const SolvedAssembly& now) {
         missed_before_ = std::move(missed_);
-        missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target) : MissedContacts(now.contacts.size());
+        missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target, threads_) : MissedContacts(now.contacts.size());
     }
 
     /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small

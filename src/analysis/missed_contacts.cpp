@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/solution_structure.hpp"
 #include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -106,14 +107,32 @@ MissedContact missed_between(double begin, double end, double depth) {
     return m;
 }
 
+/// The least gap along a zone, about that of its points.
+double least_of(const DeformedZone& zone, const ContactInterface& c, const std::vector<GapAt>& gaps) {
+    if (gaps.empty()) return std::numeric_limits<double>::infinity();
+    const auto least = std::min_element(gaps.begin(), gaps.end(), [](const GapAt& a, const GapAt& b) { return a.gap < b.gap; });
+    if (least->gap == 0) return 0;
+    const double before = least == gaps.begin() ? c.s.front() : (least - 1)->s,
+                 after = least + 1 == gaps.end() ? c.s.back() : (least + 1)->s;
+    return std::min(least->gap, least_between(zone, before, after).gap);
+}
+
+/// What was seen of one contact.
+struct Seen {
+    std::vector<MissedContact> overlaps{};
+    double least_gap = 0;  ///< 0: under pressure
+};
+
 /// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is. What goes on
 /// from a stretch under pressure is no contact of its own: bodies overlap there by what the pressure's end lacks, which has an
 /// estimate, and by motions that nothing holds, which tilt the gap.
-std::vector<MissedContact> overlaps(const DeformedZone& zone, const ContactInterface& c) {
+Seen look_at(const DeformedZone& zone, const ContactInterface& c) {
+    Seen seen;
     std::vector<GapAt> gaps;  // 0: under pressure
     for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
+    seen.least_gap = least_of(zone, c, gaps);
     const std::size_t n = gaps.size();
-    std::vector<MissedContact> found;
+    std::vector<MissedContact>& found = seen.overlaps;
     for (std::size_t i = 0; i < n; ++i) {
         const double before = i == 0 ? c.s.front() : gaps[i - 1].s;
         const auto after = [&] { return i + 1 == n ? c.s.back() : gaps[i + 1].s; };
@@ -133,7 +152,7 @@ std::vector<MissedContact> overlaps(const DeformedZone& zone, const ContactInter
             found.push_back(
                 missed_between(edge_between(zone, before, least.s), edge_between(zone, after(), least.s), -least.gap));
     }
-    return found;
+    return seen;
 }
 
 /// By solver's part: the largest load on it, or force of its contacts.
@@ -148,23 +167,59 @@ std::vector<double> largest_forces(const SolvedAssembly& solved) {
     return force;
 }
 
+/// Contacts that were looked at under the displacements, and the forces on their parts.
+class LookedAt {
+public:
+    LookedAt(const Scene& scene, const SolvedAssembly& solved, int threads)
+        : solved_(solved), forces_(largest_forces(solved)), seen_(solved.contacts.size()) {
+        solver::parallel_for(static_cast<int>(seen_.size()), threads, [&](int k) {
+            if (is_searched(at(k))) seen_[at(k)] = look_at(DeformedZone(scene, solved, at(k)), solved.contacts[at(k)]);
+        });
+    }
+
+    MissedContacts missed(double least_share) const {
+        MissedContacts missed(seen_.size());
+        const double of_all = forces_.empty() ? 0 : *std::max_element(forces_.begin(), forces_.end());
+        for (std::size_t k = 0; k < seen_.size(); ++k) {
+            const ContactInterface& c = solved_.contacts[k];
+            const auto a = at(c.face.part[0]), b = at(c.face.part[1]);
+            for (MissedContact m : seen_[k].overlaps) {
+                const double force = std::max(std::min(forces_[a], forces_[b]), negligible_force * of_all);
+                m.share = c.face.thickness * m.depth / compliance_of(solved_, k) / force;
+                if (m.share > least_share && !may_evade(a, k) && !may_evade(b, k)) missed[k].push_back(m);
+            }
+        }
+        return missed;
+    }
+
+private:
+    bool is_searched(std::size_t contact) const {
+        const ContactInterface& c = solved_.contacts[contact];
+        return solved_.interface_of[contact] >= 0 && !c.face.bilateral && c.pairing == Pairing::middle;
+    }
+
+    /// A part on which nothing acts and that nothing holds gets out of the way, as long as that closes no other gap: a move by
+    /// the depth closes none by more.
+    bool may_evade(std::size_t part, std::size_t contact) const {
+        const double depth = -seen_[contact].least_gap;
+        if (forces_[part] > 0 || solved_.problem.parts[part].free_motions.size() < 3) return false;
+        for (std::size_t k = 0; k < seen_.size(); ++k) {
+            const std::array<int, 2>& between = solved_.contacts[k].face.part;
+            if (k == contact || solved_.interface_of[k] < 0 || (at(between[0]) != part && at(between[1]) != part)) continue;
+            if (!is_searched(k) || seen_[k].least_gap <= depth) return false;
+        }
+        return true;
+    }
+
+    const SolvedAssembly& solved_;
+    std::vector<double> forces_;  // by solver's part
+    std::vector<Seen> seen_;
+};
+
 }  // namespace
 
-MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share) {
-    MissedContacts missed(solved.contacts.size());
-    const std::vector<double> forces = largest_forces(solved);
-    const double of_all = forces.empty() ? 0 : *std::max_element(forces.begin(), forces.end());
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        const ContactInterface& c = solved.contacts[k];
-        if (solved.interface_of[k] < 0 || c.face.bilateral || c.pairing != Pairing::middle) continue;
-        const double force =
-            std::max(std::min(forces[at(c.face.part[0])], forces[at(c.face.part[1])]), negligible_force * of_all);
-        for (MissedContact& m : overlaps(DeformedZone(scene, solved, k), c)) {
-            m.share = c.face.thickness * m.depth / compliance_of(solved, k) / force;
-            if (m.share > least_share) missed[k].push_back(m);
-        }
-    }
-    return missed;
+MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share, int threads) {
+    return LookedAt(scene, solved, threads).missed(least_share);
 }
 
 bool any_missed(const MissedContacts& missed) {

@@ -18,9 +18,10 @@ struct MissedContact {
 };
 
 /// The missed stretches by contact, ascending along its zone; those that may carry more than `least_share` of the largest force
-/// on the part that has less.
+/// on the part that has less. What overlaps a part that nothing acts on and nothing holds carries nothing where the part may
+/// get out of its way. Contacts side by side on `threads` threads.
 using MissedContacts = std::vector<std::vector<MissedContact>>;
-MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share);
+MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share, int threads = 1);
 
 /// Is there a missed stretch in any contact?
 bool any_missed(const MissedContacts& missed);

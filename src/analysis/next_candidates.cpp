@@ -14,7 +14,8 @@ namespace abut {
 
 namespace {
 
-/// Of the knot spacing there: ends that are found so near to where they were expected need no other knots.
+/// Of the knot spacing there, times the pressure's share of the strongest contact's: ends that are found so near to where they
+/// were expected need no other knots.
 constexpr double noted_move = 0.08;
 
 }  // namespace
@@ -120,12 +121,18 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
 }
 
 bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
+    const auto peak_of = [&](std::size_t k) {
+        return s.interface_of[k] < 0 || s.runs[k].empty() ? 0 : pressure_of(s, k).cwiseAbs().maxCoeff();
+    };
+    double strongest = 0;
+    for (std::size_t k = 0; k < candidates.size(); ++k) strongest = std::max(strongest, peak_of(k));
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
-        if (now.size() != expected.size()) return true;
+        const double share = strongest > 0 ? peak_of(k) / strongest : 1;
+        if (now.size() != expected.size() && (share == 0 || share > noted_move)) return true;
         const double limit = noted_move * spacing_at(s, k);
-        for (std::size_t i = 0; i < now.size(); ++i)
-            if (std::abs(now[i].s1 - expected[i].s1) > limit) return true;
+        for (std::size_t i = 0; i < std::min(now.size(), expected.size()); ++i)
+            if (share * std::abs(now[i].s1 - expected[i].s1) > limit) return true;
     }
     return false;
 }

@@ -61,6 +61,9 @@ public:
         return factor_ * step;
     }
 
+    /// Does a step go against the one before? However much longer it is, the place lies between.
+    bool turns_back(const VectorXd& step) const { return before_.size() > 0 && before_.dot(step) < 0; }
+
 private:
     static constexpr double most = 10;
     VectorXd before_{};
@@ -172,8 +175,16 @@ private:
                            [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
     }
 
-    /// From the present place to rest.
-    Settling walk() {
+    /// Is any part far from where it was drawn?
+    bool is_placed() const {
+        for (std::size_t i = 0; i < placements_.size(); ++i)
+            if (is_far(moved(i), placements_[i].angle, sizes_[i])) return true;
+        return false;
+    }
+
+    /// From the present place to rest, or until it is known where it goes.
+    template <class IsKnown>
+    Settling walk(const IsKnown& is_known) {
         double drag = 1;
         Relaxation relaxation;
         double before = 0;
@@ -182,7 +193,7 @@ private:
             VectorXd a = next_step(drag);
             const double far = farthest(a);
             const bool is_near = drag <= least_drag && is_where_led() && far < 0.5 * reach_;
-            if (!is_near || far > before) relaxation = {};
+            if (!is_near || (far > before && !relaxation.turns_back(a))) relaxation = {};
             before = far;
             if (is_near) a = relaxation.of(a);
             if (farthest(a) > reach_) a *= reach_ / farthest(a);
@@ -194,8 +205,9 @@ private:
                 continue;
             }
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
+            if (is_known()) return lost();
             if (is_near && far * step_fraction <= settled) {
-                touch();
+                if (is_placed() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
@@ -203,6 +215,9 @@ private:
             reach_ = std::min(1.0, 2 * reach_);
         }
         return lost();
+    }
+    Settling walk() {
+        return walk([] { return false; });
     }
 
     /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what
@@ -314,15 +329,26 @@ private:
         std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles
         for (const MovingPart& b : moving_.list) goes[at(b.part)] = goes_on(b, push, next);
         if (std::none_of(goes.begin(), goes.end(), [](char c) { return c != 0; })) return end;
-        walk();
+        const auto has_gone = [&](std::size_t i) {
+            constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
+            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
+            return by.norm() > sizes_[i] || std::abs(placements_[i].angle - before[i].angle) > tipped;
+        };
+        const auto is_loaded = [&](std::size_t i) { return goes[i] && pull_on(i) > 0; };
+        walk([&] {
+            bool any = false, all_loaded = true;
+            for (std::size_t i = 0; i < before.size(); ++i) {
+                any = any || has_gone(i);
+                all_loaded = all_loaded && (!is_loaded(i) || has_gone(i));
+            }
+            return any && all_loaded;
+        });
         Settling unstable{Settling::End::never, "", {}, {}, ""};
         bool is_by_own_loads = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
-            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
-            constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
-            if (by.norm() <= sizes_[i] && std::abs(placements_[i].angle - before[i].angle) <= tipped) continue;
+            if (!has_gone(i)) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
-            is_by_own_loads = is_by_own_loads || (goes[i] && pull_on(i) > 0);
+            is_by_own_loads = is_by_own_loads || is_loaded(i);
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;

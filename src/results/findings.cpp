@@ -20,14 +20,18 @@ std::vector<Finding> values_of(const std::map<std::string, Finding>& findings) {
 
 void tell(std::vector<Finding> findings, const std::string& kind, Result& result) {
     if (findings.empty()) return;
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const Finding& a, const Finding& b) { return a.measure > b.measure; });
+    const auto speaks_against = [](const Finding& f) { return !f.reason.empty(); };
+    std::stable_sort(findings.begin(), findings.end(), [&](const Finding& a, const Finding& b) {
+        return speaks_against(a) != speaks_against(b) ? speaks_against(a) : a.measure > b.measure;
+    });
     const Finding& worst = findings.front();
     std::vector<std::string> others;
     for (std::size_t k = 1; k < findings.size(); ++k) others.push_back(findings[k].subject);
-    const std::string count = others.size() == 1 ? "1 other" : std::to_string(others.size()) + " others";
-    result.warnings.push_back(worst.warning + (others.empty() ? "" : "; the same of " + count + ": " + first_few(others)));
-    if (!worst.reason.empty()) result.reasons.push_back({kind, worst.reason + (others.empty() ? "" : " (and " + count + ")")});
+    const auto count_text = [](std::size_t n) { return n == 1 ? "1 other" : std::to_string(n) + " others"; };
+    result.warnings.push_back(worst.warning +
+                              (others.empty() ? "" : "; the same of " + count_text(others.size()) + ": " + first_few(others)));
+    const auto n = static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), speaks_against));
+    if (n > 0) result.reasons.push_back({kind, worst.reason + (n == 1 ? "" : " (and " + count_text(n - 1) + ")")});
 }
 
 }  // namespace abut

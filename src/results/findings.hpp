@@ -17,8 +17,8 @@ struct Finding {
     std::string reason{};  ///< the warning as a clause of the verdict; empty: it says nothing against the answer
 };
 
-/// Says findings of one kind: one warning and, where the worst has a reason, one reason, however many findings there are;
-/// nothing for none.
+/// Says findings of one kind: one warning and, where any has a reason, one reason, however many findings there are; nothing for
+/// none. The worst is that of those with a reason, where any has one.
 void tell(std::vector<Finding> findings, const std::string& kind, Result& result);
 
 /// The findings of a map that holds each subject once.

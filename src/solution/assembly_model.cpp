@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
@@ -34,9 +35,14 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
-                       SolvedAssembly& solved) {
-    if (!why_rigid(scene, part).empty()) return put_rigid_part(scene, part);
+/// A part on a grid, and what it took.
+struct PutPart {
+    PartOnGrid grid;
+    bool is_refined = false, is_limited = false;
+};
+
+PutPart put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness) {
+    if (!why_rigid(scene, part).empty()) return {put_rigid_part(scene, part)};
     bool limited = false;
     double refinement = 1;
     for (int attempt = 0;; ++attempt, refinement *= 0.5) {
@@ -45,10 +51,8 @@ PartOnGrid put_on_grid(const Scene& scene, int part, const std::vector<WantedSiz
         PartOnGrid g = discretize(scene, part, chosen.frame, chosen.grid, chosen.degree);
         const bool is_final = chosen.given || attempt == max_wall_refinements || scene.accuracy.cell_size;
         if (!is_final && !g.input.space.failure.empty()) continue;
-        if (attempt > 0) ++solved.refined_for_walls;
-        if (limited) ++solved.limited_grids;
         g.too_fine = chosen.too_fine;
-        return g;
+        return {std::move(g), attempt > 0, limited};
     }
 }
 
@@ -126,21 +130,41 @@ std::vector<FacesByCell> faces_of_contact(const std::vector<Candidate>& candidat
     return faces;
 }
 
-void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved) {
+/// The interface of a candidate between grids, and the time that it took.
+struct MadeInterface {
+    std::optional<ContactInterface> contact{};  ///< none between parts that are not solved or both rigid
+    double seconds = 0;
+};
+
+MadeInterface made_interface(const Scene& scene, const Candidate& c, const SolvedAssembly& solved,
+                             const std::vector<FacesByCell>& faces) {
+    const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
+    if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) return {};
+    const auto begin = std::chrono::steady_clock::now();
+    MadeInterface made{make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces)};
+    made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return made;
+}
+
+void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, int threads, SolvedAssembly& solved) {
     const std::vector<FacesByCell> faces = faces_of_contact(candidates, solved);
-    for (const Candidate& c : candidates) {
-        const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
+    std::vector<MadeInterface> made(candidates.size());
+    solver::parallel_for(static_cast<int>(made.size()), threads,
+                         [&](int k) { made[at(k)] = made_interface(scene, candidates[at(k)], solved, faces); });
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        const Candidate& c = candidates[k];
+        const bool has_friction = c.friction > 0 && !c.bonded;
         solved.interface_of.push_back(-1);
         solved.shear_of.push_back(-1);
         solved.contacts.emplace_back();
         solved.contacts.back().part = {c.first, c.second};
-        if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
-        const bool has_friction = c.friction > 0 && !c.bonded;
-        MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
-        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces);
+        if (!made[k].contact) continue;
+        solved.contacts.back() = std::move(*made[k].contact);
         ContactInterface& contact = solved.contacts.back();
+        EffectUse& use = solved.uses[c.bonded ? "bonding" : "contact"];
+        use.seconds += made[k].seconds;
         if (contact.face.points.empty()) continue;
-        call.count(contact.face.points.size());
+        use.items += static_cast<long>(contact.face.points.size());
         if (closes(scene, c)) solved.uses["interference"].items += static_cast<long>(contact.face.points.size());
         if (c.bonded) bond(contact);
         solved.interface_of.back() = append_interface(contact, solved);
@@ -236,18 +260,25 @@ void begin_from(const PartDisplacements& before, SolvedAssembly& solved) {
 
 /// What cannot be put on a grid is told in `failure`.
 SolvedAssembly put_on_grids(const Scene& scene, const std::vector<bool>& solve_part, const WantedSizes& wanted,
-                            double coarseness, Stopwatches& seconds) {
+                            double coarseness, Stopwatches& seconds, int threads) {
     ENSURE(solve_part.size() == scene.parts.size() && wanted.size() == scene.parts.size(),
            "every part has a wanted size, and is solved or not");
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
     const Timed timed(seconds, "geometry");
-    for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-        if (!solve_part[i]) continue;
-        solved.solver_part[i] = static_cast<int>(solved.grids.size());
-        solved.grids.push_back(put_on_grid(scene, static_cast<int>(i), wanted[i], coarseness, solved));
+    std::vector<int> parts;
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        if (solve_part[i]) parts.push_back(static_cast<int>(i));
+    std::vector<std::optional<PutPart>> put(parts.size());
+    solver::parallel_for(static_cast<int>(parts.size()), threads,
+                         [&](int k) { put[at(k)] = put_on_grid(scene, parts[at(k)], wanted[at(parts[at(k)])], coarseness); });
+    for (std::size_t k = 0; k < put.size(); ++k) {
+        solved.solver_part[at(parts[k])] = static_cast<int>(k);
+        solved.refined_for_walls += put[k]->is_refined ? 1 : 0;
+        solved.limited_grids += put[k]->is_limited ? 1 : 0;
+        solved.grids.push_back(std::move(put[k]->grid));
         if (!solved.grids.back().input.space.failure.empty())
-            solved.failure = "part " + scene.parts[i].name + ": " + solved.grids.back().input.space.failure;
+            solved.failure = "part " + scene.parts[at(parts[k])].name + ": " + solved.grids.back().input.space.failure;
     }
     return solved;
 }
@@ -256,7 +287,7 @@ SolvedAssembly put_on_grids(const Scene& scene, const std::vector<bool>& solve_p
 void make_assembly(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                    Stopwatches& seconds, int threads, SolvedAssembly& solved) {
     const Timed timed(seconds, "assembly");
-    make_interfaces(scene, candidates, solved);
+    make_interfaces(scene, candidates, threads, solved);
     note_contact_elements(solved);
     const double before = timed.seconds();
     make_systems(scene, conditions, threads, solved);
@@ -268,7 +299,7 @@ void make_assembly(const Scene& scene, const ResolvedConditions& conditions, con
 SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                              const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                              Stopwatches& seconds, int threads) {
-    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
+    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds, threads);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
@@ -291,7 +322,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     if (!solved.failure.empty()) return solved;
     try {
         const Timed timed(seconds, "assembly");
-        make_interfaces(scene, candidates, solved);
+        make_interfaces(scene, candidates, threads, solved);
         load_systems(scene, conditions, prepared, threads, solved);
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
     if (solved.failure.empty() && !before.empty()) begin_from(before, solved);
@@ -302,7 +333,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads) {
-    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds);
+    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds, threads);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
@@ -319,7 +350,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.interfaces.clear();
         solved.problem.foundation.clear();
         solved.problem.own_normals.clear();
-        make_interfaces(scene, candidates, solved);
+        make_interfaces(scene, candidates, threads, solved);
     }
     solve_contacts(scene, solved, seconds, threads);
 }

@@ -15,7 +15,7 @@ Outcome outcome(double pressure, double peak, PathEnd end) {
     out.end = end;
     out.passes = {{{ContactRecord{}}, 1, 1000, 10, 0.1}, {{ContactRecord{}}, 1, 2000, 20, 0.3}};
     ErrorEstimate error;
-    error.contacts = {ContactError{pressure, pressure, 0, 0, peak, 0.001, 1, 1, false}};
+    error.contacts = {ContactError{pressure, pressure, 0, 0, peak, 0.001, 0, 1, 1}};
     error.contact_pressure = pressure;
     error.peak = peak;
     error.energy = 4e-4;
@@ -130,6 +130,17 @@ TEST(AccuracyResults, DoubtfulPeaksAreReasonsWhereNothingWasAimedAt) {
     const Result result = filled(outcome(0.005, 0.2, PathEnd::no_need));
     ASSERT_EQ(result.reasons.size(), 1u);
     EXPECT_EQ(result.reasons[0].text, "the largest pressure of contact 1 known to 20 %");
+}
+
+TEST(AccuracyResults, PeaksOfContactsThatCarryNextToNothingAreNoReasons) {
+    for (const bool at_corner : {false, true}) {
+        Outcome out = outcome(0.005, 0.2, PathEnd::reached);
+        out.errors.back().contacts[0]->at_corner = at_corner;
+        EXPECT_EQ(filled(out).reasons.size(), 1u);
+        out.errors.back().contacts[0]->share_of_peak = 0.009;  // of the largest pressure, less than the target
+        EXPECT_TRUE(filled(out).reasons.empty());
+        EXPECT_EQ(filled(out).warnings.size(), 1u);
+    }
 }
 
 TEST(AccuracyResults, WithoutContactItIsOfStress) {
