@@ -96,7 +96,10 @@ public:
     bool meets_others() const { return meets_others_; }
     std::size_t n_passes() const { return out_.passes.size(); }
     const SolvedAssembly& last() const { return last_; }
-    Outcome take_outcome() { return std::move(out_); }
+    Outcome take_outcome() {
+        recover_stress(out_.solved);
+        return std::move(out_);
+    }
 
     bool take(SolvedAssembly now) {
         out_.stress.clear();
@@ -193,7 +196,6 @@ private:
     }
 
     bool end(SolvedAssembly&& now, PathEnd why) {
-        recover_stress(now);
         out_.solved = std::move(now);
         out_.end = why;
         return true;
