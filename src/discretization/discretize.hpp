@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A part on its grid, as geometry and as what the solver is told of it.
 #pragma once
+#include <memory>
 #include <string>
 
 #include "geometry/cells/elements.hpp"
@@ -8,6 +9,10 @@
 #include "solver/assembly/assembly.hpp"
 #include "src/discretization/frame.hpp"
 #include "src/scene/scene.hpp"
+
+namespace abut::solver {
+struct StressFitFactor;
+}  // namespace abut::solver
 
 namespace abut {
 
@@ -23,6 +28,8 @@ struct PartOnGrid {
     double size = 0;    ///< its diagonal
     Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
+    /// What the stress fits of several displacements have in common, of which the first fills it; none: there is one only.
+    std::shared_ptr<solver::StressFitFactor> fit{};
     double too_fine = 0;  ///< size of cells that were wanted and halving does not reach; 0: none
 };
 

@@ -6,6 +6,7 @@
 
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "solver/recovery/recovery.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/part_grid.hpp"
@@ -272,6 +273,7 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
+    for (PartOnGrid& g : solved.grids) g.fit = std::make_shared<solver::StressFitFactor>();
     return solved;
 }
 
