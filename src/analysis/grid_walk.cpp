@@ -58,8 +58,7 @@ bool is_solved(const SolvedAssembly& s) {
 /// energy: of each part, as shares of what it stores.
 std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
     for (std::size_t k = 0; k < energy.size(); ++k)
-        if (const double own = strain_energy(solved.problem.parts[k], solved.solution.displacement[k]); own > 0)
-            energy[k] /= own;
+        if (const double own = energy_of_part(solved, k); own > 0) energy[k] /= own;
     return energy;
 }
 
@@ -288,8 +287,13 @@ private:
                            [](const ContactRecord& a, const ContactRecord& b) { return a.runs.empty() == b.runs.empty(); });
     }
 
-    void record(const SolvedAssembly& now) {
+    void record(SolvedAssembly& now) {
         const bool stuck = !is_solved(now);
+        if (!stuck && now.part_energy.empty()) {
+            std::vector<double> energies;
+            for (std::size_t k = 0; k < now.grids.size(); ++k) energies.push_back(energy_of_part(now, k));
+            now.part_energy = std::move(energies);
+        }
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
         settled_from_ = std::max(settled_from_, comparable_from_);

@@ -7,6 +7,7 @@
 #include "geometry/cells/elements.hpp"
 #include "geometry/quadrature/quadrature.hpp"
 #include "solver/assembly/assembly.hpp"
+#include "src/base/once.hpp"
 #include "src/discretization/frame.hpp"
 #include "src/scene/scene.hpp"
 
@@ -30,6 +31,7 @@ struct PartOnGrid {
     solver::PartInput input;
     /// What the stress fits of several displacements have in common, of which the first fills it; none: there is one only.
     std::shared_ptr<solver::StressFitFactor> fit{};
+    Once<std::vector<std::pair<int, Vec2>>> cut_samples{};  ///< cut_cell_samples() asks for them
     double too_fine = 0;  ///< size of cells that were wanted and halving does not reach; 0: none
 };
 
@@ -44,6 +46,6 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
 int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local);
 
 /// The sample points for the stress fit in the cut cells, each with its element: inside the part, or on its boundary.
-std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid);
+const std::vector<std::pair<int, Vec2>>& cut_cell_samples(const PartOnGrid& on_grid);
 
 }  // namespace abut

@@ -138,7 +138,8 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
         if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) continue;
         const bool has_friction = c.friction > 0 && !c.bonded;
         MeteredCall call(solved.uses, c.bonded ? "bonding" : "contact");
-        solved.contacts.back() = make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces);
+        solved.contacts.back() =
+            make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces, solved.known.get());
         ContactInterface& contact = solved.contacts.back();
         if (contact.face.points.empty()) continue;
         call.count(contact.face.points.size());
@@ -218,6 +219,7 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
+    solved.part_energy.clear();
     if (!solved.solution.mechanism.empty()) return;
     fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
@@ -274,6 +276,8 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
     for (PartOnGrid& g : solved.grids) g.fit = std::make_shared<solver::StressFitFactor>();
+    for (solver::PartSystem& system : solved.problem.parts) system.factor.keep_forms();
+    solved.known = std::make_shared<KnownInterfaces>();
     return solved;
 }
 
@@ -284,6 +288,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     solved.failure = prepared.failure;
     solved.refined_for_walls = prepared.refined_for_walls;
     solved.limited_grids = prepared.limited_grids;
+    solved.known = prepared.known;
     solved.solver_part.assign(scene.parts.size(), -1);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         if (!solve_part[i]) continue;
