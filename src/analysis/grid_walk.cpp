@@ -136,8 +136,13 @@ private:
     bool follow_ends(SolvedAssembly& now, int moves) {
         if (scene_.contacts.penalty) return false;
         int moved = 0;
-        for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
-            expect_ends(scene_, now, now.runs, out_.candidates);
+        for (; moved < moves && is_solved(now); ++moved) {
+            const std::vector<std::size_t> elsewhere = moved_ends(scene_, now, out_.candidates);
+            if (elsewhere.empty()) break;
+            if (now.known)  // what stays is not computed again
+                expect_ends(scene_, now, elsewhere, out_.candidates);
+            else
+                expect_ends(scene_, now, now.runs, out_.candidates);
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;

@@ -105,6 +105,11 @@ void expect_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns&
     for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, runs, k);
 }
 
+void expect_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<std::size_t>& contacts,
+                 std::vector<Candidate>& candidates) {
+    for (std::size_t k : contacts) candidates[k].ends = free_ends(scene, s, s.runs, k);
+}
+
 void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const ContactInterface& contact = s.contacts[k];
@@ -119,15 +124,16 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
     }
 }
 
-bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
+std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
+    std::vector<std::size_t> moved;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
-        if (now.size() != expected.size()) return true;
         const double limit = noted_move * spacing_at(s, k);
-        for (std::size_t i = 0; i < now.size(); ++i)
-            if (std::abs(now[i].s1 - expected[i].s1) > limit) return true;
+        if (!std::equal(now.begin(), now.end(), expected.begin(), expected.end(),
+                        [&](const ExpectedEnd& a, const ExpectedEnd& b) { return std::abs(a.s1 - b.s1) <= limit; }))
+            moved.push_back(k);
     }
-    return false;
+    return moved;
 }
 
 }  // namespace abut
