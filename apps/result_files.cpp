@@ -146,8 +146,16 @@ ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const S
     return facts;
 }
 
-void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
-                   const Stopwatch& since_start) {
+namespace {
+
+/// A result's page: its report_data, where a report is asked for.
+struct Page {
+    std::string data;
+    Stills stills;
+};
+
+void write_files(Result& result, const ModelFacts& model, const Page& page, const std::string& folder,
+                 const std::vector<std::string>& formats, const Stopwatch& since_start) {
     const Stopwatch output;
     set_time(result, "output", 0);
     remove_cases(folder);
@@ -157,11 +165,19 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
     if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
     if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, folder, formats);
     set_time(result, "total", since_start.seconds());
-    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model));
+    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, page.data, page.stills));
     set_time(result, "output", output.seconds());
     set_time(result, "total", since_start.seconds());
     predict_next_level(result);  // with the time of writing
     if (holds(formats, "json")) write_file(folder, "result.json", result_json(result, model));
+}
+
+}  // namespace
+
+void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
+                   const Stopwatch& since_start) {
+    write_files(result, model, {holds(formats, "html") ? report_data(result, model) : "", Stills::drawn}, folder, formats,
+                since_start);
 }
 
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
@@ -171,15 +187,17 @@ void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelF
     remove_pictures(folder);
     remove_contacts_from(0, folder);
     std::vector<std::pair<std::string, std::string>> series;
+    std::vector<std::string> data(cases.size());
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
-        write_results(cases[k].result, models[k], own, formats, since_start);
+        if (holds(formats, "html")) data[k] = report_data(cases[k].result, models[k]);
+        write_files(cases[k].result, models[k], {data[k], Stills::left_out}, own, formats, since_start);
         series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
     }
     if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
-    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, models));
+    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, data));
     write_file(folder, "cases.json", cases_json(cases));  // in any case: it lists the folders
 }
 

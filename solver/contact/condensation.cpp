@@ -40,10 +40,8 @@ void fill_column(const PartSystem& part, std::span<const RowEntry> entries, Inde
 }
 
 /// entries: by row, then coefficient.
-PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries) {
-    PartColumns c{rows_of(entries), {}, false};
-    const VectorXd load = kept_load(part, part.load);
-    c.is_loaded = !load.isZero(0);
+PartColumns columns_of(const PartSystem& part, const std::vector<RowEntry>& entries, const VectorXd& load) {
+    PartColumns c{rows_of(entries), {}, load.size() > 0};
     c.columns.resize(part.n_kept, static_cast<Index>(c.row.size()) + (c.is_loaded ? 1 : 0));
     c.columns.reserve(static_cast<Index>(entries.size()) + (c.is_loaded ? load.size() : 0));
     std::size_t next = 0;
@@ -95,9 +93,13 @@ PartShare share_of(const PartSystem& part, const Rows& rows, std::size_t i) {
     if (rows.by_part[i].empty()) return {};
     if (part.body) return {{}, {}, opening_of(rows, i, part.prescribed)};
     const bool turns = rows.turning[i].rotation.size() > 0;
-    PartColumns c = turns ? columns_of(part, with_rotation(rows, i)) : columns_of(part, rows.by_part[i]);
+    VectorXd load = kept_load(part, part.load);
+    const bool is_loaded = !load.isZero(0), is_apart = part.factor.keeps_forms();  // forms are those of any load
+    const VectorXd with_rows = is_loaded && !is_apart ? load : VectorXd(0);
+    PartColumns c = columns_of(part, turns ? with_rotation(rows, i) : rows.by_part[i], with_rows);
     PartShare share{std::move(c.row), part.factor.inverse_form(c.columns), opening_of(rows, i, part.prescribed)};
     if (turns) fold_rotation(rows.turning[i].arm, share);
+    if (is_loaded && is_apart) share.opening = opening_of(rows, i, solve(part, part.load));
     if (c.is_loaded)
         for (std::size_t k = 0; k < share.row.size(); ++k)
             share.opening[share.row[k]] += share.compliance(static_cast<Index>(k), share.compliance.cols() - 1);

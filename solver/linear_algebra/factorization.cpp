@@ -5,7 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <list>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -283,7 +286,55 @@ Eigen::MatrixXd Factorization::solve_lower(const Eigen::MatrixXd& b) const {
     return data_->with_factor([&](const auto& l) { return l.solve_lower(scaled); });
 }
 
+namespace {
+
+bool is_same(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+    if (a.cols() != b.cols() || a.nonZeros() != b.nonZeros()) return false;
+    const Eigen::Index n = a.nonZeros();
+    return std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + n, b.innerIndexPtr()) &&
+           std::equal(a.valuePtr(), a.valuePtr() + n, b.valuePtr());
+}
+
+}  // namespace
+
+struct Factorization::KeptForms {
+    static constexpr std::size_t most = 16;
+    struct Form {
+        Eigen::SparseMatrix<double> b;
+        Eigen::MatrixXd form;
+    };
+    std::mutex busy;
+    std::list<Form> last;  // first, what was asked for last
+
+    std::optional<Eigen::MatrixXd> find(const Eigen::SparseMatrix<double>& b) {
+        const std::scoped_lock lock(busy);
+        const auto found = std::find_if(last.begin(), last.end(), [&](const Form& f) { return is_same(f.b, b); });
+        if (found == last.end()) return std::nullopt;
+        last.splice(last.begin(), last, found);
+        return found->form;
+    }
+
+    void keep(const Eigen::SparseMatrix<double>& b, const Eigen::MatrixXd& form) {
+        const std::scoped_lock lock(busy);
+        last.push_front({b, form});
+        if (last.size() > most) last.pop_back();
+    }
+};
+
+void Factorization::keep_forms() {
+    kept_ = std::make_shared<KeptForms>();
+}
+
 Eigen::MatrixXd Factorization::inverse_form(const Eigen::SparseMatrix<double>& b) const {
+    if (!kept_) return new_inverse_form(b);
+    if (std::optional<Eigen::MatrixXd> known = kept_->find(b)) return std::move(*known);
+    Eigen::MatrixXd form = new_inverse_form(b);
+    kept_->keep(b, form);
+    return form;
+}
+
+Eigen::MatrixXd Factorization::new_inverse_form(const Eigen::SparseMatrix<double>& b) const {
     if (b.size() == 0) return Eigen::MatrixXd::Zero(b.cols(), b.cols());
     ENSURE(b.rows() == data_->n_given(), "a form has the rows of its matrix");
     const Eigen::SparseMatrix<double> scaled = data_->scale.head(b.rows()).asDiagonal() * b;

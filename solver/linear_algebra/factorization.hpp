@@ -90,10 +90,17 @@ public:
     Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& b) const;
     /// B' A^-1 B, of a K, too. Sparse columns cost a fraction of solve_lower's.
     Eigen::MatrixXd inverse_form(const Eigen::SparseMatrix<double>& b) const;
+    /// From now on the forms found last are kept, for all copies, and given again where the same B is asked for.
+    void keep_forms();
+    bool keeps_forms() const { return kept_ != nullptr; }
 
 private:
     struct Data;
+    struct KeptForms;
+    Eigen::MatrixXd new_inverse_form(const Eigen::SparseMatrix<double>& b) const;
+
     std::shared_ptr<const Data> data_;
+    std::shared_ptr<KeptForms> kept_;  ///< null: none are
 };
 
 }  // namespace abut::solver

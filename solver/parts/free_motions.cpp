@@ -64,7 +64,9 @@ std::vector<RigidMotion> free_motions(const PartSystem& s, const Vec2& center, d
     return s.input.axis ? free_motions_along_axis(s, center) : free_motions_in_plane(s, center, size);
 }
 
-Eigen::MatrixXd motion_integrals(const PartSystem& system) {
+namespace {
+
+Eigen::MatrixXd make_integrals(const PartSystem& system) {
     if (system.body || system.modes.cols() == 0) return system.modes;
     const Vec2 center = system.free_motions.front().center;
     const std::vector<RigidMotion> rigid{{{1, 0}, 0, center}, {{0, 1}, 0, center}, {{0, 0}, 1, center}};
@@ -75,6 +77,12 @@ Eigen::MatrixXd motion_integrals(const PartSystem& system) {
     integrals.col(2) = body_load(system.input, [&](const Vec2& x) { return rigid[2].at(x); });
     const PivotedCholesky gram(coefficients.transpose() * coefficients);
     return integrals * gram.solve_columns(coefficients.transpose() * system.modes);
+}
+
+}  // namespace
+
+const Eigen::MatrixXd& motion_integrals(const PartSystem& system) {
+    return system.motion_integrals([&] { return make_integrals(system); });
 }
 
 }  // namespace abut::solver

@@ -11,6 +11,6 @@ std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& cent
 
 /// Integrals over the part of its functions times its free motions (2n x free motions): products with coefficients are mean
 /// products of displacements. Those of a rigid part are the motions themselves. Cost: two load vectors.
-Eigen::MatrixXd motion_integrals(const PartSystem& system);
+const Eigen::MatrixXd& motion_integrals(const PartSystem& system);
 
 }  // namespace abut::solver

@@ -10,6 +10,7 @@
 #include "solver/terms/pull.hpp"
 #include "solver/terms/springs.hpp"
 #include "solver/terms/supports.hpp"
+#include "src/base/once.hpp"
 
 namespace abut::solver {
 
@@ -72,6 +73,7 @@ struct PartSystem {
     Factorization factor;
     std::string failure;                   ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
+    Once<Eigen::MatrixXd> motion_integrals{};  ///< motion_integrals() asks for them
     struct {
         double all = 0, factorisation = 0, springs = 0, dilatation = 0;
     } seconds;  ///< of make_part_system, and of steps in it

@@ -41,6 +41,7 @@ struct NormalEquations {
     std::vector<Entry> entries;
     Eigen::MatrixX3d rhs;
     Eigen::VectorXd rhs_zz;  // empty: zz follows from the others
+    bool has_matrix = true;  // false: its factor is known
 };
 
 /// Values of an element's functions at points (points x functions).
@@ -58,7 +59,7 @@ void scatter(const std::vector<int>& functions, const Eigen::MatrixXd& matrix, c
     for (Index j = 0; j < n; ++j) {
         const int column = functions[static_cast<std::size_t>(j)];
         eq.rhs.row(column) += rhs.row(j);
-        for (Index i = 0; i < n; ++i)
+        for (Index i = 0; i < n && eq.has_matrix; ++i)
             if (const int row = functions[static_cast<std::size_t>(i)]; row >= column)
                 eq.entries.push_back({column, row, matrix(i, j)});
     }
@@ -74,7 +75,7 @@ void add_element(NormalEquations& eq, const SplineSpace& space, const StressOf& 
     for (std::size_t k = 0; k < samples.points.size(); ++k)
         s.row(static_cast<Index>(k)) = stress_here(samples.points[k]).transpose();
     const auto weight = Eigen::Map<const Eigen::VectorXd>(samples.weights.data(), b.rows()).asDiagonal();
-    const Eigen::MatrixXd weighted = weight * b, m = b.transpose() * weighted;
+    const Eigen::MatrixXd weighted = weight * b, m = eq.has_matrix ? b.transpose() * weighted : Eigen::MatrixXd();
     const Eigen::MatrixX3d r = weighted.transpose() * s;
     if (eq.rhs_zz.size() > 0) {
         Eigen::VectorXd zz(b.rows());
@@ -185,35 +186,41 @@ int stress_degree(int degree, bool gauss_points_are_better) {
 }  // namespace
 
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
-                       const std::vector<SamplePoint>& cut) {
+                       const std::vector<SamplePoint>& cut, StressFitFactor* common) {
     const SplineSpace& from = input.space;
     const bool low = gauss_points_are_better(from);
+    const bool is_known = common && common->is_made;
     StressField field;
-    field.space = make_space({clamped_knots(from.x.breakpoints, stress_degree(from.x.degree, low)),
-                              clamped_knots(from.y.breakpoints, stress_degree(from.y.degree, low)),
-                              from.fraction,
-                              from.splits,
-                              Basis::web,
-                              {},
-                              from.tree});
+    field.space = is_known ? common->space
+                           : make_space({clamped_knots(from.x.breakpoints, stress_degree(from.x.degree, low)),
+                                         clamped_knots(from.y.breakpoints, stress_degree(from.y.degree, low)),
+                                         from.fraction,
+                                         from.splits,
+                                         Basis::web,
+                                         {},
+                                         from.tree});
     field.out_of_plane = input.elasticity.out_of_plane;
     field.failure = field.space.failure;
     if (!field.failure.empty()) return field;
 
     const double cut_weight = low ? weight_in_cut_cells : 1;
     const StressOf stress(input, displacement);
-    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}};
+    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}, !is_known};
     if (has_own_zz(input)) eq.rhs_zz = Eigen::VectorXd::Zero(field.space.n_functions);
     std::vector<Samples> samples(from.fraction.size());
     for (const SamplePoint& p : cut) add(samples[static_cast<std::size_t>(p.element)], p.x, cut_weight);
     add_all_elements(eq, input, field.space, stress, full_cell_rule(from, inside), samples);
 
-    const RowHints hints = row_hints(field.space);
-    Factorization factor(assembled(eq.entries, field.space.n_functions), hints, input.threads);
-    if (!factor.ok()) {  // parts of few cells, all cut, with hardly a sample in some
+    const auto factorised = [&] {
+        return Factorization(assembled(eq.entries, field.space.n_functions), row_hints(field.space), input.threads);
+    };
+    Factorization factor = is_known ? common->factor : factorised();
+    const bool has_rules = is_known ? common->has_rules : !factor.ok();
+    if (has_rules) {  // parts of few cells, all cut, with hardly a sample in some
         add_rules(eq, input, field.space, stress);
-        factor = Factorization(assembled(eq.entries, field.space.n_functions), hints, input.threads);
+        if (!is_known) factor = factorised();
     }
+    if (common && !is_known) *common = {field.space, factor, has_rules, true};
     if (!factor.ok()) {
         field.failure = "the stress fit is singular";
         return field;

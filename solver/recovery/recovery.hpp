@@ -25,12 +25,21 @@ struct StressField {
     std::string failure;
 };
 
+/// What the fits of several displacements of one part have in common: the spline, and the factor of its equations. Filled by
+/// the first of them.
+struct StressFitFactor {
+    SplineSpace space;
+    Factorization factor;
+    bool has_rules = false;  ///< quadrature points are sampled, too
+    bool is_made = false;
+};
+
 /// Fits a spline to the stresses of a displacement; a fit that fails says so in `failure`. inside: lines of the sample points
 /// of a full cell on [0, 1] (Gauss points of order p - 1; the corners are added here); cut: sample points of the cut cells,
 /// inside the part or on its boundary. Where they leave a function open (parts of few cells, all cut), the quadrature points of
-/// the cut cells are sampled, too.
+/// the cut cells are sampled, too. common: of earlier fits with the same samples of the same part, or of none yet.
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
-                       const std::vector<SamplePoint>& cut);
+                       const std::vector<SamplePoint>& cut, StressFitFactor* common = nullptr);
 
 /// The stress (xx, yy, xy) on one element of a field whose fit has not failed.
 inline LocalSpline<3> local_stress(const StressField& field, int element) {

@@ -81,18 +81,26 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
         walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
     Scene unloaded = *cases.front().scene;  // what a part is made of is the same in all cases
     unloaded.loads.clear();
-    // A case that has what it wants is solved on the others' finer grids, too: all answers are of the same last grids.
-    for (bool is_last = false; !is_last;) {
+    // All answers are of the same last grids. On those before, only cases that lack something are solved: the others have
+    // nothing to ask for.
+    std::vector<bool> has_all(cases.size(), false);
+    const auto lacks = [](bool has) { return !has; };
+    while (std::any_of(has_all.begin(), has_all.end(), lacks)) {
         const PassAsk ask = joined(walks);
         tell_pass(walks.front(), ask, options);
         const SolvedAssembly prepared = prepare_parts(unloaded, *cases.front().conditions, walks.front().candidates(),
                                                       ask.parts, ask.wanted, ask.coarseness, seconds, threads);
-        is_last = true;
-        for (std::size_t k = 0; k < cases.size(); ++k)
-            is_last &= walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
-                                                                 k > 0 ? &walks[k - 1].last() : nullptr)
-                                                    : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                                 walks[k].ask().parts, prepared, {}, seconds, threads));
+        const auto solve = [&](std::size_t k) {
+            has_all[k] = walks[k].take(scene.in_steps
+                                           ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
+                                                        k > 0 ? &walks[k - 1].last() : nullptr)
+                                           : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
+                                                        walks[k].ask().parts, prepared, {}, seconds, threads));
+        };
+        std::vector<std::size_t> now, later;
+        for (std::size_t k = 0; k < cases.size(); ++k) (has_all[k] && !scene.in_steps ? later : now).push_back(k);
+        std::for_each(now.begin(), now.end(), solve);
+        if (std::none_of(has_all.begin(), has_all.end(), lacks)) std::for_each(later.begin(), later.end(), solve);
     }
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

@@ -58,8 +58,7 @@ bool is_solved(const SolvedAssembly& s) {
 /// energy: of each part, as shares of what it stores.
 std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
     for (std::size_t k = 0; k < energy.size(); ++k)
-        if (const double own = strain_energy(solved.problem.parts[k], solved.solution.displacement[k]); own > 0)
-            energy[k] /= own;
+        if (const double own = energy_of_part(solved, k); own > 0) energy[k] /= own;
     return energy;
 }
 
@@ -96,7 +95,10 @@ public:
     bool meets_others() const { return meets_others_; }
     std::size_t n_passes() const { return out_.passes.size(); }
     const SolvedAssembly& last() const { return last_; }
-    Outcome take_outcome() { return std::move(out_); }
+    Outcome take_outcome() {
+        recover_stress(out_.solved);
+        return std::move(out_);
+    }
 
     bool take(SolvedAssembly now) {
         out_.stress.clear();
@@ -134,8 +136,13 @@ private:
     bool follow_ends(SolvedAssembly& now, int moves) {
         if (scene_.contacts.penalty) return false;
         int moved = 0;
-        for (; moved < moves && is_solved(now) && ends_moved(scene_, now, out_.candidates); ++moved) {
-            expect_ends(scene_, now, now.runs, out_.candidates);
+        for (; moved < moves && is_solved(now); ++moved) {
+            const std::vector<std::size_t> elsewhere = moved_ends(scene_, now, out_.candidates);
+            if (elsewhere.empty()) break;
+            if (now.known)  // what stays is not computed again
+                expect_ends(scene_, now, elsewhere, out_.candidates);
+            else
+                expect_ends(scene_, now, now.runs, out_.candidates);
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
@@ -193,7 +200,6 @@ private:
     }
 
     bool end(SolvedAssembly&& now, PathEnd why) {
-        recover_stress(now);
         out_.solved = std::move(now);
         out_.end = why;
         return true;
@@ -286,8 +292,13 @@ private:
                            [](const ContactRecord& a, const ContactRecord& b) { return a.runs.empty() == b.runs.empty(); });
     }
 
-    void record(const SolvedAssembly& now) {
+    void record(SolvedAssembly& now) {
         const bool stuck = !is_solved(now);
+        if (!stuck && now.part_energy.empty()) {
+            std::vector<double> energies;
+            for (std::size_t k = 0; k < now.grids.size(); ++k) energies.push_back(energy_of_part(now, k));
+            now.part_energy = std::move(energies);
+        }
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
         out_.errors.push_back(errors_of_last(stuck));
         settled_from_ = std::max(settled_from_, comparable_from_);

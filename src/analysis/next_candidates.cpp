@@ -106,6 +106,11 @@ void expect_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns&
     for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, runs, k);
 }
 
+void expect_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<std::size_t>& contacts,
+                 std::vector<Candidate>& candidates) {
+    for (std::size_t k : contacts) candidates[k].ends = free_ends(scene, s, s.runs, k);
+}
+
 void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const ContactInterface& contact = s.contacts[k];
@@ -120,21 +125,22 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
     }
 }
 
-bool ends_moved(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
+std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
     const auto peak_of = [&](std::size_t k) {
         return s.interface_of[k] < 0 || s.runs[k].empty() ? 0 : pressure_of(s, k).cwiseAbs().maxCoeff();
     };
     double strongest = 0;
     for (std::size_t k = 0; k < candidates.size(); ++k) strongest = std::max(strongest, peak_of(k));
+    std::vector<std::size_t> moved;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
-        const double share = strongest > 0 ? peak_of(k) / strongest : 1;
-        if (now.size() != expected.size() && (share == 0 || share > noted_move)) return true;
-        const double limit = noted_move * spacing_at(s, k);
+        const double share = strongest > 0 ? peak_of(k) / strongest : 1, limit = noted_move * spacing_at(s, k);
+        bool has_moved = now.size() != expected.size() && (share == 0 || share > noted_move);
         for (std::size_t i = 0; i < std::min(now.size(), expected.size()); ++i)
-            if (share * std::abs(now[i].s1 - expected[i].s1) > limit) return true;
+            has_moved = has_moved || share * std::abs(now[i].s1 - expected[i].s1) > limit;
+        if (has_moved) moved.push_back(k);
     }
-    return false;
+    return moved;
 }
 
 }  // namespace abut

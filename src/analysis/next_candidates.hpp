@@ -19,10 +19,14 @@ void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Ca
 /// they are expected.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs, std::vector<Candidate>& candidates);
 
+/// The same of some contacts alone, as they were found: the others keep their pressure's knots.
+void expect_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<std::size_t>& contacts,
+                 std::vector<Candidate>& candidates);
+
 /// Gives the candidates the pressures of all contacts: where the next search for the active set begins.
 void expect_pressures(const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
-/// Do the free ends lie elsewhere than the candidates expected, by so much that other knots would tell more?
-bool ends_moved(const Scene& scene, const SolvedAssembly& solved, const std::vector<Candidate>& candidates);
+/// The contacts whose free ends lie elsewhere than the candidates expected, by so much that other knots would tell more.
+std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Candidate>& candidates);
 
 }  // namespace abut

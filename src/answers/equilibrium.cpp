@@ -171,7 +171,7 @@ double force_rounding(const SolvedAssembly& solved, std::size_t part) {
     const solver::PartInput& input = solved.grids[part].input;
     const double stiffness = input.elasticity.d11 * input.thickness;
     const Eigen::VectorXd& u = solved.solution.displacement[part];
-    const double energy = std::max(0.0, strain_energy(solved.problem.parts[part], u));
+    const double energy = std::max(0.0, energy_of_part(solved, part));
     return std::max(rounding_of_displacement * stiffness * u.cwiseAbs().maxCoeff(),
                     rounding_of_force * std::sqrt(2 * energy * stiffness));
 }

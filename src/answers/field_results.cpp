@@ -259,7 +259,7 @@ solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& 
     std::vector<solver::SamplePoint> cut;
     for (const auto& [element, x] : cut_cell_samples(grid)) cut.push_back({element, x});
     const int degree = std::max(grid.input.space.x.degree, grid.input.space.y.degree);
-    return solver::fit_stress(grid.input, displacement, geometry::gauss_rule(degree).points, cut);
+    return solver::fit_stress(grid.input, displacement, geometry::gauss_rule(degree).points, cut, grid.fit.get());
 }
 
 FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,

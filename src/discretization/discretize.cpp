@@ -115,7 +115,9 @@ int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local) {
     return element_at(on_grid.local, on_grid.cells, on_grid.elements, local);
 }
 
-std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
+namespace {
+
+std::vector<std::pair<int, Vec2>> make_cut_samples(const PartOnGrid& on_grid) {
     // as many as the fit has coefficients in a cell, so that even a quarter of one, alone, determines them
     const int degree = std::max(on_grid.input.space.x.degree, on_grid.input.space.y.degree);
     const geometry::GaussRule &line = geometry::gauss_rule(degree + 1), &along = geometry::gauss_rule(std::max(2, degree));
@@ -138,6 +140,12 @@ std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid) {
             samples.emplace_back(on_grid.elements.of_piece[k], point(curve, piece.t0 + u * (piece.t1 - piece.t0)));
     }
     return samples;
+}
+
+}  // namespace
+
+const std::vector<std::pair<int, Vec2>>& cut_cell_samples(const PartOnGrid& on_grid) {
+    return on_grid.cut_samples([&] { return make_cut_samples(on_grid); });
 }
 
 }  // namespace abut

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A part on its grid, as geometry and as what the solver is told of it.
 #pragma once
+#include <memory>
 #include <string>
 
 #include "geometry/cells/elements.hpp"
 #include "geometry/quadrature/quadrature.hpp"
 #include "solver/assembly/assembly.hpp"
+#include "src/base/once.hpp"
 #include "src/discretization/frame.hpp"
 #include "src/scene/scene.hpp"
+
+namespace abut::solver {
+struct StressFitFactor;
+}  // namespace abut::solver
 
 namespace abut {
 
@@ -23,6 +29,9 @@ struct PartOnGrid {
     double size = 0;    ///< its diagonal
     Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
+    /// What the stress fits of several displacements have in common, of which the first fills it; none: there is one only.
+    std::shared_ptr<solver::StressFitFactor> fit{};
+    Once<std::vector<std::pair<int, Vec2>>> cut_samples{};  ///< cut_cell_samples() asks for them
     double too_fine = 0;  ///< size of cells that were wanted and halving does not reach; 0: none
 };
 
@@ -37,6 +46,6 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
 int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local);
 
 /// The sample points for the stress fit in the cut cells, each with its element: inside the part, or on its boundary.
-std::vector<std::pair<int, Vec2>> cut_cell_samples(const PartOnGrid& on_grid);
+const std::vector<std::pair<int, Vec2>>& cut_cell_samples(const PartOnGrid& on_grid);
 
 }  // namespace abut

@@ -202,6 +202,7 @@ std::vector<solver::SpringSet> spring_sets(const Scene& scene, const ResolvedCon
 
 std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const PartOnGrid& on_grid, int part) {
     std::vector<solver::MeanConstraint> constraints;
+    const solver::FunctionIntegrals integrals = solver::integrate_functions(on_grid.input);
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
         const Support& s = scene.supports[i];
         if (s.kind != Support::Kind::rigid || s.part != scene.parts[at(on_grid.part)].name) continue;
@@ -214,7 +215,7 @@ std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const P
             c.value = value;
             c.area = on_grid.input.axis ? solver::measure(on_grid.input) : on_grid.area;
             c.size = on_grid.size;
-            c.integrals = solver::integrate_functions(on_grid.input);
+            c.integrals = integrals;
             constraints.push_back(std::move(c));
         };
         if (s.rigid_x) add({1, 0}, 0, *s.rigid_x);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
+#include <numeric>
 
 #include "geometry/brep/monotone.hpp"
 #include "src/io/base64.hpp"
@@ -75,17 +75,22 @@ private:
 /// Samples of neighbouring cells at one place with one value: which stands for each. Beside a slot there are two values at one
 /// place, which stay apart.
 std::vector<int> shared(const PartField& field, const std::vector<Values>& values, const Packer& packer) {
-    std::map<Place, std::vector<int>> at_place;
-    std::vector<int> first(field.samples.size());
-    for (std::size_t i = 0; i < field.samples.size(); ++i) {
-        std::vector<int>& known = at_place[packer.place(field.samples[i].at)];
-        const auto same = std::find_if(known.begin(), known.end(), [&](int k) {
+    std::vector<Place> places;
+    for (const FieldSample& s : field.samples) places.push_back(packer.place(s.at));
+    std::vector<std::size_t> order(places.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return places[a] < places[b]; });
+    std::vector<int> first(places.size());
+    std::vector<std::size_t> known;  // that stand for themselves, at one place
+    for (std::size_t i : order) {
+        if (!known.empty() && places[known.front()] != places[i]) known.clear();
+        const auto same = std::find_if(known.begin(), known.end(), [&](std::size_t k) {
             for (std::size_t c = 0; c < n_components; ++c)
-                if (std::abs(values[i][c] - values[static_cast<std::size_t>(k)][c]) > 1) return false;
+                if (std::abs(values[i][c] - values[k][c]) > 1) return false;
             return true;
         });
-        first[i] = same == known.end() ? static_cast<int>(i) : *same;
-        if (same == known.end()) known.push_back(static_cast<int>(i));
+        first[i] = static_cast<int>(same == known.end() ? i : *same);
+        if (same == known.end()) known.push_back(i);
     }
     return first;
 }

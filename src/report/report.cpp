@@ -48,25 +48,35 @@ std::string envelope_table(const std::vector<CaseResult>& cases) {
 
 }  // namespace
 
+std::string report_data(const Result& result, const ModelFacts& model) {
+    return result.geometry.empty() ? "" : report::page_data(result, model);
+}
+
 std::string report_html(const Result& result, const ModelFacts& model) {
+    return report_html(result, model, report_data(result, model));
+}
+
+std::string report_html(const Result& result, const ModelFacts& model, const std::string& data, Stills stills) {
     // The script shows its instrument instead of the pictures, which remain for paper and for browsers without scripts.
-    const std::string pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) +
-                                 report::fields_section(result) + report::contacts_section(result) + "</div>\n";
+    std::string pictures;
+    if (stills == Stills::drawn || data.empty())
+        pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) + report::fields_section(result) +
+                   report::contacts_section(result) + "</div>\n";
     return page(result,
                 report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" + pictures +
                     report::model_section(result, model) + report::tables_section(result),
-                result.geometry.empty() ? "" : report::instrument(report::page_data(result, model)));
+                data.empty() ? "" : report::instrument(data));
 }
 
-std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models) {
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<std::string>& data) {
     std::string body = "<div id=\"instrument\"></div>\n" + envelope_table(cases);
     std::vector<report::CaseTab> tabs;
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const Result& result = cases[k].result;
         body += case_box(cases[k], k);
-        if (result.geometry.empty()) continue;
-        tabs.push_back({cases[k].name, loads_text(cases[k]), verdict_word(verdict_of(result)), verdict_sentence(result),
-                        report::page_data(result, k < models.size() ? models[k] : ModelFacts())});
+        if (data[k].empty()) continue;
+        tabs.push_back(
+            {cases[k].name, loads_text(cases[k]), verdict_word(verdict_of(result)), verdict_sentence(result), data[k]});
     }
     const bool in_steps = cases.front().result.solver.increments.has_value();
     return page(cases.front().result, body, tabs.empty() ? "" : report::instrument(report::tabs_data(tabs, in_steps)));

@@ -7,12 +7,18 @@
 
 namespace abut {
 
-/// The text of report.html: one file, no network. model: what was analysed; the report does without where it is not known.
+/// What the script of a report shows; empty where there is nothing to show. model: what was analysed; the report does without
+/// where it is not known.
+std::string report_data(const Result& result, const ModelFacts& model = {});
+/// Pictures for paper and for browsers without scripts: most of what a page costs.
+enum class Stills { drawn, left_out };
+/// The text of report.html: one file, no network. data: its report_data.
+std::string report_html(const Result& result, const ModelFacts& model, const std::string& data, Stills stills = Stills::drawn);
 std::string report_html(const Result& result, const ModelFacts& model = {});
 
 /// The text of the page over the load cases of a scene: what each came to, with a link to its own page
 /// (CASE_FOLDER/report.html), and what is largest in any; with a script all of them in one instrument, by tabs and a slider,
-/// and curves over them. models: of the cases.
-std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models = {});
+/// and curves over them. data: report_data of each.
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<std::string>& data);
 
 }  // namespace abut

@@ -7,6 +7,7 @@
 
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
+#include "solver/recovery/recovery.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/part_grid.hpp"
@@ -141,7 +142,7 @@ MadeInterface made_interface(const Scene& scene, const Candidate& c, const Solve
     const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
     if (a < 0 || b < 0 || are_rigid(scene, c, solved.grids[at(a)], solved.grids[at(b)])) return {};
     const auto begin = std::chrono::steady_clock::now();
-    MadeInterface made{make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces)};
+    MadeInterface made{make_interface(scene, c, solved.grids[at(a)], solved.grids[at(b)], {a, b}, faces, solved.known.get())};
     made.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return made;
 }
@@ -149,7 +150,8 @@ MadeInterface made_interface(const Scene& scene, const Candidate& c, const Solve
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, int threads, SolvedAssembly& solved) {
     const std::vector<FacesByCell> faces = faces_of_contact(candidates, solved);
     std::vector<MadeInterface> made(candidates.size());
-    solver::parallel_for(static_cast<int>(made.size()), threads,
+    // what cases know grows with every interface
+    solver::parallel_for(static_cast<int>(made.size()), solved.known ? 1 : threads,
                          [&](int k) { made[at(k)] = made_interface(scene, candidates[at(k)], solved, faces); });
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& c = candidates[k];
@@ -241,6 +243,7 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
     solved.runs.assign(solved.contacts.size(), {});
+    solved.part_energy.clear();
     if (!solved.solution.mechanism.empty()) return;
     fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
@@ -303,6 +306,9 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
+    for (PartOnGrid& g : solved.grids) g.fit = std::make_shared<solver::StressFitFactor>();
+    for (solver::PartSystem& system : solved.problem.parts) system.factor.keep_forms();
+    solved.known = std::make_shared<KnownInterfaces>();
     return solved;
 }
 
@@ -313,6 +319,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     solved.failure = prepared.failure;
     solved.refined_for_walls = prepared.refined_for_walls;
     solved.limited_grids = prepared.limited_grids;
+    solved.known = prepared.known;
     solved.solver_part.assign(scene.parts.size(), -1);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         if (!solve_part[i]) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "geometry/curves/gauss.hpp"
 #include "src/base/index.hpp"
@@ -108,14 +109,16 @@ std::vector<double> make_table(const std::vector<Piece>& pieces, ContactInterfac
     return count;
 }
 
-/// Counts at which the knots are to be double: just beyond where contact is expected to end.
+/// Counts at which the knots are to be double: just beyond where contact is expected to end. step: that they are rounded to; 0:
+/// none.
 std::vector<double> double_knots(const std::vector<double>& count, const ContactInterface& c,
-                                 const std::vector<ExpectedEnd>& ends) {
+                                 const std::vector<ExpectedEnd>& ends, double step) {
     std::vector<double> wanted;
     for (const ExpectedEnd& e : ends) {
         double s1 = e.s1;
         if (c.zone.closed) s1 += c.zone.chain1.length * std::ceil((c.s1.front() - s1) / c.zone.chain1.length);
-        wanted.push_back(interpolate(c.s1, count, s1) + end_overhang * e.outward);
+        const double place = interpolate(c.s1, count, s1) + end_overhang * e.outward;
+        wanted.push_back(step > 0 ? step * std::round(place / step) : place);
     }
     std::sort(wanted.begin(), wanted.end());
     std::vector<double> kept{0};  // whole intervals between them, and to the ends
@@ -187,19 +190,24 @@ int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
     return on_grid.elements.of_piece[static_cast<std::size_t>(&piece - on_grid.cells.pieces.data())];
 }
 
-ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
-                                const PartOnGrid& second, std::array<int, 2> solver_part,
-                                const std::vector<FacesByCell>& faces) {
-    const GapRule drawn{candidate.closing, candidate.no_overlap};
-    if (scene.contacts.penalty) return make_penalty_interface(scene, candidate.zone, first, second, solver_part, drawn);
-    ContactInterface c;
-    c.drawn = drawn;
+namespace {
+
+MeasuredZone measured_zone(const Scene& scene, const Candidate& candidate, const PartOnGrid& first, const PartOnGrid& second,
+                           std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces) {
+    MeasuredZone zone;
+    ContactInterface& c = zone.on_middle;
+    c.drawn = {candidate.closing, candidate.no_overlap};
     c.part = {first.part, second.part};
     c.zone = candidate.zone;
     const std::vector<Piece> pieces = measure(scene, c, first, second, faces[at(solver_part[0])], faces[at(solver_part[1])]);
-    if (pieces.empty()) return c;
-    const std::vector<double> count = make_table(pieces, c);
-    const Knots knots = place_knots(count, c, double_knots(count, c, candidate.ends));
+    if (!pieces.empty()) zone.count = make_table(pieces, c);
+    return zone;
+}
+
+ContactInterface with_knots(const Scene& scene, const MeasuredZone& zone, const std::vector<double>& doubled,
+                            const PartOnGrid& first, const PartOnGrid& second, std::array<int, 2> solver_part) {
+    ContactInterface c = zone.on_middle;
+    const Knots knots = place_knots(zone.count, c, doubled);
     c.face.part = solver_part;
     c.face.thickness = std::min(first.input.thickness, second.input.thickness);
     c.face.periodic = c.zone.closed;
@@ -224,8 +232,69 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
             append_point(c, pair, first, second, interpolate(middle, c.s, m), rule.weights[q] * length * length_rate);
         }
     }
-    c.face.expected = expected_coefficients(c, candidate.expected);
     c.foundation = winkler_stiffness(scene, first, second);
+    return c;
+}
+
+bool is_same(const geometry::FacingZone& a, const geometry::FacingZone& b) {
+    const auto numbers = [](const geometry::FacingZone& z) {
+        return std::tuple(z.begin1, z.end1, z.begin2, z.end2, z.closed, z.begin_is_limit, z.end_is_limit, z.chain1.length,
+                          z.chain2.length, z.is_acting, z.sharpness, z.at_corner);
+    };
+    return numbers(a) == numbers(b) && a.chain1.edges == b.chain1.edges && a.chain2.edges == b.chain2.edges;
+}
+
+bool is_same(const Candidate& a, const Candidate& b) {
+    return a.first == b.first && a.second == b.second && a.closing == b.closing && a.no_overlap == b.no_overlap &&
+           is_same(a.zone, b.zone);
+}
+
+/// measure: makes the zone where it is not among them.
+template <class Measure>
+KnownInterfaces::Zone& known_zone(KnownInterfaces& known, const Candidate& candidate, std::array<int, 2> solver_part,
+                                  const Measure& measure) {
+    const auto found = std::find_if(known.zones.begin(), known.zones.end(), [&](const KnownInterfaces::Zone& z) {
+        return z.solver_part == solver_part && is_same(z.of, candidate);
+    });
+    if (found != known.zones.end()) return *found;
+    known.zones.push_back({candidate, solver_part, measure()});
+    return known.zones.back();
+}
+
+template <class Make>
+const ContactInterface& known_interface(KnownInterfaces::Zone& zone, const std::vector<double>& doubled, const Make& make) {
+    const auto found = std::find_if(zone.made.begin(), zone.made.end(), [&](const auto& m) { return m.doubled == doubled; });
+    if (found != zone.made.end()) return found->interface;
+    if (zone.made.size() == KnownInterfaces::most) zone.made.erase(zone.made.begin());
+    zone.made.push_back({doubled, make()});
+    return zone.made.back().interface;
+}
+
+}  // namespace
+
+ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
+                                const PartOnGrid& second, std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces,
+                                KnownInterfaces* known) {
+    if (scene.contacts.penalty)
+        return make_penalty_interface(scene, candidate.zone, first, second, solver_part,
+                                      {candidate.closing, candidate.no_overlap});
+    if (known && known->zones.empty()) known->faces = faces;
+    ContactInterface c;
+    if (known && known->faces == faces) {
+        KnownInterfaces::Zone& zone = known_zone(
+            *known, candidate, solver_part, [&] { return measured_zone(scene, candidate, first, second, solver_part, faces); });
+        if (zone.measured.count.empty()) return zone.measured.on_middle;
+        const std::vector<double> doubled =
+            double_knots(zone.measured.count, zone.measured.on_middle, candidate.ends, KnownInterfaces::step);
+        c = known_interface(zone, doubled,
+                            [&] { return with_knots(scene, zone.measured, doubled, first, second, solver_part); });
+    } else {
+        MeasuredZone zone = measured_zone(scene, candidate, first, second, solver_part, faces);
+        if (zone.count.empty()) return std::move(zone.on_middle);
+        const std::vector<double> doubled = double_knots(zone.count, zone.on_middle, candidate.ends, 0);
+        c = with_knots(scene, zone, doubled, first, second, solver_part);
+    }
+    c.face.expected = expected_coefficients(c, candidate.expected);
     return c;
 }
 

@@ -49,11 +49,36 @@ struct ContactInterface {
     Pairing pairing = Pairing::middle;
 };
 
+/// A zone on the grids of its parts, measured without regard to where contact ends.
+struct MeasuredZone {
+    ContactInterface on_middle;  ///< without pressure and points
+    std::vector<double> count;   ///< at the table's places the integral of ds over the wanted knot spacing
+};
+
+/// The interfaces of load cases on the same grids, for others whose contacts end at the same places: to tell such, ends are
+/// rounded to a step that is small beside what an end has to move by to get another knot.
+struct KnownInterfaces {
+    struct Made {
+        std::vector<double> doubled;  ///< counts at which its knots are double
+        ContactInterface interface;
+    };
+    struct Zone {
+        Candidate of;
+        std::array<int, 2> solver_part;
+        MeasuredZone measured;
+        std::vector<Made> made{};
+    };
+    static constexpr double step = 1.0 / 16;  ///< of the knot spacing
+    static constexpr std::size_t most = 16;   ///< that are kept of a zone
+    std::vector<FacesByCell> faces{};         ///< that all of them are made with
+    std::vector<Zone> zones{};
+};
+
 /// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it. faces: of all candidates, by solver
-/// part.
+/// part. known: of cases on the same grids, or null.
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
-                                const PartOnGrid& second, std::array<int, 2> solver_part,
-                                const std::vector<FacesByCell>& faces);
+                                const PartOnGrid& second, std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces,
+                                KnownInterfaces* known = nullptr);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);

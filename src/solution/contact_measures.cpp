@@ -7,10 +7,13 @@
 
 namespace abut {
 
+double energy_of_part(const SolvedAssembly& s, std::size_t part) {
+    return s.part_energy.empty() ? strain_energy(s.problem.parts[part], s.solution.displacement[part]) : s.part_energy[part];
+}
+
 double energy_of(const SolvedAssembly& s) {
     double sum = 0;
-    for (std::size_t i = 0; i < s.problem.parts.size(); ++i)
-        sum += strain_energy(s.problem.parts[i], s.solution.displacement[i]);
+    for (std::size_t i = 0; i < s.problem.parts.size(); ++i) sum += energy_of_part(s, i);
     return sum;
 }
 

@@ -5,7 +5,8 @@
 
 namespace abut {
 
-/// The strain energy of all parts.
+/// The strain energy of a solved part, and of all parts.
+double energy_of_part(const SolvedAssembly& solved, std::size_t part);
 double energy_of(const SolvedAssembly& solved);
 /// What rounding may make of the strain energy: the energy of strains as large as displacements over size, times a bound on
 /// rounding.

@@ -114,8 +114,19 @@ SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) 
     return {threads, std::max(1, threads / std::max(1, static_cast<int>(grids.size())))};
 }
 
-/// Takes them in, with what they say of themselves.
-void take_systems(const Scene& scene, std::vector<LoadedSystem> made, SolvedAssembly& solved) {
+/// Those of one part, which no load changes, from an assembly that has them.
+void append_known_constraints(const SolvedAssembly& known, std::size_t part, SolvedAssembly& solved) {
+    const int there = known.solver_part[at(solved.grids[part].part)];
+    for (const solver::MeanConstraint& c : known.problem.constraints) {
+        if (c.part != there) continue;
+        solved.problem.constraints.push_back(c);
+        solved.problem.constraints.back().part = static_cast<int>(part);
+        ++solved.uses["rigid supports"].items;
+    }
+}
+
+/// Takes them in, with what they say of themselves. known: of the same supports, or null.
+void take_systems(const Scene& scene, std::vector<LoadedSystem> made, const SolvedAssembly* known, SolvedAssembly& solved) {
     for (std::size_t i = 0; i < made.size(); ++i) {
         PartOnGrid& g = solved.grids[i];
         solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
@@ -127,7 +138,10 @@ void take_systems(const Scene& scene, std::vector<LoadedSystem> made, SolvedAsse
         g.input.dilatation = system.input.dilatation;
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
-        append_constraints(scene, i, solved);
+        if (known)
+            append_known_constraints(*known, i, solved);
+        else
+            append_constraints(scene, i, solved);
     }
 }
 
@@ -139,7 +153,7 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, int 
     for (PartOnGrid& g : solved.grids) g.input.threads = shared.each;
     solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side,
                          [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
-    take_systems(scene, std::move(made), solved);
+    take_systems(scene, std::move(made), nullptr, solved);
 }
 
 void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& prepared, int threads,
@@ -156,7 +170,7 @@ void load_systems(const Scene& scene, const ResolvedConditions& conditions, cons
         made[at(i)] = {solver::with_loads(system, std::move(load.vector), load.weighted), load.scale, std::move(load.uses)};
         made[at(i)].system.seconds = {};
     });
-    take_systems(scene, std::move(made), solved);
+    take_systems(scene, std::move(made), &prepared, solved);
 }
 
 }  // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,10 @@ struct SolvedAssembly {
     std::vector<ContactInterface> contacts;  ///< parallel to the candidates; those without pieces have no points
     std::vector<int> interface_of;           ///< by contact: index among the solver's interfaces, or -1
     std::vector<int> shear_of;  ///< by contact: index of the interface of its tangential traction (bonds, friction), or -1
+    std::shared_ptr<KnownInterfaces> known{};  ///< of all cases on these grids; null: there is one only
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
+    std::vector<double> part_energy{};  ///< strain energies by solved part, once they are known
     ContactRuns runs;
     std::vector<PreloadState> preloads;
     std::string failure;               ///< not empty: not solvable, and why

@@ -98,6 +98,25 @@ TEST(Factorization, ForwardSolvesGiveTheCompliance) {
         }
 }
 
+TEST(Factorization, GivesFormsThatItKeepsForTheSameColumnsAlone) {
+    for (FactorMethod method : both_methods) {
+        const Factorization fresh = factor_by(method, positive_definite(80));
+        Factorization keeping = fresh;
+        keeping.keep_forms();
+        const Factorization copy = keeping;
+        for (int round = 0; round < 2; ++round)
+            for (int k = 0; k < 20; ++k) {  // more than are kept
+                MatrixXd b = random_columns(80, 3);
+                b(k, 1) += 1e-9;
+                const Eigen::SparseMatrix<double> columns = b.sparseView();
+                EXPECT_EQ(keeping.inverse_form(columns), fresh.inverse_form(columns));
+                EXPECT_EQ(copy.inverse_form(columns), fresh.inverse_form(columns));
+            }
+        const Eigen::SparseMatrix<double> fewer = random_columns(80, 3).leftCols(2).sparseView();
+        EXPECT_EQ(keeping.inverse_form(fewer), fresh.inverse_form(fewer));
+    }
+}
+
 /// Every bandwidth from a diagonal matrix to a full one, on both sides of the panels' width and its multiples; right-hand sides
 /// that begin anywhere.
 TEST(Factorization, BandsOfAllWidthsSolveForward) {

@@ -52,6 +52,20 @@ TEST_P(Recovery, ReproducesAConstantStress) {
     EXPECT_GT(fit_error(part, u, 1e-7), bound);
 }
 
+TEST_P(Recovery, IsTheSameWithWhatAnotherFitHasLeft) {
+    StressFitFactor common;
+    for (double scale : {1.0, -3.0}) {
+        const VectorXd x = test::monomial(part.space, GetParam().degree, 0), y = test::monomial(part.space, 0, 1);
+        const VectorXd u = test::interleave(scale * x + 0.02 * y, -0.03 * y + 0.005 * x);
+        const std::vector<double> inside = test::gauss(part.space.x.degree).points;
+        const StressField shared = fit_stress(part, u, inside, cut_samples(part), &common),
+                          alone = fit_stress(part, u, inside, cut_samples(part));
+        ASSERT_TRUE(common.is_made);
+        EXPECT_EQ(shared.failure, alone.failure);
+        EXPECT_EQ(shared.coefficients, alone.coefficients) << scale;
+    }
+}
+
 TEST_P(Recovery, ReproducesStressesOfOneDegreeLess) {
     // displacements of total degree p have stresses of total degree p - 1
     const int p = GetParam().degree;

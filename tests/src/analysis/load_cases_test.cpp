@@ -116,6 +116,39 @@ TEST(LoadCases, FollowHertzOnCommonGrids) {
     EXPECT_EQ(all.parts[0].utilisation->value, all.parts[0].max_von_mises.value / 200);
 }
 
+/// What cases share on one set of grids is not what one of them leaves to the next.
+TEST(LoadCases, OfTheSameLoadsAreTheSame) {
+    const auto scene = [](const std::string& cases) {
+        return scene_with(
+            R"({"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}},
+               {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-40, -40], "max": [40, 0]}}})",
+            R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+               "loads": [{"name": "weight", "part": "disc", "force": [0, -1000]}], "cases": [)" +
+                cases + "]");
+    };
+    const auto loaded = [](const std::string& name, double factor) {
+        return R"({"name": ")" + name + R"(", "loads": {"weight": )" + std::to_string(factor) + "}}";
+    };
+    const std::vector<CaseResult> cases =
+        analyze_cases(scene(loaded("a", 1) + "," + loaded("b", 3) + "," + loaded("again", 1) + "," + loaded("c", 0.2)), {});
+    ASSERT_EQ(cases.size(), 4U);
+    for (const CaseResult& c : cases) {
+        ASSERT_EQ(c.result.status, "ok") << c.result.message;
+        EXPECT_EQ(c.result.unknowns, cases[0].result.unknowns) << "one set of grids";
+        EXPECT_NEAR(c.result.contacts[0].force.norm(), 1000 * c.factors.at("weight"), 1e-8 * 1000);
+    }
+    EXPECT_EQ(cases[0].result.contacts[0].profile.pressure, cases[2].result.contacts[0].profile.pressure);
+    EXPECT_EQ(cases[0].result.parts[0].max_von_mises.value, cases[2].result.parts[0].max_von_mises.value);
+    EXPECT_NE(cases[0].result.contacts[0].profile.pressure, cases[1].result.contacts[0].profile.pressure);
+    EXPECT_LT(cases[0].result.solver.grids, cases[1].result.solver.grids) << "what has all it wants waits for the last grids";
+    // the middle of the disc's face is pressed as the root of the force, to the errors that both state
+    const auto& one = cases[0].result.contacts[0];
+    const auto& three = cases[1].result.contacts[0];
+    ASSERT_TRUE(one.errors && three.errors);
+    EXPECT_NEAR(three.max_pressure.value / one.max_pressure.value, std::sqrt(3.0),
+                2 * (one.errors->peak + three.errors->peak) + 0.01);
+}
+
 /// A block on a table that is pushed down or lifted on a spring: contact in the one case, none in the other.
 TEST(LoadCases, OpenAndCloseContacts) {
     const Scene scene = scene_with(

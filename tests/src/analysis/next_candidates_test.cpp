@@ -66,9 +66,9 @@ TEST(NextCandidates, FreeEndsAreExpectedWhereTheyWereFound) {
     std::vector<Candidate> next = pin.candidates;
     expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
     ASSERT_EQ(next[0].ends.size(), 2u);
-    EXPECT_FALSE(ends_moved(pin_scene(), pin.solved, next));
+    EXPECT_TRUE(moved_ends(pin_scene(), pin.solved, next).empty());
     next[0].ends.clear();
-    EXPECT_TRUE(ends_moved(pin_scene(), pin.solved, next));
+    EXPECT_EQ(moved_ends(pin_scene(), pin.solved, next), (std::vector<std::size_t>{0}));
     pin.solved.contacts[0].face.bilateral = true;
     expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
     EXPECT_TRUE(next[0].ends.empty());
