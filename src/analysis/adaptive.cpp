@@ -91,11 +91,10 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
         const SolvedAssembly prepared = prepare_parts(unloaded, *cases.front().conditions, walks.front().candidates(),
                                                       ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         const auto solve = [&](std::size_t k) {
-            has_all[k] = walks[k].take(scene.in_steps
-                                           ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
-                                                        k > 0 ? &walks[k - 1].last() : nullptr)
-                                           : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                        walks[k].ask().parts, prepared, {}, seconds, threads));
+            has_all[k] = walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
+                                                                   k > 0 ? &walks[k - 1].last() : nullptr)
+                                                      : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
+                                                                   walks[k].ask().parts, prepared, {}, seconds, threads));
         };
         std::vector<std::size_t> now, later;
         for (std::size_t k = 0; k < cases.size(); ++k) (has_all[k] && !scene.in_steps ? later : now).push_back(k);
