@@ -235,7 +235,8 @@ namespace {
 struct Attempt {
     RowsSolution answered;
     MatrixXd neutral{};
-    bool is_driven = false;  ///< the mechanism is none of the rows'
+    bool is_driven = false;   ///< the mechanism is none of the rows'
+    bool is_balanced = true;  ///< in the neutral motions in which contact forces have levers, too
 };
 
 Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
@@ -274,12 +275,17 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     } else {
         recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
     }
-    if (levers.cols() > 0)
-        if (const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);
-            forces && *forces != answer.forces) {
+    if (levers.cols() > 0) {
+        const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);
+        attempt.is_balanced = forces.has_value();
+        if (forces && *forces != answer.forces) {
             answer.forces = *forces;
             recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
         }
+        if (!forces)  // the search under these motions, too, found nothing: what is left of their balance is said
+            solution.residual = std::max(solution.residual, (levers.transpose() * answer.forces).cwiseAbs().maxCoeff() /
+                                                                force_scale(held.qp, answer.forces));
+    }
     add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
     attempt.answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
@@ -295,12 +301,19 @@ public:
         taken_.assign(at(all.rows.n), are_few ? 1 : 0);
         if (are_few) return;
         for (int row = 0; row < all.rows.n; ++row) taken_[at(row)] = !all.rows.unilateral[at(row)];
-        const bool knows_some = all.expected.size() > 0 && !all.expected.isZero(0);
-        take_with_neighbours(knows_some ? all.expected : settled_forces());
+        knows_some_ = all.expected.size() > 0 && !all.expected.isZero(0);
+        take_with_neighbours(knows_some_ ? all.expected : settled_forces());
     }
 
     bool is_all() const { return std::find(taken_.begin(), taken_.end(), 0) == taken_.end(); }
-    void take_all() { std::fill(taken_.begin(), taken_.end(), 1); }
+    /// Without an answer under these rows: those on which rigid bodies settle, too, with nothing expected; at last all.
+    void widen() {
+        if (std::exchange(knows_some_, false))
+            take_with_neighbours(settled_forces());
+        else
+            std::fill(taken_.begin(), taken_.end(), 1);
+        expected_ = is_all() ? VectorXd(0) : VectorXd::Zero(all_.rows.n);
+    }
 
     /// The rows taken alone.
     AssemblyRows chosen() const {
@@ -323,10 +336,8 @@ public:
                 if (number[at(e.row)] >= 0) own.rows.by_part.back().push_back({number[at(e.row)], e.coefficient, e.value});
         }
         own.foundation = all_.foundation(kept);
-        if (expected_.size() > 0)
-            own.expected = expected_(kept);
-        else if (all_.expected.size() > 0)
-            own.expected = all_.expected(kept);
+        const VectorXd& expected = expected_.size() > 0 ? expected_ : all_.expected;
+        if (expected.size() > 0 && !expected.isZero(0)) own.expected = expected(kept);
         return own;
     }
 
@@ -382,6 +393,7 @@ private:
     const AssemblyProblem& problem_;
     const AssemblyRows& all_;
     std::vector<char> taken_;
+    bool knows_some_ = false;
     VectorXd expected_{};  // of a solution under fewer rows
 };
 
@@ -397,9 +409,9 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
         AssemblySolution& solution = attempt.answered.solution;
         iterations += solution.iterations;
         spent += solution.seconds;
-        const bool has_answer = solution.mechanism.empty() && solution.converged;
+        const bool has_answer = solution.mechanism.empty() && solution.converged && attempt.is_balanced;
         if (!is_all && !attempt.is_driven) {
-            if (!has_answer) choice.take_all();
+            if (!has_answer) choice.widen();
             if (!has_answer || choice.take_penetrating(attempt.answered)) continue;
             attempt.answered.multipliers = choice.spread(attempt.answered.multipliers);
         }

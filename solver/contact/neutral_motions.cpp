@@ -344,9 +344,41 @@ NeutralMeasure neutral_measure(const AssemblyProblem& problem, const MatrixXd& n
     return measure;
 }
 
-void take_least_motion(const AssemblyProblem& problem, const MatrixXd& neutral, int threads, AssemblySolution& solution) {
-    if (neutral.cols() == 0) return;
+namespace {
+
+/// The motions of parts that are displaced, and of those that hang together with them by a motion: the others stay.
+std::vector<Index> of_displaced_parts(const std::vector<Index>& offset, const MatrixXd& motions,
+                                      const std::vector<VectorXd>& displacement) {
+    std::vector<char> is_displaced;
+    for (const VectorXd& u : displacement) is_displaced.push_back(!u.isZero(0));
+    std::vector<char> taken(static_cast<std::size_t>(motions.cols()), 0);
+    const auto moves = [&](Index motion, std::size_t part) {
+        return !motions.col(motion).segment(offset[part], offset[part + 1] - offset[part]).isZero(0);
+    };
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (Index k = 0; k < motions.cols(); ++k) {
+            if (taken[static_cast<std::size_t>(k)]) continue;
+            std::vector<std::size_t> parts;
+            for (std::size_t i = 0; i < is_displaced.size(); ++i)
+                if (moves(k, i)) parts.push_back(i);
+            if (std::none_of(parts.begin(), parts.end(), [&](std::size_t i) { return is_displaced[i] != 0; })) continue;
+            taken[static_cast<std::size_t>(k)] = grows = true;
+            for (const std::size_t i : parts) is_displaced[i] = 1;
+        }
+    }
+    std::vector<Index> list;
+    for (Index k = 0; k < motions.cols(); ++k)
+        if (taken[static_cast<std::size_t>(k)]) list.push_back(k);
+    return list;
+}
+
+}  // namespace
+
+void take_least_motion(const AssemblyProblem& problem, const MatrixXd& all, int threads, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
+    const MatrixXd neutral = all(Eigen::all, of_displaced_parts(offset, all, solution.displacement));
+    if (neutral.cols() == 0) return;
     const NeutralMeasure measure = neutral_measure(problem, neutral, threads);
     VectorXd rhs = VectorXd::Zero(neutral.cols());
     for (std::size_t i = 0; i < problem.parts.size(); ++i)

@@ -186,6 +186,21 @@ TEST(Settle, AnArmHangsBelowItsPin) {
     EXPECT_NE(upright.why.find("unstable"), std::string::npos) << upright.why;
 }
 
+TEST(Settle, AColumnOfManyDiscsIsUnstable) {
+    constexpr int n = 50;
+    std::string parts = floor_part;
+    for (int k = 0; k < n; ++k)
+        parts += ", " + part("d" + std::to_string(k),
+                             R"({"circle": {"center": [0, )" + std::to_string(2 * k + 1) + R"(], "radius": 1}})");
+    parts += ", " + part("lid", R"({"rectangle": {"min": [-2, )" + std::to_string(2 * n) + R"(], "max": [2, )" +
+                                    std::to_string(2 * n + 2) + "]}}");
+    const Settling settling =
+        settling_of(scene_of(parts, held_floor + R"(, {"part": "lid", "rigid": {"translation": [0, null], "rotation": 0}})",
+                             R"({"part": "lid", "force": [0, -100]})"));
+    EXPECT_EQ(settling.end, Settling::End::stays) << settling.why;
+    EXPECT_EQ(settling.unstable.find("the balance is unstable: the least push takes d"), 0u) << settling.unstable;
+}
+
 /// Half on a table, half beyond: its middle decides.
 TEST(Settle, ABlockOnALedgeStaysOrTips) {
     for (const bool stays : {true, false})
