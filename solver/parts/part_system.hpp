@@ -71,8 +71,8 @@ struct PartSystem {
     std::vector<RigidMotion> free_motions;  ///< 0 to 3 (around an axis 0 or 1), unit displacement at the part's size
     Eigen::MatrixXd modes;                  ///< (2n x free motions) their coefficients
     Factorization factor;
-    std::string failure;                   ///< not empty: not solvable, what that means and what to do
-    std::optional<FailedPivot> failed_at;  ///< where the factorisation ended
+    std::string failure;                       ///< not empty: not solvable, what that means and what to do
+    std::optional<FailedPivot> failed_at;      ///< where the factorisation ended
     Once<Eigen::MatrixXd> motion_integrals{};  ///< motion_integrals() asks for them
     struct {
         double all = 0, factorisation = 0, springs = 0, dilatation = 0;
