@@ -148,13 +148,8 @@ ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const S
 
 namespace {
 
-/// A result's page: its report_data, where a report is asked for.
-struct Page {
-    std::string data;
-    Stills stills;
-};
-
-void write_files(Result& result, const ModelFacts& model, const Page& page, const std::string& folder,
+/// data: report_data of the result, where a report is asked for.
+void write_files(Result& result, const ModelFacts& model, const std::string& data, const std::string& folder,
                  const std::vector<std::string>& formats, const Stopwatch& since_start) {
     const Stopwatch output;
     set_time(result, "output", 0);
@@ -165,7 +160,7 @@ void write_files(Result& result, const ModelFacts& model, const Page& page, cons
     if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
     if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, folder, formats);
     set_time(result, "total", since_start.seconds());
-    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, page.data, page.stills));
+    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, data));
     set_time(result, "output", output.seconds());
     set_time(result, "total", since_start.seconds());
     predict_next_level(result);  // with the time of writing
@@ -176,8 +171,7 @@ void write_files(Result& result, const ModelFacts& model, const Page& page, cons
 
 void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
                    const Stopwatch& since_start) {
-    write_files(result, model, {holds(formats, "html") ? report_data(result, model) : "", Stills::drawn}, folder, formats,
-                since_start);
+    write_files(result, model, holds(formats, "html") ? report_data(result, model) : "", folder, formats, since_start);
 }
 
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
@@ -192,7 +186,7 @@ void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelF
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
         if (holds(formats, "html")) data[k] = report_data(cases[k].result, models[k]);
-        write_files(cases[k].result, models[k], {data[k], Stills::left_out}, own, formats, since_start);
+        write_files(cases[k].result, models[k], data[k], own, formats, since_start);
         series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
     }
     if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));

@@ -30,8 +30,7 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
                    const Stopwatch& since_start);
 
 /// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
-/// of its own, whose reports have no pictures for paper; cases.json is written whatever the formats. Removes what an earlier
-/// run wrote there.
+/// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there.
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
                         const std::vector<std::string>& formats, const Stopwatch& since_start);
 

@@ -56,12 +56,10 @@ std::string report_html(const Result& result, const ModelFacts& model) {
     return report_html(result, model, report_data(result, model));
 }
 
-std::string report_html(const Result& result, const ModelFacts& model, const std::string& data, Stills stills) {
+std::string report_html(const Result& result, const ModelFacts& model, const std::string& data) {
     // The script shows its instrument instead of the pictures, which remain for paper and for browsers without scripts.
-    std::string pictures;
-    if (stills == Stills::drawn || data.empty())
-        pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) + report::fields_section(result) +
-                   report::contacts_section(result) + "</div>\n";
+    const std::string pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) +
+                                 report::fields_section(result) + report::contacts_section(result) + "</div>\n";
     return page(result,
                 report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" + pictures +
                     report::model_section(result, model) + report::tables_section(result),

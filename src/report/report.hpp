@@ -10,10 +10,8 @@ namespace abut {
 /// What the script of a report shows; empty where there is nothing to show. model: what was analysed; the report does without
 /// where it is not known.
 std::string report_data(const Result& result, const ModelFacts& model = {});
-/// Pictures for paper and for browsers without scripts: most of what a page costs.
-enum class Stills { drawn, left_out };
 /// The text of report.html: one file, no network. data: its report_data.
-std::string report_html(const Result& result, const ModelFacts& model, const std::string& data, Stills stills = Stills::drawn);
+std::string report_html(const Result& result, const ModelFacts& model, const std::string& data);
 std::string report_html(const Result& result, const ModelFacts& model = {});
 
 /// The text of the page over the load cases of a scene: what each came to, with a link to its own page

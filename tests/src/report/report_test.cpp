@@ -31,17 +31,6 @@ int count(const std::string& page, const std::string& words) {
     return n;
 }
 
-TEST(ReportFault, HasNoStillsWhereAScriptShowsAllAndTheyAreNotAskedFor) {
-    const std::string data = report_data(bracket());
-    ASSERT_FALSE(data.empty());
-    const std::string with = report_html(bracket(), {}, data), without = report_html(bracket(), {}, data, Stills::left_out);
-    EXPECT_EQ(with, report_html(bracket()));
-    EXPECT_TRUE(has(with, "class=\"pictures\""));
-    EXPECT_FALSE(has(without, "class=\"pictures\""));
-    EXPECT_TRUE(has(without, data));
-    EXPECT_TRUE(has(report_html(bracket(), {}, "", Stills::left_out), "class=\"pictures\"")) << "there is nothing else to see";
-}
-
 TEST(ReportFault, FindsWhatIsWrong) {
     EXPECT_EQ(fault("<a><b/></a>"), "");
     EXPECT_NE(fault("<a><b></a>"), "");
