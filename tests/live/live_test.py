@@ -335,7 +335,11 @@ class LiveTest(unittest.TestCase):
         theirs = live.news(serial)
         self.assertEqual(theirs["pieces"]["inputs"]["client"], "a")
         self.assertEqual(theirs["pieces"]["inputs"]["loads"], [[0, -4000], [1]])
-        self.assertEqual(theirs["pieces"]["answer"], mine["pieces"]["answer"])
+        # the second may come when the whole analysis has given the answer again, to rounding
+        self.assertEqual(theirs["pieces"]["answer"]["version"], mine["pieces"]["answer"]["version"])
+        for one, other in zip(theirs["pieces"]["answer"]["contacts"], mine["pieces"]["answer"]["contacts"]):
+            for a, b in zip(one["force"], other["force"]):
+                self.assertAlmostEqual(a, b, delta=1e-9 * 4000)
 
         def move(k):
             force = -3000 - 100 * k
