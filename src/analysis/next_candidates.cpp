@@ -135,10 +135,10 @@ std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& s,
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
         const double share = strongest > 0 ? peak_of(k) / strongest : 1, limit = noted_move * spacing_at(s, k);
-        if (share > 0 && share <= noted_move) continue;  // its ends shift nothing that counts
-        if (!std::equal(now.begin(), now.end(), expected.begin(), expected.end(),
-                        [&](const ExpectedEnd& a, const ExpectedEnd& b) { return std::abs(a.s1 - b.s1) <= limit; }))
-            moved.push_back(k);
+        bool has_moved = now.size() != expected.size() && (share == 0 || share > noted_move);
+        for (std::size_t i = 0; i < std::min(now.size(), expected.size()); ++i)
+            has_moved = has_moved || share * std::abs(now[i].s1 - expected[i].s1) > limit;
+        if (has_moved) moved.push_back(k);
     }
     return moved;
 }
