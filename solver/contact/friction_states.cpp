@@ -89,10 +89,9 @@ std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
 /// The complementarity problem in z = (pressures, l_t + mu l_n, slip backward), bilateral rows and amplitudes eliminated.
 class Pivots {
 public:
-    Pivots(const ShiftedQp& shifted, const Proximal& proximal) : qp_(shifted.qp), unit_(force_unit(qp_)) {
+    Pivots(const ShiftedQp& shifted, const Proximal& proximal)
+        : qp_(shifted.qp), unit_(force_unit(qp_)), c_(unit_ * qp_.compliance.to_dense()), g_(shifted.gap) {
         const Cholesky stiffness(proximal.stiffness);
-        c_ = unit_ * qp_.compliance.to_dense();
-        g_ = shifted.gap;
         if (qp_.modes.cols() > 0) {
             c_ += unit_ * qp_.modes * stiffness.solve_columns(qp_.modes.transpose());
             g_ += qp_.modes * (proximal.anchor + stiffness.solve(qp_.mode_load));

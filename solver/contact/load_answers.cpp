@@ -39,22 +39,31 @@ void ensure_parts(const AssemblyProblem& problem, const std::vector<VectorXd>& b
                "loads and measures have two numbers for every function");
 }
 
+/// The contact problem of all rows and motions.
+ContactQp whole_problem(const AssemblyProblem& problem, const AssemblyRows& rows, int threads) {
+    ContactQp qp = condense(problem.parts, rows.rows, problem.load_scale, threads);
+    scale_rows(qp, rows.rows.weight);
+    qp.foundation = rows.foundation;
+    qp.expected = rows.expected;
+    qp.friction = rows.friction;
+    return qp;
+}
+
 }  // namespace
 
 LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> loads,
                          const std::vector<DisplacementMeasure>& measures, int threads)
-    : problem_(problem), loads_(std::move(loads)), rows_(assembly_rows(problem)), resistance_(candidate_resistance(problem)) {
+    : problem_(problem),
+      loads_(std::move(loads)),
+      rows_(assembly_rows(problem)),
+      resistance_(candidate_resistance(problem)),
+      qp_(whole_problem(problem, rows_, threads)),
+      modes_(qp_.modes),
+      load_scale_(qp_.load_scale),
+      gap_(qp_.gap),
+      mode_load_(qp_.mode_load) {
     for (const UnitLoad& load : loads_) ensure_parts(problem, load.on_part);
     for (const DisplacementMeasure& measure : measures) ensure_parts(problem, measure);
-    qp_ = condense(problem.parts, rows_.rows, problem.load_scale, threads);
-    scale_rows(qp_, rows_.rows.weight);
-    qp_.foundation = rows_.foundation;
-    qp_.expected = rows_.expected;
-    qp_.friction = rows_.friction;
-    load_scale_ = qp_.load_scale;
-    gap_ = qp_.gap;
-    mode_load_ = qp_.mode_load;
-    modes_ = qp_.modes;
     split_ = split_motions(problem, resistance_, modes_);
     levers_ = times_few(modes_, split_.balanced);
     qp_.modes = times_few(modes_, split_.resisted);

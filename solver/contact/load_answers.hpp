@@ -69,7 +69,7 @@ private:
     ContactQp qp_;  ///< in the motions that something resists; gaps and loads on motions are those of the last answer
     Eigen::MatrixXd modes_, levers_;
     MotionSplit split_;
-    double load_scale_ = 0;                 ///< of what always acts
+    double load_scale_;                     ///< of what always acts
     Eigen::VectorXd gap_, mode_load_;       ///< under what always acts
     Eigen::MatrixXd gaps_, mode_loads_;     ///< by load
     std::unique_ptr<ClosedFactor> factor_;  ///< of the rows that were closed last

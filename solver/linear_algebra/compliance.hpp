@@ -19,8 +19,8 @@ public:
     template <class Expression>
     Compliance(const Eigen::MatrixBase<Expression>& dense) : Compliance(Eigen::MatrixXd(dense)) {}
     /// Both triangles, with all of the diagonal.
-    Compliance(Eigen::SparseMatrix<double> sparse)
-        : sparse_(std::make_shared<const Eigen::SparseMatrix<double>>(std::move(sparse))) {}
+    Compliance(const Eigen::SparseMatrix<double>& sparse)
+        : sparse_(std::make_shared<const Eigen::SparseMatrix<double>>(sparse)) {}
 
     bool is_sparse() const { return sparse_ != nullptr; }
     /// The numbers of a dense one; of a sparse one they are made.
