@@ -13,8 +13,6 @@
 #include "apps/output_folder.hpp"
 #include "geometry/brep/input_error.hpp"
 
-extern char** environ;
-
 namespace abut {
 
 bool can_write_png() {

@@ -125,7 +125,7 @@ void offer_minima(Search& search, const Bernstein& n, double rounding, double s0
 
 template <class Parameter>
 void offer_span(Search& search, const HomogeneousSpan& relative_to_p, const Parameter& parameter) {
-    double rounding;
+    double rounding = 0;
     const Bernstein slope = distance_slope(relative_to_p, rounding);
     offer_minima(search, slope, rounding, 0, 1, most_parameter_halvings, parameter);
 }

@@ -85,7 +85,7 @@ struct SilhouetteSearch {
             for (const int e : region.entity) pieces.push_back(&outlines.entities[at(e)]);
         const std::string layer = most_frequent_layer(pieces);
         for (const SketchPiece* piece : pieces) {
-            SketchEntity entity = *piece;
+            SketchEntity entity = static_cast<const SketchEntity&>(*piece);
             entity.layer = layer;
             entity.color = pieces.front()->color;
             entity.block = path_to(insertion);
