@@ -33,7 +33,8 @@ using Eigen::Index;
 using geometry::cross, geometry::left_of;
 
 /// Forces are known to about a tenth of what pressures are.
-constexpr double noted_turn = 0.5;  // of the target
+constexpr double noted_turn = 0.5;             // of the target
+constexpr double rounding_of_pressing = 1e-9;  // what is left of resultants that cancel
 /// Of a part's size: how well it is known where a contact's force acts; what works less in a motion works nothing.
 constexpr double known_places = 1e-3;
 
@@ -221,8 +222,13 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
     for (std::size_t i = 0; i < solved.grids.size(); ++i) motions.push_back(rigid_motion_of(solved, i));
     const std::vector<MovedForce> lines = moved_forces(scene, solved, motions);
     if (lines.empty()) return;
-    double largest = 0;
-    for (const MovedForce& l : lines) largest = std::max(largest, l.force.norm());
+    double largest = 0, pressing = 0;
+    for (const MovedForce& l : lines) {
+        const ContactResult& c = result.contacts[l.contact];
+        largest = std::max(largest, l.force.norm());
+        pressing = std::max(pressing, c.max_pressure.value * c.contact_length * solved.contacts[l.contact].face.thickness);
+    }
+    if (largest <= rounding_of_pressing * pressing) return;  // press fits have no resultant
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";
