@@ -24,7 +24,7 @@ constexpr std::array<double, 4> softenings{1e-6, 1e-4, 1e-2, 1};
 constexpr double balance_tolerance = 1e-12;  // relative to the loads
 constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
 constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
-constexpr double term_rounding = 2e-16;      // of the terms of a gap
+constexpr double balance_rounding = 2e-16;   // of the terms of a balance of forces
 constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
 /// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
 /// slide far under a small part of its load; more where the step was too long.
@@ -139,7 +139,7 @@ double force_scale_of(const ContactQp& qp, const MotionRows& modes, const Vector
 double imbalance_rounding(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const Settled& s) {
     const VectorXd terms = qp.drawn_gap.cwiseAbs() + modes.sizes_times(s.amplitudes.cwiseAbs());
     const VectorXd force = (s.multipliers.array() != 0).select(foundation.cwiseProduct(terms), 0.0);
-    return term_rounding * modes.transposed_sizes_times(force).norm();
+    return balance_rounding * modes.transposed_sizes_times(force).norm();
 }
 
 /// Newton's steps on a foundation from the amplitudes of `s`.
