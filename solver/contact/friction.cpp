@@ -91,10 +91,11 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
 
 /// The state under a proximal term from the states in `result`; false: none was found.
 bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
+    const ActiveSet before = result.active;
     if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) == SetSearch::found)
         return true;
     result.used_fallback = true;
-    std::optional<ActiveSet> states = pivoted_states(shifted, proximal);
+    std::optional<ActiveSet> states = pivoted_states(shifted, proximal, before);
     if (!states) return false;
     result.active = std::move(*states);
     return solve_states(shifted, proximal, result.active, state);
@@ -294,13 +295,20 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
+/// From the expected states; where these do not lead to an answer at once, by creep from them.
 bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
-    result.active = states_of(qp, qp.expected);
-    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    const ActiveSet expected = result.active = states_of(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, expected);
     if (!settled) return false;
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    const Index n = qp.modes.cols();
     ContactState state;
     result.converged = search_exactly(near, Repeats::end, state, result);
+    if (!result.converged && n > 0 && solve_states(near, no_term(n), expected, state)) {
+        result.active = expected;
+        creep(near, foundation_stiffness(qp), state, result);
+        result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);
+    }
     if (result.converged) write_answer(near, *settled, state, result);
     return result.converged;
 }

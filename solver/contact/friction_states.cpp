@@ -100,7 +100,8 @@ public:
         eliminate_bilateral();
     }
 
-    std::optional<ActiveSet> states() const {
+    /// expected: states to begin from.
+    std::optional<ActiveSet> states(const ActiveSet& expected, const VectorXd& gap) const {
         const Index u = static_cast<Index>(pressed_.size()), f = static_cast<Index>(qp_.friction.size()), n = u + 2 * f;
         VectorXd mu(f);
         for (Index k = 0; k < f; ++k) mu[k] = std::min(qp_.friction[of(k)].coefficient, rough_coefficient);
@@ -115,7 +116,7 @@ public:
         }
         VectorXd q = VectorXd::Zero(n);
         q.head(u + f) = g_;
-        const std::optional<VectorXd> z = complementary(m, q);
+        const std::optional<VectorXd> z = complementary(m, q, positive_in(expected, gap));
         if (!z) return std::nullopt;
         const VectorXd w = m * *z + q;
         ActiveSet states = bilateral_rows(qp_);
@@ -132,6 +133,22 @@ public:
     }
 
 private:
+    /// Which z are positive; nothing where the gaps of the states are not known. Open rows have slip, too.
+    std::vector<char> positive_in(const ActiveSet& states, const VectorXd& gap) const {
+        if (gap.size() == 0) return {};
+        const std::size_t u = pressed_.size(), f = qp_.friction.size();
+        std::vector<char> positive(u + 2 * f);
+        for (std::size_t k = 0; k < u; ++k) positive[k] = states[of(pressed_[k])] != row_state::open;
+        for (std::size_t k = 0; k < f; ++k) {
+            const Index row = qp_.friction[k].tangential;
+            const char state = states[of(row)];
+            const bool backward = state == row_state::slips_backward || (state == row_state::open && gap[row] < 0);
+            positive[u + k] = state == row_state::closed || backward;
+            positive[u + f + k] = backward;
+        }
+        return positive;
+    }
+
     void sort_rows() {
         std::vector<char> is_friction(qp_.unilateral.size(), 0);
         for (const FrictionRow& f : qp_.friction) {
@@ -280,8 +297,10 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repe
     return SetSearch::repeated;
 }
 
-std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal) {
-    return Pivots(shifted, proximal).states();
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected) {
+    ContactState state;
+    const bool is_known = solve_states(shifted, proximal, expected, state);
+    return Pivots(shifted, proximal).states(expected, is_known ? gap_of(shifted, state) : VectorXd(0));
 }
 
 }  // namespace abut::solver

@@ -25,8 +25,8 @@ enum class Repeats { end, one_by_one };
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repeats repeats, ActiveSet& states,
                         ContactState& state, int& iterations);
 
-/// The states of a solution under a proximal term that is positive definite, by Lemke's pivots; nothing where these end without
-/// one.
-std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal);
+/// The states of a solution under a proximal term that is positive definite, by Lemke's pivots from `expected` ones; nothing
+/// where these end without one.
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected);
 
 }  // namespace abut::solver

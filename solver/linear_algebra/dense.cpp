@@ -52,11 +52,16 @@ VectorXd least_squares(const MatrixXd& a, const VectorXd& b) {
 }
 
 std::optional<VectorXd> solve_square(const MatrixXd& a, const VectorXd& b) {
-    ENSURE(a.rows() == a.cols() && a.rows() == b.size(), rows_differ);
+    const std::optional<MatrixXd> x = solve_square_columns(a, b);
+    return x ? std::optional<VectorXd>(x->col(0)) : std::nullopt;
+}
+
+std::optional<MatrixXd> solve_square_columns(const MatrixXd& a, const MatrixXd& b) {
+    ENSURE(a.rows() == a.cols() && a.rows() == b.rows(), rows_differ);
     if (b.size() == 0) return b;
     const Eigen::PartialPivLU<MatrixXd> factor(a);
     if (!(factor.rcond() > singular)) return std::nullopt;
-    VectorXd x = factor.solve(b);
+    MatrixXd x = factor.solve(b);
     x += factor.solve(b - a * x);
     return x;
 }

@@ -29,6 +29,7 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
 /// x of A x = b for a square A, by LU decomposition with partial pivots and a step of refinement; nothing where A is singular
 /// to rounding.
 std::optional<Eigen::VectorXd> solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+std::optional<Eigen::MatrixXd> solve_square_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);  ///< A X = B
 
 /// A = L L' of a positive definite matrix, of which the lower triangle is read.
 class Cholesky {
