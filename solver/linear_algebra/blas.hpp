@@ -20,6 +20,11 @@ void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n,
 void dtbmv_(const char* uplo, const char* trans, const char* diag, const int* n, const int* k, const double* a, const int* lda,
             double* x, const int* incx);
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
+void dgetrs_(const char* trans, const int* n, const int* n_rhs, const double* a, const int* lda, const int* pivots, double* b,
+             const int* ldb, int* info);
+void dgecon_(const char* norm, const int* n, const double* a, const int* lda, const double* a_norm, double* rcond, double* work,
+             int* work_of_ints, int* info);
 void dpbtrf_(const char* uplo, const int* n, const int* k, double* a, const int* lda, int* info);
 void dpbtrs_(const char* uplo, const int* n, const int* k, const int* n_rhs, const double* a, const int* lda, double* b,
              const int* ldb, int* info);

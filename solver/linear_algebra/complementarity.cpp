@@ -26,14 +26,14 @@ std::size_t of(Index i) {
     return static_cast<std::size_t>(i);
 }
 
-/// The table is known as table_ + columns_ * rows_', the last exchanges being in these.
+/// The table is known as table_ + columns_ * rows_, the last exchanges being in these.
 class Dictionary {
 public:
     Dictionary(MatrixXd table, std::vector<Index> basic)
         : n_(table.rows()),
           table_(std::move(table)),
           columns_(n_, exchanges_together),
-          rows_(n_ + 2, exchanges_together),
+          rows_(exchanges_together, n_ + 2),
           basic_(std::move(basic)) {
         for (Index variable : basic_) nonbasic_.push_back(complement(variable));
         nonbasic_.push_back(covering());
@@ -55,11 +55,11 @@ public:
         table_.col(c).setZero();
         table_.row(row).setZero();
         columns_.row(row).setZero();
-        rows_.row(c).setZero();
+        rows_.col(c).setZero();
         columns_.col(kept_) = factor;
-        rows_.col(kept_) = solved;
+        rows_.row(kept_) = solved.transpose();
         if (++kept_ == exchanges_together) {
-            table_.noalias() += columns_ * rows_.transpose();
+            add_product(columns_, rows_, table_);
             kept_ = 0;
         }
         std::swap(basic_[of(row)], nonbasic_[of(c - 1)]);
@@ -84,9 +84,9 @@ public:
     }
 
 private:
-    VectorXd column(Index c) const { return table_.col(c) + columns_.leftCols(kept_) * rows_.row(c).head(kept_).transpose(); }
+    VectorXd column(Index c) const { return table_.col(c) + columns_.leftCols(kept_) * rows_.col(c).head(kept_); }
     VectorXd row(Index r) const {
-        return table_.row(r).transpose() + rows_.leftCols(kept_) * columns_.row(r).head(kept_).transpose();
+        return table_.row(r).transpose() + rows_.topRows(kept_).transpose() * columns_.row(r).head(kept_).transpose();
     }
     Index column_of(Index nonbasic) const {
         return 1 + (std::find(nonbasic_.begin(), nonbasic_.end(), nonbasic) - nonbasic_.begin());
@@ -117,7 +117,7 @@ std::optional<MatrixXd> exchanged(const MatrixXd& m, const VectorXd& q, const st
     right << MatrixXd::Identity(basic, basic), -all(in, columns);
     const std::optional<MatrixXd> solved = solve_square_columns(m(in, in), right);
     if (!solved) return std::nullopt;
-    const MatrixXd coupling = m(out, in) * *solved;
+    const MatrixXd coupling = product(m(out, in), *solved);
     MatrixXd exchanged(n, n + 1);
     for (Index j = 0; j < basic; ++j) {
         exchanged(in, Eigen::all).col(in[of(j)] + 1) = solved->col(j);

@@ -2,9 +2,9 @@
 #include "solver/linear_algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <vector>
 
 #include "solver/linear_algebra/blas.hpp"
 #include "src/base/ensure.hpp"
@@ -59,11 +59,37 @@ std::optional<VectorXd> solve_square(const MatrixXd& a, const VectorXd& b) {
 std::optional<MatrixXd> solve_square_columns(const MatrixXd& a, const MatrixXd& b) {
     ENSURE(a.rows() == a.cols() && a.rows() == b.rows(), rows_differ);
     if (b.size() == 0) return b;
-    const Eigen::PartialPivLU<MatrixXd> factor(a);
-    if (!(factor.rcond() > singular)) return std::nullopt;
-    MatrixXd x = factor.solve(b);
-    x += factor.solve(b - a * x);
+    const int n = static_cast<int>(a.rows()), columns = static_cast<int>(b.cols());
+    MatrixXd factor = a;
+    std::vector<int> pivots(static_cast<std::size_t>(n)), work_of_ints(static_cast<std::size_t>(n));
+    int info = 0;
+    dgetrf_(&n, &n, factor.data(), &n, pivots.data(), &info);
+    if (info != 0) return std::nullopt;
+    const double norm = a.cwiseAbs().colwise().sum().maxCoeff();
+    double reciprocal = 0;
+    VectorXd work(4 * n);
+    dgecon_("1", &n, factor.data(), &n, &norm, &reciprocal, work.data(), work_of_ints.data(), &info);
+    if (!(reciprocal > singular)) return std::nullopt;
+    const auto solve = [&](MatrixXd x) {
+        dgetrs_("N", &n, &columns, factor.data(), &n, pivots.data(), x.data(), &n, &info);
+        return x;
+    };
+    MatrixXd x = solve(b);
+    x += solve(b - product(a, x));
     return x;
+}
+
+MatrixXd product(const MatrixXd& a, const MatrixXd& b) {
+    MatrixXd c = MatrixXd::Zero(a.rows(), b.cols());
+    add_product(a, b, c);
+    return c;
+}
+
+void add_product(const MatrixXd& a, const MatrixXd& b, MatrixXd& c) {
+    ENSURE(a.cols() == b.rows() && c.rows() == a.rows() && c.cols() == b.cols(), "a product has its factors' sizes");
+    const int m = static_cast<int>(a.rows()), n = static_cast<int>(b.cols()), k = static_cast<int>(a.cols());
+    const double one = 1;
+    if (m > 0 && n > 0 && k > 0) dgemm_("N", "N", &m, &n, &k, &one, a.data(), &m, b.data(), &k, &one, c.data(), &m);
 }
 
 bool Cholesky::compute(MatrixXd a) {
