@@ -24,8 +24,9 @@ constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the r
 constexpr double first_fraction = 1e-6;   // of the foundation's stiffness: the first term
 constexpr int friction_passes = 12, friction_reduced_passes = 7;
 /// Creep: the term, of the foundation's stiffness; what it bears, of the loads and of the pass before, where the bodies slide,
-/// and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the contacts.
-constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-4, creep_is_slow = 0.9;
+/// where they may, and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the
+/// contacts.
+constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-4, creep_is_slow = 0.9, creep_halves = 0.5;
 constexpr int creep_passes = 24, steady_passes = 4;
 /// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
 constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
@@ -193,7 +194,7 @@ Creep creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& s
         const double way = goes_on ? way_to_stop(shifted, motion, state, result.active) : 0;
         steady = goes_on && way <= 1 ? steady + 1 : 0;
         if (steady >= steady_passes) return sliding_in(qp, state, motion);
-        if (is_slow && !goes_on) term.stiffness *= 0.1;
+        if (pass > 0 && borne > creep_halves * borne_before && !goes_on) term.stiffness *= 0.1;
         term.anchor = state.amplitudes + (way > 1 ? way - 1 : 0) * motion;
     }
     return {};

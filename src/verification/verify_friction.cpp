@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coulomb friction: sheared cylinders (F1, F2), any profile by its pressures under two loads (F3), a cylinder sheared on a
 // block that is pulled (F4), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to F8), a shrink fit that
-// carries a moment (F9), rough faces (F11), what holds in every answer (F12), steps whose order
+// carries a moment (F9), a band around a drum (F10), rough faces (F11), what holds in every answer (F12), steps whose order
 // does not count (H3).
 #include <algorithm>
 #include <cmath>
@@ -267,6 +267,16 @@ std::vector<VerifyProblem> limits() {
                    {"in rotates about (0, 0)", "friction of 0.22 would hold it"})};
 }
 
+/// Euler [1769]: slipping all over, tensions are as exp(mu beta); the band's thickness is a hundredth of the radius.
+VerifyProblem band() {
+    const auto ratio = [](const Answers& a) { return 1000 / std::abs(a[0].reactions.at(1).force.x()); };
+    return {"F10-band",
+            "a thin band over a quarter of a drum: the pull at one end over that at the other",
+            {{"verification/friction_band.json"}},
+            {{"ratio of tensions", ratio, std::exp(0.3 * std::numbers::pi / 2), 0.01},
+             {"forces and moments without balance", imbalance, 0, 1e-6, 1}}};
+}
+
 VerifyProblem shrink_fit() {
     constexpr double limit = 0.2 * 23.4375;
     const auto shear_error = [](const Answers& a) {
@@ -357,6 +367,7 @@ std::vector<VerifyProblem> friction_problems() {
     using namespace verify_friction;
     std::vector<VerifyProblem> problems{sheared_cylinders(0.2), sheared_cylinders(0.5), sheared_cylinders(0.9), cycles()};
     for (const auto& group : {slopes(), ladders(), limits()}) problems.insert(problems.end(), group.begin(), group.end());
+    problems.push_back(band());
     problems.push_back(shrink_fit());
     problems.push_back(rough());
     problems.push_back(any_profile());
