@@ -18,9 +18,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double least_pivot = 1e-11;                   // of the largest entry of the column
-constexpr int pivots_a_row = 6, pivots_a_row_near = 1;  // near: from an expected set, which is given up sooner
-constexpr Index exchanges_together = 32;                // so many are one product of matrices: the table is passed through less
+constexpr double least_pivot = 1e-11;  // of the largest entry of the column
+/// Before a path is given up; most take n pivots as loads grow, 5 n otherwise, fewer from an expected set.
+constexpr int pivots_a_row = 6, pivots_a_row_as_loads_grow = 2, pivots_a_row_near = 1;
+constexpr Index exchanges_together = 32;  // so many are one product of matrices: the table is passed through less
 
 std::size_t of(Index i) {
     return static_cast<std::size_t>(i);
@@ -178,9 +179,8 @@ std::optional<VectorXd> complementary(const MatrixXd& matrix, const VectorXd& q,
     for (Index i = 0; i < n; ++i) basic[of(i)] = i;
     MatrixXd table(n, n + 1);
     table << moved, matrix;
-    // from nothing: what all rows lack is given way to at one rate, as if loads grew; the other columns of a cover may end
-    // where this one does not
-    if (auto z = pivoted(table, (-q).cwiseMax(0) / largest, basic, pivots_a_row * n)) return z;
+    // from nothing: what all rows lack is given way to at one rate, as if loads grew; what that does not find, others may
+    if (auto z = pivoted(table, (-q).cwiseMax(0) / largest, basic, pivots_a_row_as_loads_grow * n)) return z;
     return pivoted(std::move(table), VectorXd::Ones(n), std::move(basic), pivots_a_row * n);
 }
 
