@@ -175,9 +175,16 @@ std::optional<bool> read_flag(SceneReading& reading, const JsonValue& value) {
 }
 
 std::optional<std::string> read_text(SceneReading& reading, const JsonValue& value) {
-    if (value.kind == Kind::string && !value.text.empty()) return value.text;
-    report_problem(reading, value,
-                   value.kind == Kind::string ? "this text is empty" : "expected a text, found " + described(value));
+    const auto is_control = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
+    if (value.kind != Kind::string)
+        report_problem(reading, value, "expected a text, found " + described(value));
+    else if (value.text.empty())
+        report_problem(reading, value, "this text is empty");
+    else if (std::any_of(value.text.begin(), value.text.end(), is_control))
+        report_problem(reading, value, "this text holds a control character, which files and tables cannot show",
+                       "write it in one line without tabs");
+    else
+        return value.text;
     return std::nullopt;
 }
 

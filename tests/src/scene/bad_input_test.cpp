@@ -74,6 +74,7 @@ TEST(BadInput, misspelt_keys_and_words) {
               "'planestrain'; did you "
               "mean \"plane_strain\"?"},
              {"\"R\": 1", "\"R\": 1, \"R\": 2", "s.json:2 /parameters/R: the key 'R' is given twice"},
+             {"\"name\": \"disc\"", "\"name\": \"di\\u0000sc\"", "s.json:6 /parts/1/name: this text holds a control character"},
          }) {
         expect_one_problem(c);
     }
