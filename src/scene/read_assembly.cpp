@@ -87,18 +87,21 @@ PartPlan plan_part(const PartRules& rules, const std::string& part, const std::s
     return plan;
 }
 
-void check_rules_used(SceneReading& reading, const PartRules& rules, const std::vector<std::string>& layers,
+void check_rules_used(SceneReading& reading, const PartRules& rules, const geometry::Drawing& drawing,
                       const geometry::SketchParts& sketch) {
-    std::vector<std::string> known = layers;
+    std::vector<std::string> known = layers_of(drawing);
+    const std::vector<std::string>& drafting = drawing.drafting_layers;
     for (const geometry::Part& part : sketch.parts) {
         if (std::find(known.begin(), known.end(), part.name) == known.end()) known.push_back(part.name);
     }
     for (const auto& [name, rule] : rules) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         // An ignored layer may well hold nothing but texts and dimensions, which are not read.
-        if (!rule.ignore)
-            report_problem(reading, *rule.at, "the drawing has no part '" + shortened(name) + "'",
-                           nearest_name_hint(name, known));
+        if (rule.ignore) continue;
+        const bool is_drafting = std::find(drafting.begin(), drafting.end(), name) != drafting.end();
+        report_problem(reading, *rule.at, "the drawing has no part '" + shortened(name) + "'",
+                       is_drafting ? "the layer was left out for its name, as drafting: \"keep_drafting\": true takes it"
+                                   : nearest_name_hint(name, known));
     }
 }
 
@@ -108,12 +111,34 @@ int default_material(SceneReading& reading, const JsonValue& assembly, Scene& sc
     return name ? read_material_name(reading, *name, scene).value_or(-1) : -1;
 }
 
+ImportRecord& record_of(const ImportedDrawing& import, Imports& imports) {
+    return *std::find_if(imports.records.begin(), imports.records.end(),
+                         [&](const ImportRecord& r) { return r.file == import.drawing.file; });
+}
+
+/// Layers that have a material or another word of the scene's, and no part: whoever wrote that expects one.
+void tell_layers_without_part(const ImportedDrawing& import, const PartRules& rules, const geometry::SketchParts& sketch,
+                              Imports& imports) {
+    for (const auto& [name, rule] : rules) {
+        const auto is_named = [&layer = name](const geometry::Part& part) { return part.name == layer; };
+        if (rule.ignore || std::find(sketch.layers.begin(), sketch.layers.end(), name) != sketch.layers.end() ||
+            std::any_of(sketch.parts.begin(), sketch.parts.end(), is_named))
+            continue;
+        record_of(import, imports)
+            .warnings.push_back({"layer '" + name + "', which has an entry in parts, bounds no part: nothing on it closes an " +
+                                     "outline of its own",
+                                 {0, 0},
+                                 {},
+                                 0,
+                                 "abut inspect shows what was left out, and why; \"ignore\": true says that this is meant"});
+    }
+}
+
 /// Of the parts that are not ignored, by the names that the drawing gives them.
 void tell_views(const ImportedDrawing& import, const std::vector<geometry::Part>& parts, Imports& imports) {
     if (is_solid_file(import.drawing.file)) return;
-    const auto record = std::find_if(imports.records.begin(), imports.records.end(),
-                                     [&](const ImportRecord& r) { return r.file == import.drawing.file; });
-    for (geometry::SketchProblem& warning : geometry::views_of_one_part(parts)) record->warnings.push_back(std::move(warning));
+    for (geometry::SketchProblem& warning : geometry::views_of_one_part(parts))
+        record_of(import, imports).warnings.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -147,7 +172,8 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
                            "the drawing has no region '" + shortened(name) + "'",
                            "abut inspect -o DIR draws them, r1 to r" + std::to_string(sketch->regions.size()));
     }
-    check_rules_used(reading, rules, layers_of(import->drawing), *sketch);
+    check_rules_used(reading, rules, import->drawing, *sketch);
+    if (reading.problems.size() == before) tell_layers_without_part(*import, rules, *sketch, imports);
     // With faults in the rules a part may go by another name than the one meant.
     if (reading.problems.size() > before) reading.all_parts_named = false;
     if (sketch->parts.empty())
