@@ -20,7 +20,8 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 }
 
 /// Solves the contact problem with friction, in these steps:
-/// 0. Where multipliers are expected, step 1 from their states. Usually the end.
+/// 0. Where multipliers are expected, step 1 from their states. Usually the end; else the creep of step 3 from there, which is
+///    the end where bodies come to rest.
 /// 1. Semismooth Newton steps (the primal-dual active set with four states [Hueber05, Alart91]) from the bodies at rest on
 ///    a Winkler foundation, everything that is pressed sticking.
 /// 2. Where that does not end: are there any pressures and tractions within the cones of friction that balance the loads?
@@ -28,13 +29,14 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// 3. Forces within the cones may balance, and elastic bodies not press on each other so, or not there (a shrink fit, round
 ///    bodies). Passes of step 1 under a proximal term on the amplitudes, a brake that gives way from pass to pass (creep):
 ///    where it bears as much of the loads in the end, the bodies slide. That motion is the mechanism, and the same is tried
-///    with larger coefficients until they rest. Finer
-///    rows may press elsewhere: the state in which they slide is given as well (feasible, not converged, with a mechanism).
+///    with larger coefficients until they rest. Finer rows may press elsewhere: the state in which they slide is given as well
+///    (feasible, not converged, with a mechanism).
 /// 4. Step 1 from where the creep ended, else passes of step 1 under a term that is reduced tenfold each time. Each pass tries
-/// the set without the term. In 3 and 4, where a set comes back rows change one at a time; where that does not end, Lemke's
-/// pivots find the states of the linear complementarity problem that it is [Klarbring86]. Converged is what meets all
-/// conditions. Several answers are possible where coefficients are large: a second search then begins with everything slipping,
-/// and where it finds another answer that is told (is_one_of_several).
+///    the set without the term.
+/// In 3 and 4, where a set comes back rows change one at a time; where that does not end, Lemke's pivots find the states of the
+/// linear complementarity problem that it is [Klarbring86], beginning with those of the pass before. Converged is what meets
+/// all conditions. Several answers are possible where coefficients are large: a second search then begins with everything
+/// slipping, and where it finds another answer that is told (is_one_of_several).
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// The largest violation of the conditions, scaled like contact_residual. Tractions beyond their bound are relative to the
