@@ -129,8 +129,9 @@ bool is_outside(const Point& direction, const Wedge& wedge) {
            (is_negative(dot(direction, wedge.first)) && is_negative(dot(direction, wedge.last)));
 }
 
+/// Where two wedges overlap, one begins in the other.
 bool wedges_part(const Wedge& a, const Wedge& b) {
-    return is_outside(a.first, b) && is_outside(a.last, b) && is_outside(b.first, a) && is_outside(b.last, a);
+    return is_outside(a.first, b) && is_outside(b.first, a);
 }
 
 Plane::Point_2 plane_point(const Vec2& p) {
