@@ -1,4 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// 1. The outline becomes lines and arcs of at most half a turn between doubles (`pieces_of`).
+// 2. Pairs whose boxes come together: interval arithmetic proves most of them to have nothing but corners in common
+//    (clear_pieces); the rest is intersected exactly.
+// 3. Then the winding numbers beside a loop are the same all along it, but for corners that others share. One point of each
+//    stretch between such corners is asked for them, along a ray, exactly.
+// 4. Where this does not prove the outline right, the sweep of CGAL makes an arrangement of all of it, says whether it is, and
+//    what is wrong.
 #include "geometry/csg/exact_outline.hpp"
 
 #include <CGAL/Arr_circle_segment_traits_2.h>
@@ -12,11 +19,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
+#include "geometry/brep/edge_tree.hpp"
+#include "geometry/csg/clear_pieces.hpp"
 #include "geometry/curves/arc_spline.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::geometry {
 
@@ -47,17 +58,17 @@ const PlaneCurve& piece_in(const Made& made) {
         return boost::get<PlaneCurve>(made);
 }
 
-/// Appends the line or arc from `from` over the middle of `curve` to `to`.
-void append(const Curve& curve, const Vec2& from, const Vec2& to, std::vector<PlaneCurve>& outline) {
-    const Kernel::Point_2 begin = corner_at(from), end = corner_at(to), middle = corner_at(point(curve, 0.5));
-    if (std::holds_alternative<Segment>(curve) || CGAL::collinear(begin, middle, end)) {
+/// Appends the line or arc in pieces along which x is monotone.
+void append(const OutlinePiece& piece, std::vector<PlaneCurve>& outline) {
+    const Kernel::Point_2 begin = corner_at(piece.from), end = corner_at(piece.to);
+    if (piece.turn == 0) {
         outline.emplace_back(begin, end);
         return;
     }
     const auto take = [&](const auto& made) {
         if constexpr (!std::is_same_v<std::decay_t<decltype(made)>, PlaneTraits::Point_2>) outline.push_back(piece_in(made));
     };
-    PlaneTraits().make_x_monotone_2_object()(PlaneTraits::Curve_2(begin, middle, end),
+    PlaneTraits().make_x_monotone_2_object()(PlaneTraits::Curve_2(begin, corner_at(piece.middle), end),
                                              boost::make_function_output_iterator(take));
 }
 
@@ -70,17 +81,212 @@ std::vector<Curve> simple_pieces(const Curve& curve, double tolerance) {
     return pieces;
 }
 
-std::vector<PlaneCurve> outline_of(const Part& part) {
+using Pieces = std::vector<OutlinePiece>;
+
+/// The pieces of each loop, head to tail.
+std::vector<Pieces> pieces_of(const Part& part) {
     const double tolerance = arc_spline_fraction * bounding_box(part).diagonal();
-    std::vector<PlaneCurve> outline;
+    std::vector<Pieces> loops;
     for (const Loop& loop : part.loops) {
-        std::vector<Curve> pieces;
-        for (const int e : loop.edges)
-            for (Curve& piece : simple_pieces(curve_of(part, e), tolerance)) pieces.push_back(std::move(piece));
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-            append(pieces[i], point(pieces[i], 0), point(pieces[(i + 1) % pieces.size()], 0), outline);
+        Pieces& pieces = loops.emplace_back();
+        for (const int e : loop.edges) {
+            const std::size_t first = pieces.size();
+            for (const Curve& curve : simple_pieces(curve_of(part, e), tolerance)) {
+                pieces.push_back({point(curve, 0), point(curve, 0.5), {0, 0}, 0, pieces.size() == first});
+                if (std::holds_alternative<Segment>(curve)) pieces.back().middle = pieces.back().from;
+            }
+        }
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            OutlinePiece& piece = pieces[i];
+            piece.to = pieces[(i + 1) % pieces.size()].from;
+            piece.turn = CGAL::orientation(corner_at(piece.from), corner_at(piece.middle), corner_at(piece.to));
+        }
     }
-    return outline;
+    return loops;
+}
+
+/// Have two pieces nothing in common but the corners that they share, and what is rounding there?
+bool meet_at_corners_only(const OutlinePiece& a, const OutlinePiece& b, double same) {
+    std::vector<PlaneCurve> first, second;
+    append(a, first);
+    append(b, second);
+    const std::vector<Vec2> shared = shared_corners(a, b);
+    const auto is_harmless = [&](const PlaneTraits::Point_2& p) {
+        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
+            if (p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())))) return true;
+            const bool begins = (corner == a.from && a.begins_edge) || (corner == b.from && b.begins_edge);
+            return begins && (place_of(p) - corner).norm() <= same;
+        });
+    };
+    bool is_clear = true;
+    for (const PlaneCurve& one : first)
+        for (const PlaneCurve& other : second)
+            one.intersect(other, boost::make_function_output_iterator([&](const auto& common) {
+                              const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common);
+                              is_clear = is_clear && crossing && is_harmless(crossing->first);
+                          }));
+    return is_clear;
+}
+
+/// Where more pairs of boxes come together for each piece (rings in rings), the sweep is the cheaper way.
+constexpr std::size_t most_pairs_of_piece = 100;
+
+bool all_meet_at_corners_only(const std::vector<HulledPiece>& pieces, const EdgeTree& tree, double same) {
+    std::size_t n_pairs = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        for (const int found : tree.near(pieces[i].box, 0)) {
+            const std::size_t j = at(found);
+            if (j <= i) continue;
+            if (++n_pairs > most_pairs_of_piece * pieces.size()) return false;
+            if (!clearly_meet_at_corners_only(pieces[i], pieces[j]) &&
+                !meet_at_corners_only(pieces[i].piece, pieces[j].piece, same))
+                return false;
+        }
+    }
+    return true;
+}
+
+/// A point of a piece, and that point moved up by some d as small as you like, and to the right by d^1.5: it is on no chord and
+/// no circle. A line's is exactly in its middle.
+struct Place {
+    Kernel::Point_2 at;
+    Box2 box;
+};
+
+Place place_on(const OutlinePiece& piece) {
+    const Kernel::Point_2 p =
+        piece.turn == 0 ? CGAL::midpoint(corner_at(piece.from), corner_at(piece.to)) : corner_at(piece.middle);
+    const auto [x0, x1] = CGAL::to_interval(p.x());
+    const auto [y0, y1] = CGAL::to_interval(p.y());
+    return {p, {{x0, y0}, {x1, y1}}};
+}
+
+bool is_right_of(double x, const Place& place) {
+    if (x > place.box.max.x() || x < place.box.min.x()) return x > place.box.max.x();
+    return place.at.x() < x;
+}
+
+/// Is the place, moved, on the left of the chord?
+bool is_left_of_chord(const OutlinePiece& piece, const Place& place) {
+    const CGAL::Orientation side = CGAL::orientation(corner_at(piece.from), corner_at(piece.to), place.at);
+    if (side != CGAL::COLLINEAR) return side == CGAL::LEFT_TURN;
+    return piece.from.x() < piece.to.x() || (piece.from.x() == piece.to.x() && piece.from.y() > piece.to.y());
+}
+
+/// Is the place, moved, within the arc's circle?
+bool is_in_circle(const OutlinePiece& arc, const Place& place) {
+    const Kernel::Point_2 a = corner_at(arc.from), m = corner_at(arc.middle), b = corner_at(arc.to);
+    const CGAL::Bounded_side side = CGAL::side_of_bounded_circle(a, m, b, place.at);
+    if (side != CGAL::ON_BOUNDARY) return side == CGAL::ON_BOUNDED_SIDE;
+    const Kernel::Point_2 center = CGAL::circumcenter(a, m, b);
+    const CGAL::Comparison_result up = CGAL::compare_y(place.at, center);
+    return up == CGAL::SMALLER || (up == CGAL::EQUAL && CGAL::compare_x(place.at, center) == CGAL::SMALLER);
+}
+
+/// By how much a piece whose box the place is in raises its winding number, moved: by the chord if that is above, and by what
+/// is between arc and chord if the place is there.
+int winding_by(const OutlinePiece& piece, const Place& place) {
+    const int runs_left = is_right_of(piece.from.x(), place) - is_right_of(piece.to.x(), place);
+    const bool is_left = is_left_of_chord(piece, place);
+    const int by_chord = is_left == (runs_left > 0) ? runs_left : 0;
+    return piece.turn != 0 && is_left == (piece.turn < 0) && is_in_circle(piece, place) ? by_chord + piece.turn : by_chord;
+}
+
+/// Numbers by rank, which change, and their sums (a binary indexed tree).
+class Sums {
+public:
+    explicit Sums(std::size_t n) : sums_(n + 1) {}
+    void add(std::size_t rank, int number) {
+        for (std::size_t i = rank + 1; i < sums_.size(); i += i & (~i + 1)) sums_[i] += number;
+    }
+    /// Of the first `n`.
+    int of_first(std::size_t n) const {
+        int sum = 0;
+        for (; n > 0; n -= n & (~n + 1)) sum += sums_[n];
+        return sum;
+    }
+
+private:
+    std::vector<int> sums_;
+};
+
+/// What the pieces whose boxes are above a place add to its winding number, for each place: 1 for each that begins right of it,
+/// -1 for each that ends there. Both are taken from the top down.
+std::vector<int> windings_from_above(const std::vector<HulledPiece>& pieces, const std::vector<Place>& places) {
+    std::vector<double> xs;
+    for (const HulledPiece& p : pieces) xs.push_back(p.piece.from.x());
+    std::sort(xs.begin(), xs.end());
+    const auto rank = [&](double x) {
+        return static_cast<std::size_t>(std::lower_bound(xs.begin(), xs.end(), x) - xs.begin());
+    };
+    const auto from_the_top = [](std::size_t n, const auto& y_of) {
+        std::vector<std::size_t> order(n);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return y_of(i) > y_of(j); });
+        return order;
+    };
+    const auto bottom = [&](std::size_t i) { return pieces[i].box.min.y(); };
+    const auto top = [&](std::size_t i) { return places[i].box.max.y(); };
+    const std::vector<std::size_t> order = from_the_top(pieces.size(), bottom);
+    Sums begun(xs.size());
+    std::vector<int> windings(places.size());
+    auto next = order.begin();
+    for (const std::size_t k : from_the_top(places.size(), top)) {
+        for (; next != order.end() && bottom(*next) > top(k); ++next) {
+            begun.add(rank(pieces[*next].piece.from.x()), 1);
+            begun.add(rank(pieces[*next].piece.to.x()), -1);
+        }
+        const auto right = std::partition_point(xs.begin(), xs.end(), [&](double x) { return !is_right_of(x, places[k]); });
+        windings[k] = -begun.of_first(static_cast<std::size_t>(right - xs.begin()));  // as many begin as end
+    }
+    return windings;
+}
+
+/// Is there material on the left of each of `asked`, in its middle, and none on its right?
+bool are_turned_right(const std::vector<HulledPiece>& pieces, const EdgeTree& tree, const Pieces& asked) {
+    std::vector<Place> places;
+    for (const OutlinePiece& piece : asked) places.push_back(place_on(piece));
+    std::vector<int> windings = windings_from_above(pieces, places);
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        for (const int i : tree.near(places[k].box, 0))
+            if (pieces[at(i)].box.min.y() <= places[k].box.max.y()) windings[k] += winding_by(pieces[at(i)].piece, places[k]);
+        const bool is_left = asked[k].turn == 0 ? is_left_of_chord(asked[k], places[k])
+                                                : is_in_circle(asked[k], places[k]) == (asked[k].turn > 0);
+        if (windings[k] != (is_left ? 1 : 0)) return false;
+    }
+    return true;
+}
+
+bool comes_before(const Vec2& a, const Vec2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+/// Corners that several pieces begin at, sorted.
+std::vector<Vec2> touched_corners(const std::vector<Pieces>& loops) {
+    std::vector<Vec2> corners, touched;
+    for (const Pieces& loop : loops)
+        for (const OutlinePiece& piece : loop) corners.push_back(piece.from);
+    std::sort(corners.begin(), corners.end(), comes_before);
+    for (std::size_t i = 1; i < corners.size(); ++i)
+        if (corners[i] == corners[i - 1]) touched.push_back(corners[i]);
+    return touched;
+}
+
+/// The longest piece of each stretch of the loops between touched corners.
+Pieces longest_of_stretches(const std::vector<Pieces>& loops) {
+    const std::vector<Vec2> touched = touched_corners(loops);
+    const auto length_of = [](const OutlinePiece& piece) { return (piece.to - piece.from).norm(); };
+    Pieces longest;
+    for (const Pieces& loop : loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const bool begins = i == 0 || std::binary_search(touched.begin(), touched.end(), loop[i].from, comes_before);
+            if (begins)
+                longest.push_back(loop[i]);
+            else if (length_of(loop[i]) > length_of(longest.back()))
+                longest.back() = loop[i];
+        }
+    }
+    return longest;
 }
 
 /// Where outlines were cut that should have nothing but corners in common, and how many cuts were found that are none but
@@ -154,8 +360,34 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
 
 }  // namespace
 
+bool is_surely_right(const Part& part) {
+    const double same = merge_length(part);
+    const std::vector<Pieces> loops = pieces_of(part);
+    std::vector<HulledPiece> pieces;
+    std::vector<Box2> boxes;
+    for (const Pieces& loop : loops)
+        for (const OutlinePiece& piece : loop) {
+            pieces.push_back(hulled(piece));
+            boxes.push_back(pieces.back().box);
+            if (boxes.back().empty() || piece.from == piece.to) return false;
+        }
+    const EdgeTree tree(boxes);
+    if (!all_meet_at_corners_only(pieces, tree, same)) return false;
+    const Pieces asked = longest_of_stretches(loops);
+    // The middle of a longer piece is beyond what is rounding at its ends.
+    const auto is_long = [&](const OutlinePiece& piece) { return (piece.to - piece.from).norm() > 4 * same; };
+    return std::all_of(asked.begin(), asked.end(), is_long) && are_turned_right(pieces, tree, asked);
+}
+
 std::optional<OutlineFault> exact_fault(const Part& part) {
-    const std::vector<PlaneCurve> outline = outline_of(part);
+    if (is_surely_right(part)) return std::nullopt;
+    return swept_fault(part);
+}
+
+std::optional<OutlineFault> swept_fault(const Part& part) {
+    std::vector<PlaneCurve> outline;
+    for (const Pieces& loop : pieces_of(part))
+        for (const OutlinePiece& piece : loop) append(piece, outline);
     Arrangement arrangement;
     CGAL::insert(arrangement, outline.begin(), outline.end());
     const Cuts cuts = cuts_of(arrangement, part);

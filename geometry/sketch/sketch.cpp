@@ -24,7 +24,6 @@
 #include "geometry/sketch/sketch_outlines.hpp"
 #include "geometry/sketch/sketch_pins.hpp"
 #include "geometry/sketch/sketch_silhouettes.hpp"
-#include "geometry/sketch/sketch_winding.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -328,12 +327,10 @@ void tell_repairs(SketchParts& sketch) {
 }
 
 void check_exactly(SketchParts& sketch) {
-    for (const Part& part : sketch.parts) {
-        if (is_convex(part)) continue;  // exact arithmetic takes a millisecond for an ellipse
+    for (const Part& part : sketch.parts)
         if (const std::optional<OutlineFault> fault = exact_fault(part))
             sketch.problems.push_back(
                 {"part " + part.name + ": " + fault->what + " near " + place_text(fault->at), fault->at, "", 0, fault->hint});
-    }
 }
 
 SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {

@@ -35,22 +35,6 @@ double signed_turning(const Curve& curve) {
 
 }  // namespace
 
-bool is_convex(const Part& part) {
-    constexpr double cusp_angle = 1e-3, rounding = 1e-9, least_area = 1e-9;  // of the perimeter's square
-    if (part.loops.size() != 1) return false;
-    double sum = 0;
-    for (std::size_t i = 0; i < part.edges.size(); ++i) {
-        const Curve &curve = part.edges[i].curve, &next = part.edges[(i + 1) % part.edges.size()].curve;
-        if (std::holds_alternative<Spline>(curve) || (point(curve, 1) - point(next, 0)).norm() > merge_length(part))
-            return false;
-        const double corner = angle_between(unit_tangent(curve, 1), unit_tangent(next, 0)), along = signed_turning(curve);
-        if (corner > std::numbers::pi - cusp_angle || corner < -rounding || along < 0) return false;
-        sum += along + corner;
-    }
-    const double around = perimeter(part);
-    return std::abs(sum - 2 * std::numbers::pi) <= cusp_angle && area(part) > least_area * around * around;
-}
-
 std::optional<int> turning_number(const std::vector<Edge>& chain) {
     constexpr double cusp_angle = 1e-3;  // this close to a half turn, tangents of joined curves do not tell its sense
     double sum = 0;

@@ -13,9 +13,4 @@ namespace abut::geometry {
 /// a turn open.
 std::optional<int> turning_number(const std::vector<Edge>& chain);
 
-/// Is the part one loop of lines, circles and ellipses that only turns left, once around, and is no sliver? Then it is convex
-/// but for rounding, and cannot cross itself: a closed curve that does turns by more than that in all. False also where that is
-/// not certain.
-bool is_convex(const Part& part);
-
 }  // namespace abut::geometry

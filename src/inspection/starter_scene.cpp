@@ -126,9 +126,8 @@ std::string units_line(const geometry::Drawing& drawing, const SceneUnits& units
 void write_material(std::ostream& out, const geometry::Drawing& drawing, const SceneUnits& units, const std::string& name) {
     const Material material = material_from_library(name, units);
     if (drawing.replaced_unit.empty() && (drawing.unit.empty() || drawing.unit == units.length)) {
-        out << "  // The library has steel, aluminium, cast iron, brass, POM and more (abut help materials); \"materials\": "
-               "{\"own\": "
-               "{\"E\": \"70 GPa\", \"nu\": 0.33}} defines others.\n";
+        out << "  // The library has steel, aluminium, cast iron, brass, POM and more (abut help scene.materials); "
+               "\"materials\": {\"own\": {\"E\": \"70 GPa\", \"nu\": 0.33}} defines others.\n";
         return;
     }
     out << "  \"materials\": {" << quoted(name) << ": {\"E\": " << nlohmann::json(material.E).dump()

@@ -40,7 +40,8 @@ const std::map<std::string, std::vector<std::string>> rooms{
 const std::string common_room = "src/base/";
 
 /// These compile slowly and need flags of their own.
-const std::vector<std::string> cgal_files{"geometry/csg/exact_regions.cpp", "geometry/csg/exact_outline.cpp"};
+const std::vector<std::string> cgal_files{"geometry/csg/exact_regions.cpp", "geometry/csg/exact_outline.cpp",
+                                          "geometry/csg/clear_pieces.cpp"};
 
 /// Headers of libraries that stay hidden in .cpp files, wherever they are installed.
 const std::regex hidden_library(

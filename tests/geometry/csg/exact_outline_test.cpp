@@ -137,6 +137,91 @@ void expect_agreement(unsigned seed, int n) {
     EXPECT_LT(n_right, 4 * n / 5);
 }
 
+/// A region with a few random loops in it, some of which touch, lie in each other, cross, or run the wrong way round. All
+/// coordinates are small multiples of a quarter, turned by an angle: corners are shared, circles touch, lines are collinear.
+Part random_region(std::mt19937& random) {
+    std::uniform_int_distribution<int> count(1, 3), kind(0, 5), place(1, 24), size(1, 6), turns(0, 7);
+    std::vector<std::vector<Curve>> loops{box(0, 0, 7, 7)};
+    for (int n = count(random); n > 0; --n) {
+        const double x = 0.25 * place(random), y = 0.25 * place(random), r = 0.25 * size(random), s = 0.25 * size(random);
+        std::vector<Curve> loop;
+        switch (kind(random)) {
+            case 0:
+                loop = disc(x, y, r);
+                break;
+            case 1:  // a slot
+                loop = {Arc{{x, y}, r, pi / 2, pi}, Segment{{x, y - r}, {x + s, y - r}}, Arc{{x + s, y}, r, -pi / 2, pi},
+                        Segment{{x + s, y + r}, {x, y + r}}};
+                break;
+            case 2:
+                loop = closed({{x, y}, {x + r, y}, {x + s, y + s}});
+                break;
+            case 3:  // half a disc
+                loop = {Arc{{x, y}, r, 0, pi}, Segment{{x - r, y}, {x + r, y}}};
+                break;
+            case 4:
+                loop = {EllipticArc{{x, y}, {r, 0}, {0, s}, 0, 2 * pi}};
+                break;
+            default:
+                loop = box(x, y, x + r, y + s);
+        }
+        loops.push_back(turns(random) == 0 ? loop : backwards(loop));
+    }
+    const double angle = turns(random) < 4 ? 0 : place(random);
+    return transformed(part_of(loops), std::cos(angle), std::sin(angle), {0.1 * size(random), 0});
+}
+
+/// The proof must hold against the sweep of the whole outline, and nearly all that is right be proved.
+template <class Make>
+void expect_proofs(int n, const Make& make) {
+    int n_right = 0, n_proved = 0;
+    for (int k = 0; k < n; ++k) {
+        const Part part = make();
+        const bool is_right = !swept_fault(part), is_proved = is_surely_right(part);
+        EXPECT_TRUE(is_right || !is_proved) << "outline " << k;
+        n_right += is_right;
+        n_proved += is_proved;
+    }
+    EXPECT_GE(n_proved, 0.98 * n_right);
+    EXPECT_GT(n_right, n / 10);
+    EXPECT_LT(n_right, n * 9 / 10);
+}
+
+void expect_all_proofs(unsigned seed, int n) {
+    std::mt19937 random(seed);
+    expect_proofs(n, [&] { return random_region(random); });
+    expect_proofs(n, [&] {
+        const std::vector<Curve> loop = random_loop(random);
+        return part_of({area(part_of({loop})) > 0 ? loop : backwards(loop)});
+    });
+}
+
+TEST(ExactOutline, WhatIsProvedTheSweepFindsRight) {
+    expect_all_proofs(24, 1000);
+}
+
+TEST(LongExactOutline, WhatIsProvedTheSweepFindsRight) {
+    expect_all_proofs(25, 10000);
+}
+
+/// A plate with rows of slots.
+TEST(ExactOutline, LargeOutlinesAreProved) {
+    std::vector<std::vector<Curve>> loops{box(-1, -1, 80, 80)};
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j) {
+            const double x = 2 * i, y = 2 * j;
+            loops.push_back(backwards({Arc{{x, y}, 0.4, pi / 2, pi}, Segment{{x, y - 0.4}, {x + 0.6, y - 0.4}},
+                                       Arc{{x + 0.6, y}, 0.4, -pi / 2, pi}, Segment{{x + 0.6, y + 0.4}, {x, y + 0.4}}}));
+        }
+    EXPECT_TRUE(is_surely_right(part_of(loops)));
+    loops.push_back(loops[700]);
+    EXPECT_FALSE(is_surely_right(part_of(loops))) << "one slot twice";
+    loops.back() = backwards(disc(0.3, 0, 0.1));
+    EXPECT_FALSE(is_surely_right(part_of(loops))) << "a hole in a hole";
+    loops.back() = disc(0.3, 0, 0.1);
+    EXPECT_TRUE(is_surely_right(part_of(loops))) << "an island";
+}
+
 TEST(ExactOutline, AgreesWithOurOwnChecksOnRandomRegions) {
     expect_agreement(22, 1000);
 }
