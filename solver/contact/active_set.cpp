@@ -247,8 +247,8 @@ SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, Active
         shifted, [&] { return solve_on(shifted, proximal, active, factor, state); }, active, state, iterations);
 }
 
-SetSearch pivot_by_blocks(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
-                          ContactState& state, int& iterations) {
+SetSearch pivot_by_blocks(const ShiftedQp& shifted, const Proximal& proximal, bool one_by_one, ActiveSet& active,
+                          ClosedFactor& factor, ContactState& state, int& iterations) {
     ActiveSet best;  // of the fewest rows that want to change, with the last of them changed
     std::size_t fewest = active.size() + 1;
     int left = patience;
@@ -269,6 +269,8 @@ SetSearch pivot_by_blocks(const ShiftedQp& shifted, const Proximal& proximal, Ac
         --left;
         if (left > 0)
             active = std::move(next);
+        else if (!one_by_one)
+            return SetSearch::repeated;
         else if (left == 0)
             active = best;
         else

@@ -34,11 +34,15 @@ struct HeldAnswer {
     ContactQpResult result;
 
     HeldAnswer(ContactQp of_all, Eigen::MatrixXd motions);
+    /// The answer from a neighbour's, whose multipliers are those expected, if it is found from there. start: its amplitudes.
+    HeldAnswer(ContactQp of_all, Eigen::MatrixXd motions, const Eigen::VectorXd& start);
     bool has_answer() const { return result.feasible && result.converged; }
 };
 /// Under the motions that something resists. Where pressures on few cells are too far from the balance of the others, under
-/// these, too: their amplitudes mean nothing. levers: as of `balanced`.
-HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Eigen::MatrixXd& levers);
+/// these, too: their amplitudes mean nothing. levers: as of `balanced`. start: amplitudes of a neighbour's answer under all of
+/// these; empty: none is known.
+HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Eigen::MatrixXd& levers,
+                      const Eigen::VectorXd& start = {});
 
 /// A solution in which pressures and constraint forces are not filled in: multipliers has them, by row; empty with a mechanism.
 struct RowsSolution {

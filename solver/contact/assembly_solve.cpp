@@ -196,17 +196,36 @@ std::optional<VectorXd> balanced(const ContactQp& qp, const MatrixXd& levers, co
     return forces + size.cwiseProduct(change);
 }
 
-HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions) : qp(std::move(of_all)), held(std::move(motions)) {
+namespace {
+
+ContactQp under_motions(ContactQp qp, const MatrixXd& held) {
     qp.modes = times_few(qp.modes, held);
     qp.mode_load = held.transpose() * qp.mode_load;
-    result = solve_contact_qp(qp);
+    return qp;
 }
 
-HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers) {
-    HeldAnswer answer(qp, split.resisted);
-    if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
+}  // namespace
+
+HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions)
+    : qp(under_motions(std::move(of_all), motions)), held(std::move(motions)), result(solve_contact_qp(qp)) {}
+
+HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions, const VectorXd& start)
+    : qp(under_motions(std::move(of_all), motions)), held(std::move(motions)) {
+    const VectorXd lengths = held.colwise().squaredNorm();  // of motions that are orthogonal
+    qp.near = (held.transpose() * start).cwiseQuotient(lengths);
+    solve_from_near(qp, result);
+}
+
+HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const MatrixXd& levers, const VectorXd& start) {
     MatrixXd more(split.resisted.rows(), split.resisted.cols() + split.balanced.cols());
     more << split.resisted, split.balanced;
+    // few contacts are found as soon from where bodies settle, on which those rest that carry nothing
+    if (qp.compliance.is_sparse() && levers.cols() > 0 && start.size() > 0 && qp.expected.size() > 0 && qp.friction.empty()) {
+        HeldAnswer from_start(qp, more, start);
+        if (from_start.has_answer()) return from_start;
+    }
+    HeldAnswer answer(qp, split.resisted);
+    if (levers.cols() == 0 || !answer.has_answer() || balanced(answer.qp, levers, answer.result.multipliers)) return answer;
     ContactQp again = qp;
     again.expected = answer.result.multipliers;
     again.near = VectorXd::Zero(more.cols());
@@ -231,6 +250,25 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem) {
 
 namespace {
 
+/// Amplitudes part by part.
+std::vector<VectorXd> by_part(const std::vector<PartSystem>& parts, const VectorXd& amplitudes) {
+    const std::vector<Index> offset = mode_offsets(parts);
+    std::vector<VectorXd> own;
+    for (std::size_t i = 0; i < parts.size(); ++i) own.emplace_back(amplitudes.segment(offset[i], offset[i + 1] - offset[i]));
+    return own;
+}
+/// All in a row; empty where a part lacks its own.
+VectorXd in_a_row(const std::vector<PartSystem>& parts, const std::vector<VectorXd>& own) {
+    ENSURE(own.empty() || own.size() == parts.size(), "amplitudes are by part");
+    const std::vector<Index> offset = mode_offsets(parts);
+    VectorXd amplitudes(offset.back());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (own.empty() || own[i].size() != offset[i + 1] - offset[i]) return VectorXd(0);
+        amplitudes.segment(offset[i], own[i].size()) = own[i];
+    }
+    return amplitudes;
+}
+
 /// A solution under some rows, before neutral motions are taken.
 struct Attempt {
     RowsSolution answered;
@@ -239,7 +277,9 @@ struct Attempt {
     bool is_balanced = true;  ///< in the neutral motions in which contact forces have levers, too
 };
 
-Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
+/// start: amplitudes, as of `solve_held`.
+Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance,
+                    const VectorXd& start, int threads) {
     Attempt attempt;
     AssemblySolution& solution = attempt.answered.solution;
     Laps laps;
@@ -257,7 +297,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     attempt.is_driven = !solution.mechanism.empty();
     if (attempt.is_driven) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
-    const HeldAnswer held = solve_held(qp, split, levers);
+    const HeldAnswer held = solve_held(qp, split, levers, start);
     solution.iterations = held.result.iterations;
     solution.converged = held.result.converged;
     solution.used_fallback = held.result.used_fallback;
@@ -286,7 +326,9 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
             solution.residual = std::max(solution.residual, (levers.transpose() * answer.forces).cwiseAbs().maxCoeff() /
                                                                 force_scale(held.qp, answer.forces));
     }
-    add_rigid_motions(problem, held.held * (answer.settled + answer.motion), solution);
+    const VectorXd amplitudes = held.held * (answer.settled + answer.motion);
+    add_rigid_motions(problem, amplitudes, solution);
+    if (held.held.cols() > split.resisted.cols()) solution.amplitudes = by_part(problem.parts, amplitudes);
     attempt.answered.multipliers = answer.forces.cwiseQuotient(rows.weight);
     solution.seconds.displacements = laps.lap();
     return attempt;
@@ -402,13 +444,15 @@ private:
 RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance, int threads) {
     RowChoice choice(problem, all);
     SolveSeconds spent;
+    VectorXd start = in_a_row(problem.parts, problem.near);
     for (int iterations = 0;;) {
         const bool is_all = choice.is_all();
-        Attempt attempt = is_all ? solve_under(problem, all, resistance, threads)
-                                 : solve_under(problem, choice.chosen(), resistance, threads);
+        Attempt attempt = is_all ? solve_under(problem, all, resistance, start, threads)
+                                 : solve_under(problem, choice.chosen(), resistance, start, threads);
         AssemblySolution& solution = attempt.answered.solution;
         iterations += solution.iterations;
         spent += solution.seconds;
+        start = in_a_row(problem.parts, solution.amplitudes);
         const bool has_answer = solution.mechanism.empty() && solution.converged && attempt.is_balanced;
         if (!is_all && !attempt.is_driven) {
             if (!has_answer) choice.widen();

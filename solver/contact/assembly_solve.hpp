@@ -43,6 +43,8 @@ struct AssemblyProblem {
     std::vector<double> part_load;   ///< largest load on each part; empty: not known
     /// (2n) by part: the displacements of the state before, from which slips count; empty: none.
     std::vector<Eigen::VectorXd> before;
+    /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
+    std::vector<Eigen::VectorXd> near;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
     /// them slides the body in its own outline.
     std::vector<std::vector<std::array<Vec2, 2>>> own_normals;
@@ -63,9 +65,11 @@ struct AssemblySolution {
     std::vector<Eigen::VectorXd> contact_load;  ///< (2n) by part, contact alone
     std::vector<Eigen::VectorXd> pressure;      ///< by interface
     std::vector<double> constraint_force;       ///< by constraint
-    std::vector<PartMotion> neutral;            ///< motions left out: nothing resists and nothing drives them
-    std::vector<PartMotion> mechanism;          ///< not empty: the loads drive these motions, nothing else is filled in
-    std::vector<PartMotion> sliding;            ///< not empty: they do so at these cells, the rest is how they slide there
+    /// By part, of its free motions, where pressures balance in neutral motions, too, only with these; empty elsewhere.
+    std::vector<Eigen::VectorXd> amplitudes;
+    std::vector<PartMotion> neutral;    ///< motions left out: nothing resists and nothing drives them
+    std::vector<PartMotion> mechanism;  ///< not empty: the loads drive these motions, nothing else is filled in
+    std::vector<PartMotion> sliding;    ///< not empty: they do so at these cells, the rest is how they slide there
     double holding_factor = 0;  ///< of a mechanism: coefficients of friction so many times as large would hold; 0: none do
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows

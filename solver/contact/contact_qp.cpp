@@ -28,6 +28,8 @@ constexpr double first_proximal_fraction = 1e-6;  // of the foundation's stiffne
 /// The same from a neighbour's answer, of which nothing is to go far: passes, E of the first, and by which it becomes less.
 constexpr int near_passes = 40;
 constexpr double near_proximal_fraction = 1, near_reduction = 0.3;
+/// Of the largest multiplier: rows that carry less are not begun with. The interior point method leaves so much on open ones.
+constexpr double least_carried = 1e-10;
 constexpr double least_stiffness = 1e-6;         // of the mean one, for motions that the foundation hardly resists
 constexpr double equilibrium_tolerance = 1e-10;  // relative to the loads
 constexpr double feasibility_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
@@ -103,8 +105,9 @@ bool run_passes(const ShiftedQp& shifted, const MatrixXd& stiffness, bool repeat
 /// The rows that are closed where these are the multipliers.
 ActiveSet closed_by(const ContactQp& qp, const VectorXd& multipliers) {
     ActiveSet active = bilateral_rows(qp);
+    const double least = multipliers.size() > 0 ? least_carried * multipliers.cwiseAbs().maxCoeff() : 0;
     for (std::size_t k = 0; k < active.size(); ++k)
-        if (multipliers[static_cast<Index>(k)] > 0) active[k] = 1;
+        if (multipliers[static_cast<Index>(k)] > least) active[k] = 1;
     return active;
 }
 
@@ -155,24 +158,24 @@ bool solve_leaving_free(const ShiftedQp& shifted, ClosedFactor& factor, ContactS
     return true;
 }
 
-/// The search from a neighbour's set and amplitudes: passes as of `run_passes`, which go less far. The exact answer is looked
-/// for on sets that stay.
-bool solve_from_near(const ContactQp& qp, ContactQpResult& result) {
-    const ShiftedQp near{qp, qp.gap + qp.modes * qp.near};
-    result.active = closed_by(qp, qp.expected);
-    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
-    ClosedFactor factor(qp.compliance, qp.expected);
-    Proximal proximal{first_proximal(foundation_stiffness(qp), near_proximal_fraction), VectorXd::Zero(qp.modes.cols())};
-    for (int pass = 0; pass < near_passes && !result.converged; ++pass) {
-        const ActiveSet before = result.active;
-        if (pivot_by_blocks(near, proximal, result.active, factor, state, result.iterations) != SetSearch::found) return false;
-        result.converged = is_balanced(qp, state.multipliers) ||
-                           (result.active == before && holds_exactly(near, proximal.anchor, before, factor, state));
-        proximal.anchor = state.amplitudes;
-        proximal.stiffness *= near_reduction;
+/// Where sets repeat or leave a motion free: the interior point method, and from the rows that it finds closed the exact
+/// answer, or else its own. False: nothing is changed.
+bool solve_from_inside(const ShiftedQp& shifted, const VectorXd& start, ClosedFactor& factor, ContactState& state,
+                       ContactQpResult& result) {
+    InteriorPoint inside = interior_point(shifted, start);
+    result.iterations += inside.iterations;
+    if (!inside.converged) return false;
+    result.used_fallback = true;
+    const ActiveSet before = std::exchange(result.active, inside.active);
+    if (solve_exactly(shifted, factor, state, result) == SetSearch::found) return true;
+    result.active = inside.active;
+    if (holds_exactly(shifted, inside.state.amplitudes, result.active, factor, state)) return true;
+    if (!is_balanced(shifted.qp, inside.state.multipliers)) {
+        result.active = before;
+        return false;
     }
-    if (result.converged) conclude(near, qp.near, state, result);
-    return result.converged;
+    state = std::move(inside.state);
+    return true;
 }
 
 /// The search from the expected set; the amplitudes from where the bodies would settle on it, or else on all rows. False:
@@ -195,26 +198,6 @@ bool solve_from_expected(const ContactQp& qp, const std::function<const Settled&
         search == SetSearch::found || (search == SetSearch::singular && solve_leaving_free(near, factor, state, result));
     if (!result.converged) return false;
     conclude(near, *settled, state, result);
-    return true;
-}
-
-/// Where sets repeat or leave a motion free: the interior point method, and from the rows that it finds closed the exact
-/// answer, or else its own. False: nothing is changed.
-bool solve_from_inside(const ShiftedQp& shifted, const VectorXd& start, ClosedFactor& factor, ContactState& state,
-                       ContactQpResult& result) {
-    InteriorPoint inside = interior_point(shifted, start);
-    result.iterations += inside.iterations;
-    if (!inside.converged) return false;
-    result.used_fallback = true;
-    const ActiveSet before = std::exchange(result.active, inside.active);
-    if (solve_exactly(shifted, factor, state, result) == SetSearch::found) return true;
-    result.active = inside.active;
-    if (holds_exactly(shifted, inside.state.amplitudes, result.active, factor, state)) return true;
-    if (!is_balanced(shifted.qp, inside.state.multipliers)) {
-        result.active = before;
-        return false;
-    }
-    state = std::move(inside.state);
     return true;
 }
 
@@ -249,6 +232,34 @@ void ensure_shapes(const ContactQp& qp) {
 }
 
 }  // namespace
+
+bool solve_from_near(const ContactQp& qp, ContactQpResult& result) {
+    const bool has_many = qp.compliance.is_sparse();
+    const ShiftedQp near{qp, qp.gap + qp.modes * qp.near};
+    result.active = closed_by(qp, qp.expected);
+    ContactState state{qp.expected, VectorXd::Zero(qp.modes.cols()), {}};
+    ClosedFactor factor(qp.compliance, qp.expected);
+    Proximal proximal{first_proximal(foundation_stiffness(qp), near_proximal_fraction), VectorXd::Zero(qp.modes.cols())};
+    if (has_many) {
+        result.converged = solve_exactly(near, factor, state, result) == SetSearch::found;
+        if (!result.converged) result.active = closed_by(qp, qp.expected);
+    }
+    for (int pass = 0; pass < near_passes && !result.converged; ++pass) {
+        const ActiveSet before = result.active;
+        // the interior point method takes as long as a few rows that trade places one by one
+        if (pivot_by_blocks(near, proximal, !has_many, result.active, factor, state, result.iterations) != SetSearch::found) {
+            if (!has_many || !solve_from_inside(near, qp.expected, factor, state, result)) return false;
+            result.converged = true;
+            break;
+        }
+        result.converged = is_balanced(qp, state.multipliers) ||
+                           (result.active == before && holds_exactly(near, proximal.anchor, before, factor, state));
+        proximal.anchor = state.amplitudes;
+        proximal.stiffness *= near_reduction;
+    }
+    if (result.converged) conclude(near, qp.near, state, result);
+    return result.converged;
+}
 
 bool solve_from_neighbour(const ContactQp& qp, const VectorXd& amplitudes, ClosedFactor& factor, ContactQpResult& result) {
     ensure_shapes(qp);

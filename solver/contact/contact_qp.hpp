@@ -78,6 +78,9 @@ ContactQpResult solve_contact_qp(const ContactQp& qp);
 /// from one problem to the next. False: it is not found from there, and `result` has nothing.
 bool solve_from_neighbour(const ContactQp& qp, const Eigen::VectorXd& amplitudes, ClosedFactor& factor,
                           ContactQpResult& result);
+/// The search from a neighbour's set and amplitudes (`expected`, `near`) alone: passes as of step 3, under a proximal term that
+/// is strong at first, so that what nothing holds stays near. False: it is not found from there, and `result` has no answer.
+bool solve_from_near(const ContactQp& qp, ContactQpResult& result);
 /// Multipliers, the gaps under them, and what they and the loads leave unbalanced of the rigid motions.
 struct ContactConditions {
     Eigen::VectorXd multipliers, gap, imbalance;

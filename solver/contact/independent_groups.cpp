@@ -51,6 +51,7 @@ struct Mover {
             own.parts.push_back(std::move(whole.parts[at(part)]));
             own.load_scale = std::max(own.load_scale, whole.part_load[at(part)]);
             if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
+            if (!whole.near.empty()) own.near.push_back(whole.near[at(part)]);
         }
         for (int k : members.interfaces) {
             own.interfaces.push_back(std::move(whole.interfaces[at(k)]));
@@ -110,6 +111,10 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     scatter(std::move(from.contact_load), members.parts, to.contact_load);
     scatter(std::move(from.pressure), members.interfaces, to.pressure);
     scatter(std::move(from.constraint_force), members.constraints, to.constraint_force);
+    if (!from.amplitudes.empty()) {
+        to.amplitudes.resize(to.displacement.size());
+        scatter(std::move(from.amplitudes), members.parts, to.amplitudes);
+    }
     append_motions(from.neutral, members, to.neutral);
     append_motions(from.mechanism, members, to.mechanism);
     append_motions(from.sliding, members, to.sliding);

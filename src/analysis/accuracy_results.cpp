@@ -150,9 +150,9 @@ void fill_errors(const Outcome& out, Result& result) {
     tell(std::move(peaks.uncertain), "peak", result);
 }
 
-void fill_missed(const Scene& scene, const Outcome& out, Result& result) {
+void fill_missed(const Outcome& out, Result& result) {
     std::vector<Finding> findings;
-    const MissedContacts missed = missed_contacts(scene, out.solved, out.target);
+    const MissedContacts missed = missed_contacts(out.solved, out.seen, out.target);
     for (std::size_t k = 0; k < missed.size(); ++k)
         for (const MissedContact& m : missed[k]) {
             const std::string pair = result.contacts[k].between[0] + " and " + result.contacts[k].between[1];

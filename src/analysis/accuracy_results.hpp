@@ -11,7 +11,7 @@ namespace abut {
 void fill_errors(const Outcome& out, Result& result);
 
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
-void fill_missed(const Scene& scene, const Outcome& out, Result& result);
+void fill_missed(const Outcome& out, Result& result);
 
 /// Fills in the estimated errors of the largest displacements. Forces given, the energy is half of what they work, and
 /// displacements err like it: those of parts with supports of their own like the part's energy, or the forces on it; of others

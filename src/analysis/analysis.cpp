@@ -157,7 +157,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
                                    cut.force_under_load});
     tell_contact_residual(solved, result);
     fill_errors(out, result);
-    fill_missed(scene, out, result);
+    fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
     warn_of_largest_stress(result);

@@ -311,7 +311,8 @@ private:
 
     void look_for_missed(const SolvedAssembly& now) {
         missed_before_ = std::move(missed_);
-        missed_ = is_solved(now) ? missed_contacts(scene_, now, out_.target, threads_) : MissedContacts(now.contacts.size());
+        out_.seen = is_solved(now) ? look_at_contacts(scene_, now, threads_) : std::vector<SeenContact>(now.contacts.size());
+        missed_ = is_solved(now) ? missed_contacts(now, out_.seen, out_.target) : MissedContacts(now.contacts.size());
     }
 
     /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small

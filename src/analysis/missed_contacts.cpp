@@ -8,6 +8,7 @@
 
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
 
@@ -117,17 +118,11 @@ double least_of(const DeformedZone& zone, const ContactInterface& c, const std::
     return std::min(least->gap, least_between(zone, before, after).gap);
 }
 
-/// What was seen of one contact.
-struct Seen {
-    std::vector<MissedContact> overlaps{};
-    double least_gap = 0;  ///< 0: under pressure
-};
-
 /// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is. What goes on
 /// from a stretch under pressure is no contact of its own: bodies overlap there by what the pressure's end lacks, which has an
 /// estimate, and by motions that nothing holds, which tilt the gap.
-Seen look_at(const DeformedZone& zone, const ContactInterface& c) {
-    Seen seen;
+SeenContact look_at(const DeformedZone& zone, const ContactInterface& c) {
+    SeenContact seen;
     std::vector<GapAt> gaps;  // 0: under pressure
     for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
     seen.least_gap = least_of(zone, c, gaps);
@@ -167,14 +162,17 @@ std::vector<double> largest_forces(const SolvedAssembly& solved) {
     return force;
 }
 
+bool is_searched(const SolvedAssembly& solved, std::size_t contact) {
+    const ContactInterface& c = solved.contacts[contact];
+    return solved.interface_of[contact] >= 0 && !c.face.bilateral && c.pairing == Pairing::middle;
+}
+
 /// Contacts that were looked at under the displacements, and the forces on their parts.
 class LookedAt {
 public:
-    LookedAt(const Scene& scene, const SolvedAssembly& solved, int threads)
-        : solved_(solved), forces_(largest_forces(solved)), seen_(solved.contacts.size()) {
-        solver::parallel_for(static_cast<int>(seen_.size()), threads, [&](int k) {
-            if (is_searched(at(k))) seen_[at(k)] = look_at(DeformedZone(scene, solved, at(k)), solved.contacts[at(k)]);
-        });
+    LookedAt(const SolvedAssembly& solved, const std::vector<SeenContact>& seen)
+        : solved_(solved), forces_(largest_forces(solved)), seen_(seen) {
+        ENSURE(seen.size() == solved.contacts.size(), "every contact was looked at");
     }
 
     MissedContacts missed(double least_share) const {
@@ -193,11 +191,6 @@ public:
     }
 
 private:
-    bool is_searched(std::size_t contact) const {
-        const ContactInterface& c = solved_.contacts[contact];
-        return solved_.interface_of[contact] >= 0 && !c.face.bilateral && c.pairing == Pairing::middle;
-    }
-
     /// A part on which nothing acts and that nothing holds gets out of the way, as long as that closes no other gap: a move by
     /// the depth closes none by more.
     bool may_evade(std::size_t part, std::size_t contact) const {
@@ -206,20 +199,28 @@ private:
         for (std::size_t k = 0; k < seen_.size(); ++k) {
             const std::array<int, 2>& between = solved_.contacts[k].face.part;
             if (k == contact || solved_.interface_of[k] < 0 || (at(between[0]) != part && at(between[1]) != part)) continue;
-            if (!is_searched(k) || seen_[k].least_gap <= depth) return false;
+            if (!is_searched(solved_, k) || seen_[k].least_gap <= depth) return false;
         }
         return true;
     }
 
     const SolvedAssembly& solved_;
     std::vector<double> forces_;  // by solver's part
-    std::vector<Seen> seen_;
+    const std::vector<SeenContact>& seen_;
 };
 
 }  // namespace
 
-MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share, int threads) {
-    return LookedAt(scene, solved, threads).missed(least_share);
+std::vector<SeenContact> look_at_contacts(const Scene& scene, const SolvedAssembly& solved, int threads) {
+    std::vector<SeenContact> seen(solved.contacts.size());
+    solver::parallel_for(static_cast<int>(seen.size()), threads, [&](int k) {
+        if (is_searched(solved, at(k))) seen[at(k)] = look_at(DeformedZone(scene, solved, at(k)), solved.contacts[at(k)]);
+    });
+    return seen;
+}
+
+MissedContacts missed_contacts(const SolvedAssembly& solved, const std::vector<SeenContact>& seen, double least_share) {
+    return LookedAt(solved, seen).missed(least_share);
 }
 
 bool any_missed(const MissedContacts& missed) {

@@ -17,11 +17,19 @@ struct MissedContact {
     double share = 0;
 };
 
+/// What was seen of one contact under the displacements.
+struct SeenContact {
+    std::vector<MissedContact> overlaps{};  ///< stretches without pressure, without their shares
+    double least_gap = 0;                   ///< 0: under pressure, or not looked at
+};
+/// Looks at every contact point by point. Contacts side by side on `threads` threads.
+std::vector<SeenContact> look_at_contacts(const Scene& scene, const SolvedAssembly& solved, int threads = 1);
+
 /// The missed stretches by contact, ascending along its zone; those that may carry more than `least_share` of the largest force
 /// on the part that has less. What overlaps a part that nothing acts on and nothing holds carries nothing where the part may
-/// get out of its way. Contacts side by side on `threads` threads.
+/// get out of its way. seen: of the solution's contacts.
 using MissedContacts = std::vector<std::vector<MissedContact>>;
-MissedContacts missed_contacts(const Scene& scene, const SolvedAssembly& solved, double least_share, int threads = 1);
+MissedContacts missed_contacts(const SolvedAssembly& solved, const std::vector<SeenContact>& seen, double least_share);
 
 /// Is there a missed stretch in any contact?
 bool any_missed(const MissedContacts& missed);

@@ -8,6 +8,7 @@
 #include "solver/recovery/recovery.hpp"
 #include "src/analysis/error_estimate.hpp"
 #include "src/analysis/largest_stress.hpp"
+#include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/pass_cost.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/solution/solved_assembly.hpp"
@@ -39,6 +40,7 @@ struct Outcome {
     std::string too_small{};            ///< what asks for cells that are too small, where that is the end
     double target = 0;                  ///< estimated relative error aimed at
     bool search_too_short = false;      ///< contact reaches the end of what was searched
+    std::vector<SeenContact> seen{};    ///< of the last solution, by contact
     std::vector<PassRecord> passes;     ///< all of them
     std::vector<ErrorEstimate> errors;  ///< parallel to passes
 };

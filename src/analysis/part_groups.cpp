@@ -147,6 +147,7 @@ void sort_contacts(Outcome& whole) {
     reorder(whole.solved.interface_of, order);
     reorder(whole.solved.shear_of, order);
     reorder(whole.solved.runs, order);
+    reorder(whole.seen, order);
     for (ErrorEstimate& e : whole.errors) reorder(e.contacts, order);
 }
 
@@ -192,6 +193,7 @@ Outcome merged(std::vector<Outcome> groups) {
         append(whole.candidates, g.candidates);
         append(whole.stress, g.stress);
         append(whole.largest, g.largest);
+        append(whole.seen, g.seen);
         whole.factorizations += g.factorizations;
         whole.iterations += g.iterations;
         whole.end = worse(whole.end, g.end);

@@ -357,6 +357,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.interfaces.clear();
         solved.problem.foundation.clear();
         solved.problem.own_normals.clear();
+        solved.problem.near = std::move(solved.solution.amplitudes);
         make_interfaces(scene, candidates, threads, solved);
     }
     solve_contacts(scene, solved, seconds, threads);

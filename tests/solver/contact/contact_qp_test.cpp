@@ -505,6 +505,28 @@ TEST(ContactQp, FinishesASparseProblemFromInsideWhereThePrimalDualSetCycles) {
     EXPECT_GT(n_fallback, 5);
 }
 
+/// From amplitudes that are off, and a set that is none, it ends at the one answer, in the steps of an interior point method at
+/// most: rows do not trade places one by one.
+TEST(ContactQp, FindsASparseAnswerFromANeighboursAmplitudes) {
+    int n_found = 0;
+    for (unsigned trial = 0; trial < 200; ++trial) {
+        SCOPED_TRACE(trial);
+        ContactQp qp = random_problem(trial, 10 + trial % 20, 1 + trial % 3, true);
+        const ContactQpResult plain = solve_contact_qp(qp);
+        if (!plain.feasible) continue;
+        std::mt19937 random = generator(trial);
+        qp.expected = random_matrix(random, qp.gap.size(), 1);
+        qp.near = plain.amplitudes() + 0.1 * random_matrix(random, qp.modes.cols(), 1);
+        ContactQpResult r;
+        if (!solve_from_near(sparse(qp), r)) continue;
+        ++n_found;
+        expect_solved(qp, r, 1e-9);
+        EXPECT_LT((r.multipliers - plain.multipliers).norm(), 1e-8 * (1 + plain.multipliers.norm()));
+        EXPECT_LE(r.iterations, 100);
+    }
+    EXPECT_GT(n_found, 180);
+}
+
 TEST(ContactQp, LeavesOutRedundantRowsOfASparseProblem) {
     const Manufactured p = manufactured(3, surface_compliance(20), flat_modes(20), 0, 0);
     // a pressed row twice: both share what the one has
