@@ -85,5 +85,24 @@ TEST(ManyContacts, EveryDiscOfAPackingIsInBalance) {
     EXPECT_NEAR(on_lid, 400, 1e-9 * 400);
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+/// Rigid discs that fill the box have nowhere to go where the lid is moved down: an end that names two of them.
+TEST(ManyContacts, AJammedPackingOfRigidDiscsNamesWhatIsPushedTogether) {
+    const std::string moved = replaced(box(3), "[0, null]", "[0, -0.01]"),
+                      rigid = replaced(moved, R"("m", "geometry": {"circle")", R"("rigid", "geometry": {"circle")");
+    const Result r = test::answer(rigid);
+    EXPECT_EQ(r.status, "failed");
+    EXPECT_NE(r.message.find("the rigid parts d"), std::string::npos) << r.message;
+    EXPECT_NE(r.message.find("are pushed into each other by"), std::string::npos) << r.message;
+    const Result elastic = test::answer(moved);
+    EXPECT_EQ(elastic.status, "ok") << elastic.message;
+    EXPECT_LT(elastic.equilibrium.relative_residual, 1e-9);
+}
+
 }  // namespace
 }  // namespace abut::many_contacts_test
