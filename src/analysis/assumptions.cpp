@@ -222,7 +222,7 @@ constexpr double noted_imbalance = 1e-6;
 
 void check_balance(Result& result) {
     const double off = std::max(result.equilibrium.relative_residual, result.equilibrium.relative_moment_residual);
-    if (off <= noted_imbalance) return;
+    if (off <= noted_imbalance || result.status == "failed") return;  // what failed is not balanced, for other reasons
     const std::string text = "forces and moments balance only to " + number_text(off, 2) + " of the largest";
     tell({{off, "", text + ": rounding, of cells that are tiny beside their part", text}}, "balance", result);
 }
