@@ -4,10 +4,14 @@
 
 #include <cmath>
 
+#include "tests/geometry/cells/random_parts.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut::patch_test {
 namespace {
+
+using geometry::test::between;
+using geometry::test::Random;
 
 constexpr double exx = 1e-3, eyy = -2e-3, gxy = 1.5e-3, E = 1e5, nu = 0.3;
 
@@ -166,6 +170,70 @@ TEST(Patch, NitscheGivesTheExactField) {
                     test::answer(scene_text(shape, "plane_stress", by_displacements(), grid_text(offset, 12), degree));
                 expect_field(r, plane_stress_field, {0, 0}, 1e-6, what);
             }
+}
+
+/// A star of 5 to 9 corners, near or far from the middle, so that most are re-entrant somewhere; or a square with a slot
+/// 1e-6 to 0.1 wide.
+Shape random_shape(Random& random) {
+    std::vector<Vec2> points;
+    if (std::bernoulli_distribution(0.3)(random)) {
+        const double width = std::pow(10, between(-6, -1, random)), at = between(0.3, 0.7, random),
+                     depth = between(0.2, 0.8, random);
+        for (const Vec2& p : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(at + width, 1), Vec2(at + width, 1 - depth),
+                              Vec2(at, 1 - depth), Vec2(at, 1), Vec2(0, 1)})
+            points.push_back(moved(p.x(), p.y()));
+    } else {
+        const int n = std::uniform_int_distribution<int>(5, 9)(random);
+        for (int k = 0; k < n; ++k) {
+            const double angle = 2 * M_PI * (k + between(-0.3, 0.3, random)) / n, radius = between(0.25, 0.7, random);
+            points.push_back(moved(0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle)));
+        }
+    }
+    double twice_area = 0;
+    Vec2 moment(0, 0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec2 &a = points[i], &b = points[(i + 1) % points.size()];
+        const double cross = a.x() * b.y() - a.y() * b.x();
+        twice_area += cross;
+        moment += cross * (a + b) / 3;
+    }
+    Shape shape = polygon(points, moment / twice_area, plane_stress_field);
+    // polygon() asks for values towards the centroid, which may lie outside of these
+    shape.probes.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) shape.probes.push_back((points[i] + points[(i + 1) % points.size()]) / 2);
+    return shape;
+}
+
+/// Boxes around places on the shape's boundary, in the axes of a grid at this angle.
+std::string random_boxes(const Shape& shape, double angle, Random& random) {
+    const double c = std::cos(angle * M_PI / 180), s = std::sin(angle * M_PI / 180);
+    std::string boxes;
+    for (int k = std::uniform_int_distribution<int>(1, 4)(random); k > 0; --k) {
+        const Vec2& p = shape.probes[std::uniform_int_distribution<std::size_t>(0, shape.probes.size() - 1)(random)];
+        const Vec2 place(c * p.x() + s * p.y(), c * p.y() - s * p.x()),
+            below(between(0.01, 0.3, random), between(0.01, 0.3, random)),
+            above(between(0.01, 0.3, random), between(0.01, 0.3, random));
+        boxes += (boxes.empty() ? "" : ", ") +
+                 (R"({"from": )" + test::pair_text(place.x() - below.x(), place.y() - below.y())) + R"(, "to": )" +
+                 test::pair_text(place.x() + above.x(), place.y() + above.y()) + R"(, "levels": )" +
+                 std::to_string(std::uniform_int_distribution<int>(1, 5)(random)) + "}";
+    }
+    return R"(, "refine": [)" + boxes + "]";
+}
+
+/// Any shape, cut and slot, any tree, all degrees.
+TEST(LongPatch, RandomTreesGiveTheExactField) {
+    for (unsigned seed = 0; seed < 1000 && !testing::Test::HasFailure(); ++seed) {
+        Random random(seed);
+        const Shape shape = random_shape(random);
+        const int degree = 1 + static_cast<int>(seed % 4);
+        const bool held = seed / 4 % 2 != 0;
+        const double offset = std::pow(10, -between(0, 9, random)), angle = between(-45, 45, random);
+        const Result r = test::answer(scene_text(shape, "plane_stress", held ? by_displacements() : by_tractions(shape),
+                                                 grid_text(offset, angle, random_boxes(shape, angle, random)), degree));
+        expect_field(r, plane_stress_field, held ? Vec2(0, 0) : shape.centroid, held ? 1e-6 : 1e-9,
+                     "seed " + std::to_string(seed));
+    }
 }
 
 /// A wrong load must be seen: the checks above can fail.
