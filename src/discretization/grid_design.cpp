@@ -33,10 +33,12 @@ constexpr int chords = 48;                     // scan lines in each direction t
 struct SizeAlong {
     double low, high, size, growth;
 
+    auto operator<=>(const SizeAlong&) const = default;
     double at(double v) const { return size + growth * std::max(0.0, std::max(low - v, v - high)); }
 };
 
-/// Those that ask for less than the largest cell somewhere between low and high: thousands of places are looked at.
+/// Those that ask for less than the largest cell somewhere between low and high, each once: thousands of places are looked at,
+/// of which rows of like holes are one to an axis.
 std::vector<SizeAlong> sizes_along(int axis, double low, double high, double largest,
                                    const std::vector<SizeFeature>& features) {
     std::vector<SizeAlong> sizes;
@@ -45,6 +47,8 @@ std::vector<SizeAlong> sizes_along(int axis, double low, double high, double lar
         const double nearest = std::clamp(along.low, low, high), other = std::clamp(along.high, low, high);
         if (std::min(along.at(nearest), along.at(other)) < largest) sizes.push_back(along);
     }
+    std::sort(sizes.begin(), sizes.end());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
     return sizes;
 }
 
@@ -167,58 +171,6 @@ std::vector<double> graded_lines(double low, double high, int axis, double large
     }
     lines.push_back(high);
     return lines;
-}
-
-namespace {
-
-double distance(const Box2& box, const Vec2& p) {
-    return (p - p.cwiseMax(box.min).cwiseMin(box.max)).norm();
-}
-
-double distance(const Box2& a, const Box2& b) {
-    return (a.min - b.max).cwiseMax(b.min - a.max).cwiseMax(0).norm();
-}
-
-/// Does the segment from a to b meet a box?
-bool meets(const Box2& box, const Vec2& a, const Vec2& b) {
-    double from = 0, to = 1;
-    for (int axis : {0, 1}) {
-        const double d = b[axis] - a[axis], low = box.min[axis] - a[axis], high = box.max[axis] - a[axis];
-        if (d == 0) {
-            if (low > 0 || high < 0) return false;
-            continue;
-        }
-        from = std::max(from, std::min(low / d, high / d));
-        to = std::min(to, std::max(low / d, high / d));
-    }
-    return from <= to;
-}
-
-/// Exactly: points along the segment, however dense, let cells in that are too large beside it.
-double distance(const Box2& box, const Vec2& a, const Vec2& b) {
-    if (meets(box, a, b)) return 0;
-    double least = std::min(distance(box, a), distance(box, b));
-    const Vec2 along = b - a;
-    for (const Vec2& corner : {box.min, box.max, Vec2(box.min.x(), box.max.y()), Vec2(box.max.x(), box.min.y())}) {
-        const double squared = along.squaredNorm();
-        const double t = squared > 0 ? std::clamp((corner - a).dot(along) / squared, 0.0, 1.0) : 0.0;
-        least = std::min(least, (a + t * along - corner).norm());
-    }
-    return least;
-}
-
-}  // namespace
-
-bool is_too_large(const Box2& cell, const std::vector<SizeFeature>& features) {
-    const double side = cell.size().maxCoeff() * (1 - 1e-9);
-    return std::any_of(features.begin(), features.end(), [&](const SizeFeature& f) {
-        const double reach = (side - f.size) / f.growth;  // from which on it would do
-        if (reach <= 0 || distance(cell, f.box) >= reach) return false;
-        if (f.line.size() < 2) return true;
-        for (std::size_t k = 0; k + 1 < f.line.size(); ++k)
-            if (distance(cell, f.line[k], f.line[k + 1]) < reach) return true;
-        return false;
-    });
 }
 
 ShapeFeatures shape_features(const Part& local, double coarseness) {

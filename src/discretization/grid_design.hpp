@@ -32,9 +32,6 @@ using WantedSizes = std::vector<std::vector<WantedSize>>;
 /// x.
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features);
 
-/// Is a cell larger than features allow where they are nearest to it?
-bool is_too_large(const geometry::Box2& cell, const std::vector<SizeFeature>& features);
-
 /// Sizes that the shape itself asks for. coarseness scales them all (1: standard).
 struct ShapeFeatures {
     std::vector<SizeFeature> walls;   ///< cells across every wall and slot: of whole columns or rows

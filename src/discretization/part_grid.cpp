@@ -10,6 +10,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
+#include "src/discretization/place_tree.hpp"
 #include "src/io/number_text.hpp"
 #include "src/scene/dissertation_method.hpp"
 
@@ -166,9 +167,10 @@ double smallest_wanted(const std::vector<SizeFeature>& places) {
 /// The base halved where places want smaller cells. A tree that grows to cost as much as it may is left unfinished.
 PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, const std::vector<SizeFeature>& places,
                        double price, double most) {
+    const PlaceTree wanted(places);
     double halved = 0, too_fine = 0;
     geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
-        if (price_of_leaf * halved >= price || 3 * halved >= most || !is_too_large(cell, places)) return false;
+        if (price_of_leaf * halved >= price || 3 * halved >= most || !wanted.is_too_large(cell)) return false;
         if (level == deepest_level) too_fine = smallest_wanted(places);
         halved += level < deepest_level;
         return level < deepest_level;

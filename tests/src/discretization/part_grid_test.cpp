@@ -85,16 +85,6 @@ TEST(PartGrid, BoxesOfTheSceneHalveCells) {
     EXPECT_THROW(grid_of_part(too_many, 0, {}, 1, 1), InputError);
 }
 
-TEST(PartGrid, TooLargeIsMeasuredAlongLinesNotFromTheirPoints) {
-    const SizeFeature line{{{0, 0}, {1, 1}}, 0.1, 1, {{0, 0}, {1, 1}}};
-    EXPECT_TRUE(is_too_large({{0.4, 0.4}, {0.52, 0.52}}, {line}));   // on it
-    EXPECT_FALSE(is_too_large({{0.4, 0.4}, {0.49, 0.49}}, {line}));  // small enough
-    EXPECT_FALSE(is_too_large({{0.7, 0.1}, {0.8, 0.2}}, {line}));    // small enough, away from it
-    // from (0.5, 0.3) to the line 0.2 / sqrt(2)
-    EXPECT_TRUE(is_too_large({{0.5, 0.06}, {0.74, 0.3}}, {{line.box, 0.09, 1, line.line}}));
-    EXPECT_FALSE(is_too_large({{0.5, 0.06}, {0.74, 0.3}}, {{line.box, 0.11, 1, line.line}}));
-}
-
 }  // namespace
 
 }  // namespace part_grid_test
