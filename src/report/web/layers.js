@@ -234,7 +234,7 @@ function thinned(canvas, marks, spacing) {
     for (const mark of marks) {
         const [x, y] = canvas.pixel(...mark.at);
         if (x < -40 || y < -40 || x > canvas.width + 40 || y > canvas.height + 40) continue;
-        if (kept.every(k => Math.hypot(k.x - x, k.y - y) >= spacing)) kept.push({...mark, x, y, fixX: mark.x, fixY: mark.y});
+        if (kept.every(k => Math.hypot(k.x - x, k.y - y) >= spacing)) kept.push({...mark, x, y, fixX: mark.x, fixY: mark.y, of: mark});
     }
     return kept;
 }
@@ -281,8 +281,8 @@ export function drawLoads(canvas) {
     const {data} = canvas, marks = thinned(canvas, data.marks.loads, 16), c = canvas.context, length = 34;
     for (const mark of marks) {
         const dx = length * mark.direction[0], dy = -length * mark.direction[1], [X, Y] = mark.at, step = 1e-3 * data.size;
-        const ahead = canvas.inside(X + step * mark.direction[0], Y + step * mark.direction[1]), behind = canvas.inside(X - step * mark.direction[0], Y - step * mark.direction[1]);
-        const pulls = behind && !ahead, x = pulls ? mark.x : mark.x - dx, y = pulls ? mark.y : mark.y - dy;
+        const isInside = side => canvas.inside(X + side * step * mark.direction[0], Y + side * step * mark.direction[1]);
+        const pulls = mark.of.pulls ??= isInside(-1) && !isInside(1), x = pulls ? mark.x : mark.x - dx, y = pulls ? mark.y : mark.y - dy;
         arrow(c, x, y, dx, dy, canvas.colors.load);
         mark.tail = pulls ? [x + dx, y + dy] : [x, y];
     }
@@ -348,8 +348,8 @@ export function drawNames(canvas) {
 }
 
 /// Where a point of a part is drawn, whose displacement is that of the field there.
-function displaced(canvas, {part, x, y}) {
-    const sample = sampleAt(part, x, y, 0);
+function displaced(canvas, end) {
+    const {part, x, y} = end, sample = end.sample ??= sampleAt(part, x, y, 0);
     return sample ? canvas.samplePixel(sample) : canvas.pixel(x, y);
 }
 
