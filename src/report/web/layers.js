@@ -164,9 +164,20 @@ function drawNumber(canvas, contact) {
     const i = anchorOf(contact), c = canvas.context;
     if (i < 0) return;
     const [x, y] = canvas.profilePixel(contact, i), words = String(contact.index + 1), radius = words.length < 3 ? 9 : 12;
-    const [px, py] = [x - 16 * contact.nx[i], y + 16 * contact.ny[i]];
-    if (px < -20 || px > canvas.width + 20 || py < -20 || py > canvas.height + 20) return;
-    if (contact.isOpen && canvas.labels.some(b => Math.hypot(px - b.x - b.w / 2, py - b.y - b.h / 2) < 18)) return;
+    if (x < -20 || x > canvas.width + 20 || y < -20 || y > canvas.height + 20) return;
+    // Beside the contact where nothing else stands: on the second part, on the first, further along, further away.
+    const [nx, ny] = [contact.nx[i], -contact.ny[i]], isFree = ([px, py]) => canvas.labels.every(b => Math.hypot(px - b.x - b.w / 2, py - b.y - b.h / 2) > radius + b.w / 2 + 1);
+    const places = [1, 2].flatMap(far => [[1, 0], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]].map(([n, t]) => [x - 16 * far * n * nx - 20 * far * t * ny, y - 16 * far * n * ny + 20 * far * t * nx]));
+    const free = places.find(isFree);
+    if (contact.isOpen && !free) return;
+    const [px, py] = free ?? places[0];
+    if (Math.hypot(px - x, py - y) > 17) {
+        c.beginPath();
+        c.moveTo(x, y);
+        c.lineTo(px, py);
+        c.strokeStyle = contact.isOpen ? openColor : contactColor;
+        c.stroke();
+    }
     c.beginPath();
     c.arc(px, py, radius, 0, 2 * Math.PI);
     c.fillStyle = contact.isOpen ? openColor : contactColor;
