@@ -81,8 +81,9 @@ void remove_pictures(const std::string& folder) {
 }
 
 /// As files that any program shows: png goes by way of svg, which stays only where it is asked for.
-void write_pictures(const Result& result, const std::string& folder, const std::vector<std::string>& formats) {
-    for (const PictureFile& picture : picture_files(result)) {
+void write_pictures(const Result& result, const ModelFacts& model, const std::string& folder,
+                    const std::vector<std::string>& formats) {
+    for (const PictureFile& picture : picture_files(result, model)) {
         write_file(folder, picture.name + ".svg", picture.svg);
         if (holds(formats, "png")) write_png(folder, picture.name, picture.name + ".svg");
         if (!holds(formats, "svg")) remove_file(folder, picture.name + ".svg");
@@ -158,7 +159,7 @@ void write_files(Result& result, const ModelFacts& model, const std::string& dat
     remove_file(folder, "fields.vtu");
     if (holds(formats, "csv")) write_contacts(result, folder);
     if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
-    if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, folder, formats);
+    if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, model, folder, formats);
     set_time(result, "total", since_start.seconds());
     if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, data));
     set_time(result, "output", output.seconds());
@@ -191,7 +192,7 @@ void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelF
     }
     if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
-    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, data));
+    if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, models, data));
     write_file(folder, "cases.json", cases_json(cases));  // in any case: it lists the folders
 }
 

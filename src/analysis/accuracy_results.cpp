@@ -198,8 +198,9 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
 void warn_of_largest_stress(Result& result) {
     const PartResult* most = most_stressed(result);
     if (!most) return;
-    const std::string which = "the largest von Mises stress, " + number_text(most->max_von_mises.value, 4) + " in " +
-                              most->name + " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";
+    const std::string which = "the largest von Mises stress, " +
+                              with_unit(most->max_von_mises.value, 4, result_units(result).stress) + " in " + most->name +
+                              " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";
     // with contact the answer is judged by its pressures
     const bool is_aimed_at = result.accuracy.of != "contact pressure";
     if (most->max_von_mises_at_corner)

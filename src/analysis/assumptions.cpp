@@ -74,13 +74,10 @@ LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displac
     return largest;
 }
 
-std::string place_text(const Vec2& p) {
-    return "(" + number_text(p.x(), 4) + ", " + number_text(p.y(), 4) + ")";
-}
-
 /// What would treat it is an effect of the plan that is off: there is no key for it.
 void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> motions, rotations, strains;
+    const double size = model_size(result);
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         const PartOnGrid& g = solved.grids[k];
         const auto& [rotation, strain] = largest_change(g, solved.solution.displacement[k]);
@@ -90,18 +87,18 @@ void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& 
         if (motion.value > large_motion * g.size)
             motions.push_back({motion.value / g.size, name,
                                "large displacement would matter: part " + name + " moves by " + number_text(motion.value, 3) +
-                                   " at " + place_text(motion.at) + "; contacts are paired where they are drawn",
+                                   " at " + place_text(motion.at, size) + "; contacts are paired where they are drawn",
                                name + " moves by " + percent_text(motion.value / g.size) + " of its size"});
         if (rotation.value > large_rotation)
             rotations.push_back({rotation.value, name,
                                  "large displacement would matter: rotation " + number_text(degrees, 3) + " degrees at part " +
-                                     name + ", near " + place_text(g.frame.to_global(rotation.at)) +
+                                     name + ", near " + place_text(g.frame.to_global(rotation.at), size) +
                                      "; the answer is that of small displacements",
                                  name + " turns by " + number_text(degrees, 2) + " degrees"});
         if (strain.value > large_strain)
             strains.push_back({strain.value, name,
                                "large strain: part " + name + " strains by up to " + number_text(100 * strain.value, 3) +
-                                   " % near " + place_text(g.frame.to_global(strain.at)) +
+                                   " % near " + place_text(g.frame.to_global(strain.at), size) +
                                    "; the answer is that of linear elasticity",
                                name + " strains by " + percent_text(strain.value)});
     }
@@ -112,6 +109,8 @@ void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& 
 
 void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> findings;
+    const std::string stress = result_units(result).stress;
+    const double size = model_size(result);
     for (const PartOnGrid& g : solved.grids) {
         const ScenePart& part = scene.parts[at(g.part)];
         const Material& material = scene.materials[at(part.material)];
@@ -120,8 +119,8 @@ void check_yield(const Scene& scene, const SolvedAssembly& solved, Result& resul
         const std::string times = number_text(reached.value / *material.yield, 3) + " times ";
         findings.push_back({reached.value / *material.yield, part.name,
                             "yield exceeded: part " + part.name + " reaches a von Mises stress of " +
-                                number_text(reached.value, 4) + " at " + place_text(reached.at) + ", " + times +
-                                "the yield of " + material.name + " (" + number_text(*material.yield, 4) +
+                                with_unit(reached.value, 4, stress) + " at " + place_text(reached.at, size) + ", " + times +
+                                "the yield of " + material.name + " (" + with_unit(*material.yield, 4, stress) +
                                 "); the answer is that of linear elasticity, without plasticity",
                             part.name + " at " + times + "its yield"});
     }
@@ -147,7 +146,7 @@ void check_bonds(Result& result) {
         const std::string pair = c.between[0] + " and " + c.between[1];
         findings.push_back({-*least, pair,
                             "bonded pair in tension: " + pair + " are pulled apart with up to " + number_text(-*least, 4) +
-                                " at " + place_text({c.profile.x[k], c.profile.y[k]}) +
+                                " at " + place_text({c.profile.x[k], c.profile.y[k]}, model_size(result)) +
                                 "; a contact (kind \"contact\" in contacts.pairs) would open there"});
     }
     tell(std::move(findings), "bond", result);

@@ -13,8 +13,9 @@ namespace abut {
 namespace {
 
 constexpr const char* batch_style = R"(
-main { max-width: 1500px; }
+main { max-width: 1720px; }
 .table { max-height: none; }
+.table table { width: 100%; }
 .filters { display: flex; flex-wrap: wrap; gap: 6px 14px; align-items: center; margin: 14px 0; }
 .filters input[type=search] { font: inherit; padding: 4px 8px; width: 260px; border: 1px solid var(--rule); border-radius: 4px; }
 .filters label { padding: 2px 10px; border: 1px solid var(--rule); border-radius: 12px; font-size: 13px; cursor: pointer; }
@@ -24,12 +25,12 @@ th button:focus-visible { outline: 2px solid var(--accent); }
 th[aria-sort=ascending] button::after { content: " \25B2"; font-size: 9px; }
 th[aria-sort=descending] button::after { content: " \25BC"; font-size: 9px; }
 tbody td { vertical-align: middle; }
-td.picture { width: 136px; padding-right: 12px; }
+td.picture { width: 112px; padding-right: 10px; }
 td.picture img { display: block; background: #fff; }
 .filters input { color: var(--ink); background: var(--panel); }
-td.message { min-width: 240px; max-width: 560px; font-size: 12px; }
+td.message { min-width: 220px; font-size: 12px; }
 .table td a { display: inline-block; min-width: 6em; }
-td.job { min-width: 150px; }
+td.job { min-width: 100px; }
 th, th.n { white-space: normal; }
 .status { display: inline-block; white-space: nowrap; padding: 1px 9px; border-radius: 9px; font-size: 12px; background: var(--good-paper); border: 1px solid var(--good); }
 .status.solved_but, .status.differs { background: var(--doubt-paper); border-color: var(--doubt); }

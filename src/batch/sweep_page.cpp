@@ -231,7 +231,7 @@ std::string sweep_html(const Sweep& sweep) {
     std::string body;
     for (std::size_t k = 0; k < sweep.quantities.size(); ++k)
         if (has_values(sweep, k)) body += Chart(sweep, k).svg();
-    body = body.empty() ? "<p>No job has an answer.</p>\n" : "<div class=\"curves\">\n" + body + "</div>\n";
+    body = body.empty() ? "<p>No job has an answer.</p>\n" : "<div class=\"charts curves\">\n" + body + "</div>\n";
     return report::html_page(
         title, body + failures(sweep),
         "Made by abut " + program_build() +

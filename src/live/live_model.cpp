@@ -301,13 +301,13 @@ void LiveModel::State::find_fields(Hold& hold) {
     const std::shared_ptr<PreparedLive> from = prepared;
     hold.unlock();
     const auto begin = LiveClock::now();
-    std::string text;
+    std::optional<std::vector<PartField>> fields;
     {
         const auto own = alone();
         const std::lock_guard<std::mutex> prepared_one(from->lock);
-        if (from->prepared->answer(unit_factors(from->drawn.scene, to)).status == "ok")
-            text = fields_json(from->result, from->prepared->fields(), of_version);
+        if (from->prepared->answer(unit_factors(from->drawn.scene, to)).status == "ok") fields = from->prepared->fields();
     }
+    const std::string text = fields ? fields_json(from->result, *fields, of_version) : "";
     const auto took = LiveClock::now() - begin;
     hold.lock();
     next_fields = LiveClock::now() + std::chrono::duration_cast<LiveClock::duration>(took * (1 / fields_share - 1));

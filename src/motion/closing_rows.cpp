@@ -13,6 +13,8 @@ namespace {
 constexpr int samples = 8;    // intervals along a zone
 constexpr int halvings = 26;  // of an interval, towards the least gap on either side
 constexpr int search_steps = 40;
+/// Of what is searched: gaps tell no better where the least is, since they hardly change there.
+constexpr double known_by_gap = 1e-6;
 
 /// The gaps of one zone.
 class ZoneRows {
@@ -49,7 +51,13 @@ private:
     }
 
     void take(const geometry::FacingPair& p) {
-        if (p.found && p.gap <= far_) rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap});
+        if (!p.found || p.gap > far_) return;
+        rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot(p.on1, p.on2), pivot(p.on2, p.on1)});
+    }
+
+    static Vec2 pivot(const geometry::ChainPoint& own, const geometry::ChainPoint& other) {
+        if (own.curvature * other.curvature >= 0) return own.x;
+        return own.x - own.normal / own.curvature;
     }
 
     /// A round part in a hollow is pressed towards its own centre, however wide the hollow.
@@ -64,9 +72,10 @@ private:
         double low = begin, high = end;
         for (int i = 0; i < search_steps; ++i) {
             const double a = low + golden * (high - low), b = high - golden * (high - low);
-            (pair_at(a).gap < pair_at(b).gap ? high : low) = pair_at(a).gap < pair_at(b).gap ? b : a;
+            const bool is_below = pair_at(a).gap < pair_at(b).gap;
+            (is_below ? high : low) = is_below ? b : a;
         }
-        const double least = 0.5 * (low + high);
+        const double least = where_normals_oppose(0.5 * (low + high), known_by_gap * (end - begin));
         take(pair_at(least));
         double offset = 0.5 * (end - begin);
         for (int i = 0; i < halvings; ++i) {
@@ -74,6 +83,20 @@ private:
             for (const double s : {least - offset, least + offset})
                 if (s > c_.zone.begin1 && s < c_.zone.end1) take(pair_at(s));
         }
+    }
+
+    /// The place no farther than that from another one where the outward normals are opposite, if there is any: what lies at a
+    /// least gap of smooth faces.
+    double where_normals_oppose(double near, double within) const {
+        const auto turn = [&](double s) {
+            const geometry::FacingPair p = pair_at(s);
+            return geometry::cross(p.on1.normal, p.on2.normal);
+        };
+        double low = near - within, high = near + within;
+        const bool rises = turn(high) > 0;
+        if (rises == (turn(low) > 0)) return near;
+        for (int i = 0; i < search_steps; ++i) ((turn(0.5 * (low + high)) > 0) == rises ? high : low) = 0.5 * (low + high);
+        return 0.5 * (low + high);
     }
 
     const Scene& scene_;
@@ -86,7 +109,8 @@ private:
 void append_corner(const Meeting& m, double touching, std::vector<ClosingRow>& rows) {
     if (!m.unpaired || m.closest->distance <= touching) return;
     const Vec2 across = m.closest->x2 - m.closest->x1;
-    rows.push_back({m.first, m.second, m.closest->x1, m.closest->x2, across / across.norm(), m.closest->distance});
+    rows.push_back({m.first, m.second, m.closest->x1, m.closest->x2, across / across.norm(), m.closest->distance, m.closest->x1,
+                    m.closest->x2});
 }
 
 }  // namespace

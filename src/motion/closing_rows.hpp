@@ -12,6 +12,9 @@ struct ClosingRow {
     int first, second;  ///< parts
     Vec2 x1, x2, normal;
     double gap;  ///< negative: they overlap
+    /// What a force along the normal acts in, however the parts turn: the centres of a round part and of the hollow about it,
+    /// else the points themselves.
+    Vec2 pivot1, pivot2;
 };
 
 /// The gaps between parts where they are, and the deepest overlap, over the extent of the smaller part.

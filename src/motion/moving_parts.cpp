@@ -107,11 +107,13 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by) {
     double smallest = moving.list.front().size, pull = 0;
+    const auto resists_turn = [&](const MovingPart& p) { return !by.turns.empty() && by.turns[at(p.part)] > 0; };
     Index n = static_cast<Index>(gaps.size()) + moving.n;
     for (const MovingPart& p : moving.list) {
         smallest = std::min(smallest, p.size);
         pull += p.pull;
         for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
+        n += resists_turn(p) ? 1 : 0;
     }
     if (pull == 0) pull = 1;  // prescribed motions alone
     const double stiffness = pull / (by.closing * smallest);
@@ -124,6 +126,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         const Lead& lead = leads[at(p.part)];
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
+        constexpr Index turn = 2;
+        if (resists_turn(p)) rows.lead(p, turn, 0, by.turns[at(p.part)] / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
         for (Index j = p.first; j < p.first + p.n(); ++j)
@@ -170,12 +174,29 @@ bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
                        [&](const MovingPart& p) { return leads[at(p.part)].left.norm() > 0; });
 }
 
+/// Adds to `turns` what the forces along these gaps resist each part's turning by: the sum of force times the distance that it
+/// acts from the part's middle along its own direction, which is no more than the part is large.
+void add_turns(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const VectorXd& force,
+               std::vector<double>& turns) {
+    const auto add = [&](int part, const Vec2& pivot, const Vec2& f) {
+        if (moving.of_part[at(part)] < 0) return;
+        const MovingPart& p = moving.list[at(moving.of_part[at(part)])];
+        const double most = f.norm() * p.size;
+        turns[at(part)] += std::clamp(f.dot(pivot - p.center), -most, most);
+    };
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        const Vec2 f = force[static_cast<Index>(k)] * gaps[k].normal;
+        add(gaps[k].first, gaps[k].pivot1, -f);
+        add(gaps[k].second, gaps[k].pivot2, f);
+    }
+}
+
 }  // namespace
 
-VectorXd step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                 const Resisted& by) {
+Step step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
+             const Resisted& by) {
     const std::vector<int> group = groups_of(moving, gaps);
-    VectorXd amplitudes = VectorXd::Zero(moving.n);
+    Step step{VectorXd::Zero(moving.n), std::vector<double>(moving.of_part.size(), 0)};
     for (int g = 0; g < static_cast<int>(group.size()); ++g) {
         const MovingParts own = only(moving, group, g);
         if (own.list.empty() || (own.pull == 0 && !is_led(own, leads))) continue;
@@ -183,11 +204,13 @@ VectorXd step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps,
         std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(rows), [&](const ClosingRow& row) {
             return own.of_part[at(row.first)] >= 0 || own.of_part[at(row.second)] >= 0;
         });
-        const VectorXd a = settle_rigidly(step_problem(own, rows, leads, by)).amplitudes;
+        const solver::Settled settled = settle_rigidly(step_problem(own, rows, leads, by));
         for (const MovingPart& p : own.list)
-            amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(a);
+            step.amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(settled.amplitudes);
+        add_turns(own, rows, settled.multipliers, step.turns);
     }
-    return amplitudes;
+    for (double& turn : step.turns) turn = std::max(turn, 0.0);
+    return step;
 }
 
 }  // namespace abut

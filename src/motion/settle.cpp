@@ -28,7 +28,7 @@ constexpr double overlap_at_rest = 1e-4;
 /// drive it less than the least drag holds.
 constexpr double spring_closing = 1e-9;
 /// Of a motion: smaller digits are rounding; of a part's size: what moves less has not moved.
-constexpr double rest_digits = 1e-7, moved_at_all = 1e-7;
+constexpr double rest_digits = 1e-11, moved_at_all = 1e-7;
 /// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
 /// over a step's length times a factor between this and one.
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
@@ -279,7 +279,7 @@ private:
 
     /// The amplitudes of a step no longer than it may be; raises the drag where that takes it. Prescribed motions wait for the
     /// loads to do theirs, and then go as far as these follow.
-    VectorXd next_step(double& drag) const {
+    VectorXd next_step(double& drag) {
         constexpr double least_share = 0.05;
         constexpr int most_raises = 8;
         double share = drag <= least_drag ? 1 : 0;
@@ -296,7 +296,7 @@ private:
     VectorXd neutral_push() const {
         const Resisted by{spring_closing, least_drag};
         const solver::ContactQp qp = step_problem(moving_, closing_.rows, leads_of_step(0), by);
-        const VectorXd gap = qp.drawn_gap + qp.modes * step_of(moving_, closing_.rows, leads_of_step(0), by);
+        const VectorXd gap = qp.drawn_gap + qp.modes * step_of(moving_, closing_.rows, leads_of_step(0), by).amplitudes;
         const Index n = moving_.n;
         Eigen::MatrixXd resistance = Eigen::MatrixXd::Zero(n, n);
         for (Index k = 0; k < static_cast<Index>(closing_.rows.size()); ++k)
@@ -308,8 +308,8 @@ private:
             push += (1 - unlike * static_cast<double>(j % 2 == 0 ? j + 1 : -j) / static_cast<double>(n)) * eigen.vectors.col(j);
         const double far = farthest(push) * step_fraction;
         if (far == 0) return push;
-        return settle_rigidly(
-                   step_problem(moving_, closing_.rows, leads_of_step(0), {spring_closing, 1, push * (push_fraction / far)}))
+        return settle_rigidly(step_problem(moving_, closing_.rows, leads_of_step(0),
+                                           {spring_closing, 1, {}, push * (push_fraction / far)}))
             .amplitudes;
     }
 
@@ -363,14 +363,19 @@ private:
 
     /// Amplitudes of the step from here, with a share of what is prescribed; what no load drives stays. The drag rises until
     /// the loads drive the step to its end.
-    VectorXd step_under(double drag, double share = 0, int most_raises = 0) const {
-        VectorXd a = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag});
+    VectorXd step_under(double drag, double share = 0, int most_raises = 0) {
+        const auto step = [&] {
+            Step next = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag, turns_});
+            turns_ = std::move(next.turns);
+            return next.amplitudes;
+        };
+        VectorXd a = step();
         if (!is_where_led()) return a;
         for (int k = 0; k < most_raises; ++k) {
             const double driven = share_driven(a);
             if (driven == 1) return a;
             drag /= std::max(driven, drag_step);
-            a = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag});
+            a = step();
         }
         return a * share_driven(a);
     }
@@ -479,7 +484,8 @@ private:
     std::vector<Vec2> centers_;  // as drawn
     MovingParts moving_;
     Closing closing_;
-    double reach_ = 1;  // of a step
+    double reach_ = 1;           // of a step
+    std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "src/plan/model_facts_of.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "src/base/index.hpp"
 #include "src/io/json_document.hpp"
@@ -111,7 +112,8 @@ ModelSources model_sources(const Scene& scene) {
     if (text) sources.files.push_back({scene.file, content_hash(*text)});
     for (const ImportRecord& record : scene.imports)
         if (record.file != scene.file)
-            sources.files.push_back({record.file, content_hash(whole_file(record.file).value_or(""))});
+            sources.files.push_back({std::filesystem::path(record.file).lexically_normal().string(),
+                                     content_hash(whole_file(record.file).value_or(""))});
     JsonDocument document;
     if (text && ending_of(scene.file) == ".json") document = parse_json(*text, scene.file);
     const auto gives = [](const JsonValue* value) { return value && find_member(*value, "thickness"); };

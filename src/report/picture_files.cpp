@@ -97,7 +97,7 @@ std::string as_picture(const std::string& html, const std::string& title) {
 
 }  // namespace
 
-std::vector<PictureFile> picture_files(const Result& result) {
+std::vector<PictureFile> picture_files(const Result& result, const ModelFacts& model) {
     std::vector<PictureFile> files;
     const Box2 box = report::model_box(result);
     if (box.empty()) return files;
@@ -105,7 +105,7 @@ std::vector<PictureFile> picture_files(const Result& result) {
         const std::string svg = as_picture(html, (result.title.empty() ? "" : result.title + ": ") + what);
         if (!svg.empty()) files.push_back({name, svg});
     };
-    add("assembly", report::assembly_section(result), "the assembly");
+    add("assembly", report::assembly_section(result, model), "the assembly");
     if (report::has_fields(result)) {
         const report::PictureSize size = report::picture_size(box);
         add("stress", report::stress_figure(result, size), "von Mises stress");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
 
 namespace abut {
@@ -14,7 +15,8 @@ struct PictureFile {
 };
 
 /// Those that the report prints, as drawn there, each with its caption: the assembly, von Mises stress, the deformed shape, and
-/// of every pictured contact its curves beside its close-up. What there is nothing to show of is left out.
-std::vector<PictureFile> picture_files(const Result& result);
+/// of every pictured contact its curves beside its close-up. What there is nothing to show of is left out. model: the
+/// loads, for their values.
+std::vector<PictureFile> picture_files(const Result& result, const ModelFacts& model = {});
 
 }  // namespace abut

@@ -24,13 +24,23 @@ std::string page(const Result& result, const std::string& body, const std::strin
 
 std::string loads_text(const CaseResult& c) {
     std::vector<std::string> loads;
-    for (const auto& [name, factor] : c.factors) loads.push_back(number_text(factor, 6) + " x " + name);
-    return loads.empty() ? "no load that has a name" : joined(loads, ", ");
+    for (const auto& [name, factor] : c.factors) loads.push_back(number_text(factor, 6) + " × " + name);
+    return "Loads: " + (loads.empty() ? "none that has a name" : joined(loads, ", "));
 }
 
-std::string case_box(const CaseResult& c, std::size_t k) {
+/// model: the loads with the values that they have in this case.
+std::string case_box(const CaseResult& c, std::size_t k, const ModelFacts& model) {
+    std::vector<std::string> values;
+    for (const LoadFacts& load : model.loads) values.push_back(load_words(load) + " on " + joined(load.on, ", "));
     return "<h2><a href=\"" + case_folder(k) + "/report.html\">" + escape_xml(c.name) + "</a></h2>\n<p>" +
-           escape_xml(loads_text(c)) + "</p>\n" + report::verdict_box(c.result) + report::warnings_box(c.result);
+           escape_xml(loads_text(c) + (values.empty() ? "" : ": " + joined(values, "; "))) + "</p>\n" +
+           report::verdict_box(c.result) + report::warnings_box(c.result);
+}
+
+/// A part of the yield is shown as the tables of one result have it.
+std::string largest_text(const EnvelopeLine& line) {
+    return line.quantity == "utilisation" ? number_text(100 * line.largest.value, 3) + " %"
+                                          : with_unit(line.largest.value, 5, line.unit);
 }
 
 std::string envelope_table(const std::vector<CaseResult>& cases) {
@@ -38,12 +48,16 @@ std::string envelope_table(const std::vector<CaseResult>& cases) {
     std::vector<std::vector<std::string>> rows;
     for (const EnvelopeLine& line : envelope_lines(cases)) {
         const bool is_something = line.largest.value > 0;
-        rows.push_back({line.of, line.quantity, with_unit(line.largest.value, 5, line.unit),
-                        is_something ? cases[line.largest.in_case].name : "–",
+        rows.push_back({line.of, line.quantity, largest_text(line), is_something ? cases[line.largest.in_case].name : "–",
                         line.has_place && is_something ? place_text(line.largest.at, size) : "–"});
     }
     return "<h2>Largest of all cases</h2>\n" +
-           report::html_table({{"of"}, {"quantity"}, {"value", true}, {"case"}, {"at", true}}, rows);
+           report::html_table({{"of"},
+                               {"quantity"},
+                               {"value", true},
+                               {"case"},
+                               {heading("at", result_units(cases.front().result).length), true}},
+                              rows);
 }
 
 }  // namespace
@@ -58,20 +72,25 @@ std::string report_html(const Result& result, const ModelFacts& model) {
 
 std::string report_html(const Result& result, const ModelFacts& model, const std::string& data) {
     // The script shows its instrument instead of the pictures, which remain for paper and for browsers without scripts.
-    const std::string pictures = "<div class=\"pictures\">\n" + report::assembly_section(result) +
-                                 report::fields_section(result) + report::contacts_section(result) + "</div>\n";
+    const auto pictures = [](const std::string& sections) { return "<div class=\"pictures\">\n" + sections + "</div>\n"; };
     return page(result,
-                report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" + pictures +
-                    report::model_section(result, model) + report::tables_section(result),
+                report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" +
+                    pictures(report::assembly_section(result, model) + report::fields_section(result)) +
+                    report::model_section(result, model) + pictures(report::contacts_section(result)) +
+                    report::tables_section(result),
                 data.empty() ? "" : report::instrument(data));
 }
 
-std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<std::string>& data) {
-    std::string body = "<div id=\"instrument\"></div>\n" + envelope_table(cases);
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models,
+                       const std::vector<std::string>& data) {
+    ModelFacts common = models.front();
+    common.loads.clear();  // each case has its own
+    std::string body =
+        "<div id=\"instrument\"></div>\n" + envelope_table(cases) + report::model_section(cases.front().result, common);
     std::vector<report::CaseTab> tabs;
     for (std::size_t k = 0; k < cases.size(); ++k) {
         const Result& result = cases[k].result;
-        body += case_box(cases[k], k);
+        body += case_box(cases[k], k, models[k]);
         if (data[k].empty()) continue;
         tabs.push_back(
             {cases[k].name, loads_text(cases[k]), verdict_word(verdict_of(result)), verdict_sentence(result), data[k]});

@@ -16,7 +16,8 @@ std::string report_html(const Result& result, const ModelFacts& model = {});
 
 /// The text of the page over the load cases of a scene: what each came to, with a link to its own page
 /// (CASE_FOLDER/report.html), and what is largest in any; with a script all of them in one instrument, by tabs and a slider,
-/// and curves over them. data: report_data of each.
-std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<std::string>& data);
+/// and curves over them. models, data: what was analysed and report_data of each.
+std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models,
+                       const std::vector<std::string>& data);
 
 }  // namespace abut

@@ -15,7 +15,7 @@ namespace abut::report {
 
 namespace {
 
-constexpr double side_by_side = 0.55;  ///< height / width of a model from which two pictures stand side by side
+constexpr double side_by_side = 0.25;  ///< height / width of a model; below, half a page shows a strip that is too thin to see
 constexpr double name_font = 12;
 constexpr std::size_t most_numbers = 10;  ///< of contacts; more would hide the parts
 
@@ -140,7 +140,7 @@ PictureSize picture_size(const Box2& model) {
     return {page_width, 700};
 }
 
-std::string assembly_section(const Result& result) {
+std::string assembly_section(const Result& result, const ModelFacts& model) {
     Box2 box = model_box(result);
     if (box.empty()) return "";
     const std::vector<geometry::Part> drawn = drawn_parts(result);
@@ -158,7 +158,7 @@ std::string assembly_section(const Result& result) {
         svg += path(path_data(part, view), "fill=\"none\" stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4 3\"");
     svg += support_signs(result.support_marks, view, places) + load_arrows(result, view, places);
     svg += contact_marks(result, view, places);
-    svg += part_names(result, view, places) + "</svg>\n";
+    svg += load_values(result, model, view, places) + part_names(result, view, places) + "</svg>\n";
     return "<section><h2>Assembly</h2>\n<div class=\"row\">" +
            figure(svg,
                   std::string("Parts, contacts, supports and loads, ") +

@@ -155,4 +155,23 @@ std::string load_arrows(const Result& result, const View& view, LabelPlaces& pla
     return svg;
 }
 
+std::string load_values(const Result& result, const ModelFacts& model, const View& view, LabelPlaces& places) {
+    std::string svg;
+    if (result.load_marks.empty()) return svg;
+    for (const LoadFacts& load : model.loads) {
+        if (load.at.empty()) continue;
+        // Parts may have been moved since the load was placed: the arrow that is nearest is its own.
+        const auto far = [&](const LoadMark& mark) { return (mark.at - load.at.front()).norm(); };
+        const LoadMark& mark = *std::min_element(result.load_marks.begin(), result.load_marks.end(),
+                                                 [&](const LoadMark& a, const LoadMark& b) { return far(a) < far(b); });
+        const std::string words = load_words(load);
+        const Vec2 size(text_pixels(words, 12) + 6, 16), middle = places.place(view(mark.at), size, Vec2(1, -1));
+        svg += rectangle(middle - 0.5 * size, size,
+                         "rx=\"3\" fill=\"#fff\" fill-opacity=\"0.9\" stroke=\"" + std::string(load_color) +
+                             "\" stroke-width=\"0.6\"") +
+               text(middle + Vec2(0, 4), "middle", words, "class=\"load\"");
+    }
+    return svg;
+}
+
 }  // namespace abut::report

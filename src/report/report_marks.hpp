@@ -6,6 +6,7 @@
 
 #include "src/report/report_labels.hpp"
 #include "src/report/svg.hpp"
+#include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
 
 namespace abut::report {
@@ -37,5 +38,7 @@ std::string support_signs(const std::vector<SupportMark>& marks, const View& vie
 /// The arrows of loads, which end on the part where they push and start there where they pull; thinned out. Blocks their
 /// places.
 std::string load_arrows(const Result& result, const View& view, LabelPlaces& places);
+/// The loads' values beside their arrows.
+std::string load_values(const Result& result, const ModelFacts& model, const View& view, LabelPlaces& places);
 
 }  // namespace abut::report

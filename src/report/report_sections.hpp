@@ -15,7 +15,7 @@ inline constexpr double half_width = 548;   ///< of pictures that stand side by 
 
 /// The parts' common box, undeformed.
 Box2 model_box(const Result& result);
-/// The size of pictures of the whole model: side by side where the model is not much wider than high.
+/// The size of pictures of the whole model: side by side unless the model is a strip.
 struct PictureSize {
     double width, max_height;
 };
@@ -25,7 +25,8 @@ PictureSize picture_size(const Box2& model);
 std::string verdict_box(const Result& result);
 std::string warnings_box(const Result& result);
 
-std::string assembly_section(const Result& result);
+/// model: the loads, whose values stand at their arrows.
+std::string assembly_section(const Result& result, const ModelFacts& model);
 std::string fields_section(const Result& result);
 /// The contacts of the largest pressures, at most so many.
 std::vector<bool> strongest_contacts(const Result& result, std::size_t n);

@@ -8,6 +8,7 @@
 #include "src/io/number_text.hpp"
 #include "src/io/utf8.hpp"
 #include "src/report/report_contours.hpp"
+#include "src/report/report_sections.hpp"
 #include "src/results/result_units.hpp"
 
 namespace abut::report {
@@ -105,8 +106,8 @@ std::string color_bar(const ColorBar& bar, double width) {
 }
 
 std::string figure(const std::string& svg, const std::string& caption, double width) {
-    return "<figure style=\"width:" + coordinate_text(width) + "px\">\n" +
-           (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") + svg + "</figure>\n";
+    return std::string("<figure") + (width > half_width ? " class=\"wide\"" : "") + " style=\"width:" + coordinate_text(width) +
+           "px\">\n" + (caption.empty() ? "" : "<figcaption>" + caption + "</figcaption>\n") + svg + "</figure>\n";
 }
 
 std::string clip_path(const std::string& id, const std::string& data) {

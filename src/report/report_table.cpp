@@ -7,8 +7,16 @@ namespace abut::report {
 
 namespace {
 
+constexpr std::size_t short_word = 16;  ///< letters: up to here a word is not broken at its hyphens
+
 std::string cell(const std::string& tag, bool number, const std::string& words) {
-    return "<" + tag + (number ? " class=\"n\"" : "") + ">" + escape_xml(words) + "</" + tag + ">";
+    const bool is_word =
+        words.find('-') != std::string::npos && words.size() <= short_word && words.find(' ') == std::string::npos;
+    return "<" + tag +
+           (number    ? " class=\"n\""
+            : is_word ? " class=\"word\""
+                      : "") +
+           ">" + escape_xml(words) + "</" + tag + ">";
 }
 
 }  // namespace

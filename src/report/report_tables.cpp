@@ -286,7 +286,7 @@ std::string timing_bars(const Result& result) {
 std::string tables_section(const Result& result) {
     const ResultUnits units = result_units(result);
     const bool solved = result.status == "ok";
-    std::string html = "<section class=\"tables\"><h2>Figures</h2>\n";
+    std::string html = "<section class=\"tables\"><h2>Tables</h2>\n";
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
     html += reaction_table(result, units);
     html += preload_table(result, units);

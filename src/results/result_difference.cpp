@@ -9,6 +9,7 @@
 #include "geometry/brep/input_error.hpp"
 #include "src/io/number_text.hpp"
 #include "src/io/text_table.hpp"
+#include "src/results/result_units.hpp"
 
 namespace abut {
 
@@ -36,6 +37,13 @@ public:
     }
     std::vector<NamedNumber> numbers;
 };
+
+/// What is nothing but rounding beside the largest of its kind is 0: the force of a support that carries nothing.
+void round_off(std::vector<NamedNumber>& numbers) {
+    std::map<std::string, double> largest;
+    for (const NamedNumber& n : numbers) largest[n.quantity] = std::max(largest[n.quantity], std::abs(n.value));
+    for (NamedNumber& n : numbers) n.value = rounded_off(n.value, largest[n.quantity]);
+}
 
 double size_of(const DifferenceJson& vector) {
     if (!vector.is_array() || vector.size() != 2 || !vector[0].is_number() || !vector[1].is_number()) return NAN;
@@ -75,6 +83,7 @@ std::vector<NamedNumber> numbers_of(const DifferenceJson& result) {
     for (std::size_t k = 0; k < result.at("probes").size(); ++k)
         list.add("probe " + std::to_string(k + 1), "displacement", size_at(result.at("probes")[k], "displacement"));
     list.add("all", "strain energy", number_at(result, "/strain_energy"));
+    round_off(list.numbers);
     return std::move(list.numbers);
 }
 

@@ -61,8 +61,9 @@ constexpr const char* method =
 std::string study_html(const Study& study) {
     const std::string title = escape_xml("What accuracy costs: " + (study.title.empty() ? study.file : study.title));
     return report::html_page(title,
-                             verdict(study) + notes_box(study) + report::errors_section(study) + report::stages_section(study) +
-                                 report::growth_section(study) + report::runs_section(study),
+                             verdict(study) + notes_box(study) + "<div class=\"charts\">\n" + report::errors_section(study) +
+                                 report::stages_section(study) + report::growth_section(study) + "</div>\n" +
+                                 report::runs_section(study),
                              method, "", study_style);
 }
 

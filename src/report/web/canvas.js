@@ -14,8 +14,9 @@ const mostZoom = 1e5;
 export class Canvas {
     constructor(element, data, state) {
         Object.assign(this, {element, data, state, coarseness: 1, frame: 0, transform: zoomIdentity, listeners: [], overlays: [], takers: [], clickTakers: []});
-        this.context = element.getContext('2d');
+        this.context = element.getContext('2d', {alpha: false});
         this.scratch = document.createElement('canvas');
+        this.ground = document.createElement('canvas');
         // What lies over the picture may take a drag for itself.
         const starts = event => (!event.ctrlKey || event.type === 'wheel') && !event.button && (event.type === 'wheel' || !this.takers.some(takes => takes(event)));
         this.zoom = zoom().filter(starts).scaleExtent([0.3, mostZoom]).on('zoom', event => {
@@ -105,7 +106,7 @@ export class Canvas {
         const took = performance.now() - begin;
         if (this.moving) {
             if (took > slowFrame) this.coarseness = Math.min(4, this.coarseness + 1);
-            else if (took < slowFrame / 4) this.coarseness = Math.max(1, this.coarseness - 1);
+            else if (this.paintedGround && took < slowFrame / 4) this.coarseness = Math.max(1, this.coarseness - 1);
             this.later = setTimeout(() => this.draw(), 120);
         } else if (took > slowFrame) {
             this.coarseness = Math.max(2, this.coarseness);
@@ -114,22 +115,14 @@ export class Canvas {
     }
 
     paintAll(coarseness) {
-        const {context: c, state, data} = this, style = getComputedStyle(this.element), place = this.place;
+        const {context: c, state} = this, style = getComputedStyle(this.element);
         const color = name => style.getPropertyValue('--' + name).trim();
         [this.ink, this.paper, this.soft] = ['ink', 'paper', 'soft'].map(color);
         this.colors = {load: color('load'), resultant: color('resultant'), reaction: color('reaction'), none: color('none')};
+        this.paintGround(coarseness);
+        c.setTransform(1, 0, 0, 1, 0, 0);
+        c.drawImage(this.ground, 0, 0);
         c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-        c.fillStyle = this.paper;
-        c.fillRect(0, 0, this.width, this.height);
-        this.scale = new Scale(state.range.low, state.range.high, state.quantity.signed, state.mode);
-        this.paths = data.parts.map(part => this.path(part, place.exaggeration));
-        if (state.has('undeformed') && place.exaggeration > 0) {
-            c.setLineDash([4, 3]);
-            c.strokeStyle = this.soft;
-            for (const part of data.parts) c.stroke(this.path(part, 0));
-            c.setLineDash([]);
-        }
-        data.parts.forEach((part, i) => this.paintPart(part, this.paths[i], place, coarseness));
         if (state.has('cells')) drawCells(this);
         if (state.has('pieces')) drawPieces(this);
         drawContacts(this);
@@ -146,6 +139,30 @@ export class Canvas {
         this.overlays.forEach(draw => draw(this));
     }
 
+    /// The parts with their fields: painted anew only where something of them has changed, since this is what takes time.
+    paintGround(coarseness) {
+        const {ground, state, data} = this, place = this.place, {low, high} = state.range;
+        const shown = [...Object.values(place), this.element.width, this.element.height, low, high, state.quantity.key, state.mode, ...state.layers, state.part, state.stamp, this.ink, this.paper].join();
+        this.paintedGround = this.shownGround !== shown || this.groundCoarseness > coarseness;
+        if (!this.paintedGround) return;
+        [this.shownGround, this.groundCoarseness] = [shown, coarseness];
+        ground.width = this.element.width;
+        ground.height = this.element.height;
+        const c = ground.getContext('2d');
+        c.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+        c.fillStyle = this.paper;
+        c.fillRect(0, 0, this.width, this.height);
+        this.scale = new Scale(low, high, state.quantity.signed, state.mode);
+        this.paths = data.parts.map(part => this.path(part, place.exaggeration));
+        if (state.has('undeformed') && place.exaggeration > 0) {
+            c.setLineDash([4, 3]);
+            c.strokeStyle = this.soft;
+            for (const part of data.parts) c.stroke(this.path(part, 0));
+            c.setLineDash([]);
+        }
+        data.parts.forEach((part, i) => this.paintPart(c, part, this.paths[i], place, coarseness));
+    }
+
     path(part, exaggeration) {
         const path = new Path2D(), {x, y, value} = part.loops, p = this.place;
         for (const [from, to] of part.ranges) {
@@ -159,10 +176,10 @@ export class Canvas {
         return path;
     }
 
-    paintPart(part, path, place, coarseness) {
-        const {context: c, state} = this, shown = this.data.parts[state.part] === part;
+    paintPart(c, part, path, place, coarseness) {
+        const {state} = this, shown = this.data.parts[state.part] === part;
         const showsField = state.has('field') && part.hasField;
-        if (showsField) this.paintField(part, path, place, coarseness);
+        if (showsField) this.paintField(c, part, path, place, coarseness);
         else {
             c.fillStyle = state.has('colors') ? part.color : this.colors.none;
             c.fill(path, 'evenodd');
@@ -180,8 +197,8 @@ export class Canvas {
     }
 
     /// The field of a part, cut out by its outline.
-    paintField(part, path, place, coarseness) {
-        const {context: c} = this, r = this.ratio / coarseness, ex = place.exaggeration;
+    paintField(c, part, path, place, coarseness) {
+        const r = this.ratio / coarseness, ex = place.exaggeration;
         const {x, y, value} = part.loops;
         let x0 = Infinity, x1 = -Infinity, y0 = Infinity, y1 = -Infinity;
         for (let i = 0; i < part.loops.n; ++i) {

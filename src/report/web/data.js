@@ -5,17 +5,18 @@ export const components = ['ux', 'uy', 'xx', 'yy', 'xy', 'zz'];
 
 /// Signed integers in groups of seven bits.
 function integers(base64) {
-    const text = atob(base64), list = [];
-    for (let i = 0; i < text.length;) {
+    const text = atob(base64), n = text.length, list = new Int32Array(n);
+    let size = 0;
+    for (let i = 0; i < n;) {
         let rest = 0, factor = 1, byte;
         do {
             byte = text.charCodeAt(i++);
             rest += (byte & 127) * factor;
             factor *= 128;
         } while (byte > 127);
-        list.push(rest % 2 ? -(rest + 1) / 2 : rest / 2);
+        list[size++] = rest % 2 ? -(rest + 1) / 2 : rest / 2;
     }
-    return list;
+    return list.subarray(0, size);
 }
 
 /// Places and components: x, y of n samples; value[6 i + c].
@@ -32,15 +33,17 @@ function unpackSamples(packed, field) {
 
 /// Four samples for each patch, counter-clockwise.
 function unpackPatches(packed) {
-    let first = 0;
-    return Int32Array.from(integers(packed), (difference, k) => k % 4 === 0 ? first += difference : first + difference);
+    const list = integers(packed);
+    for (let k = 0, first = 0; k < list.length; ++k) list[k] = k % 4 === 0 ? first += list[k] : first + list[k];
+    return list;
 }
 
-/// The field of a part and its outline.
-export function unpackField(field) {
+/// The field of a part and its outline; before: what it was under other loads, in the same places.
+export function unpackField(field, before = null) {
     const samples = unpackSamples(field.samples, field), loops = unpackSamples(field.loops, field);
     let end = 0;
-    return {field, samples, loops, ranges: field.loop_sizes.map(size => [end, end += size]), inside: field.inside, patches: unpackPatches(field.patches), hasField: samples.n > 0};
+    return {field, samples, loops, ranges: field.loop_sizes.map(size => [end, end += size]), inside: field.inside,
+        patches: before?.field.patches === field.patches ? before.patches : unpackPatches(field.patches), hasField: samples.n > 0};
 }
 
 function unpackPart(part, facts) {
@@ -74,10 +77,10 @@ export function isInside(part, px, py) {
     return inside;
 }
 
-/// The displacement of the boundary of a part where it is nearest to a point.
-function boundaryDisplacement(part, px, py) {
-    const {x, y, value} = part.loops;
-    let best = Infinity, ux = 0, uy = 0;
+/// Where the boundary of a part is nearest to a point: between which of its samples, and how far along.
+function footOf(part, px, py) {
+    const {x, y} = part.loops, foot = {x: px, y: py, i: 0, j: 0, t: 0};
+    let best = Infinity;
     for (const [from, to] of part.ranges)
         for (let i = from, j = to - 1; i < to; j = i++) {
             const dx = x[i] - x[j], dy = y[i] - y[j], length = dx * dx + dy * dy;
@@ -85,10 +88,22 @@ function boundaryDisplacement(part, px, py) {
             const distance = (px - x[j] - t * dx) ** 2 + (py - y[j] - t * dy) ** 2;
             if (distance >= best) continue;
             best = distance;
-            ux = value[6 * j] + t * (value[6 * i] - value[6 * j]);
-            uy = value[6 * j + 1] + t * (value[6 * i + 1] - value[6 * j + 1]);
+            Object.assign(foot, {i, j, t});
         }
-    return [ux, uy];
+    return foot;
+}
+
+/// Outward normals of the first part along a profile.
+function normalsOf({profile: p, first}) {
+    const n = p.x.length, nx = new Float64Array(n), ny = new Float64Array(n), length = n > 1 ? Math.hypot(p.x[n - 1] - p.x[0], p.y[n - 1] - p.y[0]) + 1e-12 : 1;
+    let votes = 0;
+    for (let i = 0; i < n; ++i) {
+        const a = Math.max(0, i - 1), b = Math.min(n - 1, i + 1), tx = p.x[b] - p.x[a], ty = p.y[b] - p.y[a], l = Math.hypot(tx, ty) || 1;
+        nx[i] = ty / l;
+        ny[i] = -tx / l;
+        votes += isInside(first, p.x[i] + 1e-3 * length * nx[i], p.y[i] + 1e-3 * length * ny[i]) ? -1 : 1;
+    }
+    return votes < 0 ? {nx: nx.map(v => -v), ny: ny.map(v => -v)} : {nx, ny};
 }
 
 /// Adds to a contact what drawing it needs: displacements and outward normals of the first part along its profile, and a common
@@ -97,24 +112,16 @@ export function prepareContact(contact, parts) {
     const p = contact.profile, first = parts[contact.parts[0]], n = p.x.length;
     contact.first = first;
     p.gap ??= p.x.map(() => null);  // not asked for
-    contact.ux = new Float64Array(n);
-    contact.uy = new Float64Array(n);
-    contact.nx = new Float64Array(n);
-    contact.ny = new Float64Array(n);
-    let votes = 0;
-    const length = n > 1 ? Math.hypot(p.x[n - 1] - p.x[0], p.y[n - 1] - p.y[0]) + 1e-12 : 1;
-    for (let i = 0; i < n; ++i) {
-        const a = Math.max(0, i - 1), b = Math.min(n - 1, i + 1), tx = p.x[b] - p.x[a], ty = p.y[b] - p.y[a], l = Math.hypot(tx, ty) || 1;
-        contact.nx[i] = ty / l;
-        contact.ny[i] = -tx / l;
-        votes += isInside(first, p.x[i] + 1e-3 * length * contact.nx[i], p.y[i] + 1e-3 * length * contact.ny[i]) ? -1 : 1;
-        [contact.ux[i], contact.uy[i]] = boundaryDisplacement(first, p.x[i], p.y[i]);
+    // Under other loads a contact stays where it is.
+    const stays = contact.feet?.length === n && contact.feet.of === first.loops.n && contact.feet.every((foot, i) => foot.x === p.x[i] && foot.y === p.y[i]);
+    if (!stays) {
+        contact.feet = p.x.map((x, i) => footOf(first, x, p.y[i]));
+        contact.feet.of = first.loops.n;
+        Object.assign(contact, normalsOf(contact));
     }
-    if (votes < 0)
-        for (let i = 0; i < n; ++i) {
-            contact.nx[i] *= -1;
-            contact.ny[i] *= -1;
-        }
+    const displacement = component => Float64Array.from(contact.feet, ({i, j, t}) => (1 - t) * first.loops.value[6 * j + component] + t * first.loops.value[6 * i + component]);
+    contact.ux = displacement(0);
+    contact.uy = displacement(1);
     // Arc length on one edge, in either direction; from its beginning on where the contact runs over several, or over the edge's start.
     const falls = n > 1 && p.s[n - 1] < p.s[0], isMonotone = p.s.every((s, i) => i === 0 || (falls ? s <= p.s[i - 1] : s >= p.s[i - 1]));
     contact.hasArc = p.edges.length === 1 && isMonotone;

@@ -160,6 +160,12 @@ function keyboard(canvas, state, root) {
     });
 }
 
+/// Width / height of a canvas that has the model with room for labels and axes on all sides, a sixth of its width in all.
+function aspectOf({x0, x1, y0, y1}) {
+    const width = x1 - x0 || 1;
+    return Math.min(4, Math.max(0.5, 1.17 * width / (y1 - y0 + 0.17 * width)));
+}
+
 /// Fills a root with the instrument; more: elements for the top of the column of tables.
 export function start(data, root, ...more) {
     const state = new State(data);
@@ -167,6 +173,7 @@ export function start(data, root, ...more) {
     const tip = element('div', {class: 'tip', hidden: true});
     const stage = element('div', {class: 'stage'}, surface, tip);
     root.append(stage);
+    stage.style.setProperty('--aspect', aspectOf(data.box));
     const canvas = new Canvas(surface, data, state), plot = new ContactPlot(data, state);
     const hint = element('p', {class: 'hint'}, 'Wheel zooms, drag moves, double click fits, click pins a label. Keys: arrows + - f q d c space.');
     root.replaceChildren(toolbar(state, canvas), element('div', {class: 'columns'}, element('div', {class: 'main-column'}, element('div', {class: 'with-legend'}, stage, new Legend(state).root), hint, plot.root),

@@ -164,9 +164,20 @@ function drawNumber(canvas, contact) {
     const i = anchorOf(contact), c = canvas.context;
     if (i < 0) return;
     const [x, y] = canvas.profilePixel(contact, i), words = String(contact.index + 1), radius = words.length < 3 ? 9 : 12;
-    const [px, py] = [x - 16 * contact.nx[i], y + 16 * contact.ny[i]];
-    if (px < -20 || px > canvas.width + 20 || py < -20 || py > canvas.height + 20) return;
-    if (contact.isOpen && canvas.labels.some(b => Math.hypot(px - b.x - b.w / 2, py - b.y - b.h / 2) < 18)) return;
+    if (x < -20 || x > canvas.width + 20 || y < -20 || y > canvas.height + 20) return;
+    // Beside the contact where nothing else stands: on the second part, on the first, further along, further away.
+    const [nx, ny] = [contact.nx[i], -contact.ny[i]], isFree = ([px, py]) => canvas.labels.every(b => Math.hypot(px - b.x - b.w / 2, py - b.y - b.h / 2) > radius + b.w / 2 + 1);
+    const places = [1, 2].flatMap(far => [[1, 0], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]].map(([n, t]) => [x - 16 * far * n * nx - 20 * far * t * ny, y - 16 * far * n * ny + 20 * far * t * nx]));
+    const free = places.find(isFree);
+    if (contact.isOpen && !free) return;
+    const [px, py] = free ?? places[0];
+    if (Math.hypot(px - x, py - y) > 17) {
+        c.beginPath();
+        c.moveTo(x, y);
+        c.lineTo(px, py);
+        c.strokeStyle = contact.isOpen ? openColor : contactColor;
+        c.stroke();
+    }
     c.beginPath();
     c.arc(px, py, radius, 0, 2 * Math.PI);
     c.fillStyle = contact.isOpen ? openColor : contactColor;
@@ -234,7 +245,7 @@ function thinned(canvas, marks, spacing) {
     for (const mark of marks) {
         const [x, y] = canvas.pixel(...mark.at);
         if (x < -40 || y < -40 || x > canvas.width + 40 || y > canvas.height + 40) continue;
-        if (kept.every(k => Math.hypot(k.x - x, k.y - y) >= spacing)) kept.push({...mark, x, y, fixX: mark.x, fixY: mark.y});
+        if (kept.every(k => Math.hypot(k.x - x, k.y - y) >= spacing)) kept.push({...mark, x, y, fixX: mark.x, fixY: mark.y, of: mark});
     }
     return kept;
 }
@@ -281,8 +292,8 @@ export function drawLoads(canvas) {
     const {data} = canvas, marks = thinned(canvas, data.marks.loads, 16), c = canvas.context, length = 34;
     for (const mark of marks) {
         const dx = length * mark.direction[0], dy = -length * mark.direction[1], [X, Y] = mark.at, step = 1e-3 * data.size;
-        const ahead = canvas.inside(X + step * mark.direction[0], Y + step * mark.direction[1]), behind = canvas.inside(X - step * mark.direction[0], Y - step * mark.direction[1]);
-        const pulls = behind && !ahead, x = pulls ? mark.x : mark.x - dx, y = pulls ? mark.y : mark.y - dy;
+        const isInside = side => canvas.inside(X + side * step * mark.direction[0], Y + side * step * mark.direction[1]);
+        const pulls = mark.of.pulls ??= isInside(-1) && !isInside(1), x = pulls ? mark.x : mark.x - dx, y = pulls ? mark.y : mark.y - dy;
         arrow(c, x, y, dx, dy, canvas.colors.load);
         mark.tail = pulls ? [x + dx, y + dy] : [x, y];
     }
@@ -348,8 +359,8 @@ export function drawNames(canvas) {
 }
 
 /// Where a point of a part is drawn, whose displacement is that of the field there.
-function displaced(canvas, {part, x, y}) {
-    const sample = sampleAt(part, x, y, 0);
+function displaced(canvas, end) {
+    const {part, x, y} = end, sample = end.sample ??= sampleAt(part, x, y, 0);
     return sample ? canvas.samplePixel(sample) : canvas.pixel(x, y);
 }
 

@@ -20,9 +20,11 @@ export class Legend {
         this.update();
     }
     update() {
-        const {state} = this, {low, high} = state.range, unit = state.data.units[state.quantity.unit];
+        const {state} = this, {low, high} = state.range, unit = state.data.units[state.quantity.unit], most = state.ends?.high.value;
+        const shown = [low, high, most, state.quantity.key, state.mode, state.locked, unit].join();
+        if (this.shown === shown) return;
+        this.shown = shown;
         this.title.textContent = state.quantity.name + (unit ? ` [${unit}]` : '');
-        const most = state.ends?.high.value;
         this.beyond.textContent = most > high * (1 + 1e-6) ? `up to ${text(most, 4)} beyond` : '';
         const scale = new Scale(low, high, state.quantity.signed, state.mode), c = this.bar.getContext('2d');
         for (let i = 0; i < 256; ++i) {

@@ -175,7 +175,7 @@ class Live {
 
     takeFields(fields) {
         const {data, view} = this;
-        fields.fields.forEach((field, i) => Object.assign(data.parts[i], unpackField(field)));
+        fields.fields.forEach((field, i) => Object.assign(data.parts[i], unpackField(field, data.parts[i])));
         // Largest values at the points of the picture: those of the analysis come after a rest.
         for (const part of data.parts) {
             if (!part.hasField) continue;

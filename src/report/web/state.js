@@ -21,7 +21,7 @@ export class State {
         this.data = data;
         this.setAutomatic(data.largestDisplacement);
         Object.assign(this, {shownCase: 0, exaggeration: 0, mode: 'smooth', layers: new Set(shownAtFirst), contact: -1, hovered: -1, part: -1, pins: [], cursor: null,
-            locked: false, listeners: []});
+            locked: false, listeners: [], stamp: 0});
         this.setQuantity('vm');
     }
     /// The enlargement that shows a displacement.
@@ -43,8 +43,9 @@ export class State {
         this.measure();
         this.changed('quantity');
     }
-    /// Takes smallest and largest values of what is shown.
+    /// Takes smallest and largest values of what is shown; stamp: of the fields that this was done for.
     measure() {
+        ++this.stamp;
         this.ends = extremes(this.quantity, this.data);
         this.automaticRange = this.ends ? automaticRange(this.quantity, this.data, this.ends) : {low: 0, high: 1};
         if (!this.locked) this.range = {...this.automaticRange};

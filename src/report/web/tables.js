@@ -66,13 +66,14 @@ export function contactPanel(data, state, canvas) {
     const open = sortableTable(columns, () => data.contacts.filter(c => c.isOpen), decorate, 'Open contacts');
     const none = element('p', {}, 'No parts touch.'), closedBox = element('div', {class: 'scroll'}, closed);
     const summary = element('summary'), folded = element('details', {class: 'open-contacts', open: data.contacts.every(c => c.isOpen)}, summary, open);
-    const root = element('div', {class: 'panel contacts-panel'}, none, search, closedBox, folded);
+    const note = cornerNote(), root = element('div', {class: 'panel contacts-panel'}, none, search, closedBox, note, folded);
     const update = () => {
         const n = data.contacts.filter(c => c.isOpen).length;
         none.hidden = data.contacts.length > 0;
         search.hidden = data.contacts.length <= 6;
         closedBox.hidden = n === data.contacts.length;
         folded.hidden = n === 0;
+        note.hidden = !data.contacts.some(c => c.at_corner);
         summary.textContent = `${n} open`;
         find();
     };
@@ -86,6 +87,8 @@ export function contactPanel(data, state, canvas) {
     update();
     return root;
 }
+
+const cornerNote = () => element('p', {class: 'note'}, '* at a sharp corner: it has no limit and grows with every finer grid');
 
 /// What is nothing but rounding beside the largest reads as 0.
 const beside = (value, largest) => Math.abs(value) < 1e-9 * largest ? 0 : value;
@@ -115,10 +118,14 @@ export function partPanel(data, state, canvas) {
         row.addEventListener('keydown', e => e.key === 'Enter' && canvas.showBox(part.box, 0.8));
         return row;
     };
-    const table = sortableTable(columns, () => data.parts, decorate, 'Parts'), root = element('div', {class: 'panel'}, element('div', {class: 'scroll'}, table));
+    const table = sortableTable(columns, () => data.parts, decorate, 'Parts'), note = cornerNote(), root = element('div', {class: 'panel'}, element('div', {class: 'scroll'}, table), note);
+    const update = () => note.hidden = !data.parts.some(p => p.at_corner);
     state.on(what => {
         if (what === 'hover') markRows(root, 'data-part', state.part);
-        if (what === 'data') table.refill();
+        if (what !== 'data') return;
+        table.refill();
+        update();
     });
+    update();
     return root;
 }

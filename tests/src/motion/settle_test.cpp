@@ -81,6 +81,59 @@ TEST(Settle, FarFromTheOriginToo) {
     }
 }
 
+/// Where a force acts along a round part's middle is known to many more digits than where the gap beside it is least: the
+/// answer's balance depends on it.
+TEST(Settle, KnowsTheDirectionThatARoundPartIsPressedIn) {
+    for (const double r : {2.0, 6.0, 8.0})
+        for (const double degrees : {-90.0, 23.0, 101.0}) {
+            const double angle = degrees * std::numbers::pi / 180;
+            const Vec2 force(100 * std::cos(angle), 100 * std::sin(angle));
+            const Scene scene =
+                scene_of(hole_and_pin(r, {0.1, 0.2}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
+                         R"({"part": "pin", "force": [)" + scientific(force.x()) + ", " + scientific(force.y()) + "]}");
+            const Settling settling = settling_of(scene);
+            ASSERT_EQ(settling.end, Settling::End::rests) << r << settling.why;
+            const Vec2 loaded(scene.loads.at(0).value[0].constant(), scene.loads.at(0).value[1].constant());
+            const Vec2 rest = centroid(scene.parts.at(1).part) + way(scene, settling, 1);
+            EXPECT_NEAR(geometry::cross(rest, loaded) / (rest.norm() * loaded.norm()), 0, 1e-9) << r << " " << degrees;
+        }
+}
+
+/// What pulls a chain turns its links into one line, which gaps along them do not see.
+TEST(Settle, APulledChainIsStraight) {
+    std::string parts;
+    const auto add = [&](const std::string& one) { parts += (parts.empty() ? "" : ", ") + one; };
+    constexpr int links = 4;
+    constexpr double pitch = 16, hole = 2.6, pin = 2.5;
+    for (int k = 0; k < links; ++k) {
+        const std::string level = std::to_string(1 + k % 2);
+        add(R"({"name": "link)" + std::to_string(k) + R"(", "material": "m", "level": )" + level +
+            R"(, "place": {"translate": [)" + std::to_string(pitch * k) + R"(, 0]}, "geometry": {"difference": [
+                {"slot": {"from": [0, 0], "to": [16, 0], "radius": 7}, "name": "plate"},
+                {"circle": {"center": [0, 0], "radius": )" +
+            std::to_string(hole) + R"(}, "name": "a"}, {"circle": {"center": [16, 0], "radius": )" + std::to_string(hole) +
+            R"(}, "name": "b"}]}})");
+        if (k + 1 < links)
+            add(part("pin" + std::to_string(k), R"({"circle": {"center": [)" + std::to_string(pitch * (k + 1)) +
+                                                    R"(, 0], "radius": )" + std::to_string(pin) + "}}"));
+    }
+    for (const double degrees : {0.0, 30.0}) {
+        const Vec2 along(std::cos(degrees * std::numbers::pi / 180), std::sin(degrees * std::numbers::pi / 180));
+        // the first link hangs on a held pin
+        const Scene scene = scene_of(
+            part("post", R"({"circle": {"center": [0, 0], "radius": 2.5}})") + ", " + parts,
+            R"({"part": "post", "rigid": {"translation": [0, 0], "rotation": 0}})",
+            R"({"part": "pin2", "force": [)" + scientific(100 * along.x()) + ", " + scientific(100 * along.y()) + "]}");
+        const Settling settling = settling_of(scene);
+        ASSERT_EQ(settling.end, Settling::End::rests) << degrees << settling.why;
+        for (std::size_t i = 1; i < scene.parts.size(); ++i) {
+            if (scene.parts[i].name.rfind("pin", 0) != 0) continue;
+            const Vec2 rest = centroid(scene.parts[i].part) + way(scene, settling, i);
+            EXPECT_NEAR(geometry::cross(along, rest), 0, 1e-6) << degrees << " " << scene.parts[i].name;
+        }
+    }
+}
+
 TEST(Settle, WhatGoesNotFarStays) {
     const Scene scene = scene_of(hole_and_pin(9.9, {0, 0}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                                  R"({"part": "pin", "force": [0, -100]})");

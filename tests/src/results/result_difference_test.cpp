@@ -56,6 +56,18 @@ TEST(ResultDifference, AResultIsTheSameAsItself) {
     EXPECT_EQ(number(d, "a/x - b/y (2)", "force").a, 5);
 }
 
+TEST(ResultDifference, RoundingIsNone) {
+    Result a = some_result();
+    a.reactions.resize(2);
+    a.reactions[0].force = {0, 2000};
+    a.reactions[1].force = {1e-14, 0};
+    Result b = a;
+    b.reactions[1].force = {3e-14, 0};
+    EXPECT_EQ(relative_difference(number(compared(a, b), "support 2", "reaction")), 0);
+    b.reactions[1].force = {3e-3, 0};
+    EXPECT_EQ(relative_difference(number(compared(a, b), "support 2", "reaction")), 1);
+}
+
 TEST(ResultDifference, WhatDiffersIsTold) {
     Result other = some_result();
     other.contacts[1].max_pressure.value = 21;     // both known to 2 %
