@@ -13,7 +13,7 @@ namespace abut {
 /// 4e3 on a million of equal cells).
 inline constexpr double bytes_per_unknown = 4e3;
 /// Memory that grids may take where the user bounds none, in bytes: what a machine to draw on has to spare.
-inline constexpr double standard_memory = 4e9;
+inline constexpr double standard_memory = 2e9;
 
 /// The grid of a part, and the part in the grid's frame.
 struct PartGrid {
