@@ -11,6 +11,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace abut::geometry {
 
@@ -147,6 +148,21 @@ bool have_different_carriers(const OutlinePiece& a, const OutlinePiece& b) {
 
 }  // namespace
 
+Vec2 point_above(const OutlinePiece& piece, double share) {
+    const Vec2 chord = piece.to - piece.from, across(-chord.y(), chord.x());
+    if (piece.turn == 0) return piece.from + share * chord;
+    // Heights over the chord are those of a circle of radius r, all as shares of the chord's length.
+    const double height = across.dot(piece.middle - piece.from) / chord.squaredNorm();
+    const double r = 0.125 / std::abs(height) + 0.5 * std::abs(height), x = share - 0.5;
+    const double above = (0.25 - x * x) / (std::sqrt(r * r - x * x) + std::sqrt(r * r - 0.25));
+    return piece.from + share * chord + std::copysign(above, height) * across;
+}
+
+double share_of(const OutlinePiece& piece, const Vec2& p) {
+    const Vec2 chord = piece.to - piece.from;
+    return chord.dot(p - piece.from) / chord.squaredNorm();
+}
+
 HulledPiece hulled(const OutlinePiece& piece) {
     const Protector rounds_up;
     HulledPiece made{piece, {}, {}};
@@ -158,6 +174,22 @@ HulledPiece hulled(const OutlinePiece& piece) {
     if (piece.turn < 0) std::reverse(made.hull.begin(), made.hull.end());
     for (const Box2& corner : made.hull) made.box.extend(corner);
     return made;
+}
+
+Outline outline_of(const std::vector<std::vector<OutlinePiece>>& loops) {
+    std::vector<HulledPiece> pieces;
+    std::vector<std::size_t> begin_of_loop{0};
+    std::vector<Box2> boxes;
+    bool is_sound = true;
+    for (const std::vector<OutlinePiece>& loop : loops) {
+        for (const OutlinePiece& piece : loop) {
+            pieces.push_back(hulled(piece));
+            boxes.push_back(pieces.back().box);
+            is_sound = is_sound && !boxes.back().empty() && piece.from != piece.to;
+        }
+        begin_of_loop.push_back(pieces.size());
+    }
+    return {std::move(pieces), std::move(begin_of_loop), EdgeTree(std::move(boxes)), is_sound};
 }
 
 std::vector<Vec2> shared_corners(const OutlinePiece& a, const OutlinePiece& b) {

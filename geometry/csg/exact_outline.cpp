@@ -6,12 +6,14 @@
 //    stretch between such corners is asked for them, along a ray, exactly.
 // 4. Where this does not prove the outline right, the sweep of CGAL makes an arrangement of all of it, says whether it is, and
 //    what is wrong.
+// What pieces have in common, and winding numbers, serve pairs of outlines as well (common_boundary.cpp).
 #include "geometry/csg/exact_outline.hpp"
 
 #include <CGAL/Arr_circle_segment_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
 
 #include <algorithm>
 #include <boost/iterator/function_output_iterator.hpp>
@@ -72,30 +74,32 @@ void append(const OutlinePiece& piece, std::vector<PlaneCurve>& outline) {
                                              boost::make_function_output_iterator(take));
 }
 
-/// Lines and arcs of at most half a turn that follow the curve.
-std::vector<Curve> simple_pieces(const Curve& curve, double tolerance) {
-    if (const auto* arc = std::get_if<Arc>(&curve); arc && std::abs(arc->sweep) > std::numbers::pi)
-        return {trimmed(curve, 0, 0.5), trimmed(curve, 0.5, 1)};
-    std::vector<Curve> pieces;
-    for (const ArcPiece& piece : arc_spline(curve, tolerance)) pieces.push_back(piece.curve);
-    return pieces;
+/// Arcs as short as smoother outlines need decide nothing here: with kinks like these there are half as many.
+constexpr double outline_kink = 1e-2;
+
+/// Lines and arcs of at most `most_turn` that follow the curve.
+std::vector<ArcPiece> simple_pieces(const Curve& curve, double tolerance, double most_turn) {
+    if (const auto* arc = std::get_if<Arc>(&curve)) {
+        const double n = std::ceil(std::abs(arc->sweep) / most_turn - 1e-9);
+        std::vector<ArcPiece> pieces;
+        for (double k = 0; k < n; ++k) pieces.push_back({trimmed(curve, k / n, (k + 1) / n), k / n, (k + 1) / n});
+        return pieces;
+    }
+    return arc_spline(curve, {tolerance, outline_kink});
 }
 
 using Pieces = std::vector<OutlinePiece>;
 
 /// The pieces of each loop, head to tail.
-std::vector<Pieces> pieces_of(const Part& part) {
-    const double tolerance = arc_spline_fraction * bounding_box(part).diagonal();
+std::vector<Pieces> pieces_of(const Part& part, double tolerance, double most_turn) {
     std::vector<Pieces> loops;
     for (const Loop& loop : part.loops) {
         Pieces& pieces = loops.emplace_back();
-        for (const int e : loop.edges) {
-            const std::size_t first = pieces.size();
-            for (const Curve& curve : simple_pieces(curve_of(part, e), tolerance)) {
-                pieces.push_back({point(curve, 0), point(curve, 0.5), {0, 0}, 0, pieces.size() == first});
-                if (std::holds_alternative<Segment>(curve)) pieces.back().middle = pieces.back().from;
+        for (const int e : loop.edges)
+            for (const ArcPiece& made : simple_pieces(curve_of(part, e), tolerance, most_turn)) {
+                pieces.push_back({point(made.curve, 0), point(made.curve, 0.5), {0, 0}, 0, e, made.t0, made.t1});
+                if (std::holds_alternative<Segment>(made.curve)) pieces.back().middle = pieces.back().from;
             }
-        }
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             OutlinePiece& piece = pieces[i];
             piece.to = pieces[(i + 1) % pieces.size()].from;
@@ -105,36 +109,88 @@ std::vector<Pieces> pieces_of(const Part& part) {
     return loops;
 }
 
+std::vector<Pieces> pieces_of(const Part& part) {
+    return pieces_of(part, arc_spline_fraction * bounding_box(part).diagonal(), std::numbers::pi);
+}
+
+/// Sums and products of doubles, without the cost of fractions.
+using Exact = CGAL::MP_Float;
+struct ExactVector {
+    Exact x, y;
+};
+ExactVector exact_vector(const Vec2& from, const Vec2& to) {
+    return {Exact(to.x()) - Exact(from.x()), Exact(to.y()) - Exact(from.y())};
+}
+ExactVector operator*(const Exact& s, const ExactVector& v) {
+    return {s * v.x, s * v.y};
+}
+ExactVector operator+(const ExactVector& a, const ExactVector& b) {
+    return {a.x + b.x, a.y + b.y};
+}
+Exact cross(const ExactVector& a, const ExactVector& b) {
+    return a.x * b.y - a.y * b.x;
+}
+Exact squared(const ExactVector& v) {
+    return v.x * v.x + v.y * v.y;
+}
+
+/// The centre lies at the arc's begin plus to_center / divisor.
+struct ExactCircle {
+    ExactVector to_center;
+    Exact divisor;
+};
+ExactCircle exact_circle(const OutlinePiece& arc) {
+    const ExactVector u = exact_vector(arc.from, arc.middle), v = exact_vector(arc.from, arc.to);
+    const Exact uu = squared(u), vv = squared(v);
+    return {{uu * v.y - vv * u.y, vv * u.x - uu * v.x}, Exact(2) * cross(u, v)};
+}
+
+bool is_apart_from_line(const OutlinePiece& arc, const OutlinePiece& line) {
+    const ExactCircle circle = exact_circle(arc);
+    const ExactVector along = exact_vector(line.from, line.to);
+    const Exact distance = cross(along, circle.divisor * exact_vector(line.from, arc.from) + circle.to_center);
+    return distance * distance > squared(circle.to_center) * squared(along);
+}
+
+/// Have the lines or circles that two pieces lie on no point in common? Some microseconds: of pieces that come within rounding
+/// of each other most are apart.
+bool carriers_are_apart(const OutlinePiece& a, const OutlinePiece& b) {
+    if (a.turn == 0 && b.turn == 0) return false;
+    if (b.turn == 0) return is_apart_from_line(a, b);
+    if (a.turn == 0) return is_apart_from_line(b, a);
+    const ExactCircle first = exact_circle(a), second = exact_circle(b);
+    // Squares of the radii and of the distance, times those of both divisors.
+    const Exact p = second.divisor * second.divisor * squared(first.to_center),
+                q = first.divisor * first.divisor * squared(second.to_center),
+                d = squared(first.divisor * second.divisor * exact_vector(a.from, b.from) + first.divisor * second.to_center +
+                            (-second.divisor) * first.to_center);
+    const Exact both = p + q - d;
+    return both * both > Exact(4) * p * q;
+}
+
 /// Have two pieces nothing in common but the corners that they share, and what is rounding there?
 bool meet_at_corners_only(const OutlinePiece& a, const OutlinePiece& b, double same) {
-    std::vector<PlaneCurve> first, second;
-    append(a, first);
-    append(b, second);
     const std::vector<Vec2> shared = shared_corners(a, b);
-    const auto is_harmless = [&](const PlaneTraits::Point_2& p) {
+    const auto is_rounding = [&](const CommonOfPieces& common) {
         return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
-            if (p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())))) return true;
-            const bool begins = (corner == a.from && a.begins_edge) || (corner == b.from && b.begins_edge);
-            return begins && (place_of(p) - corner).norm() <= same;
+            const bool begins = (corner == a.from && a.begins_edge()) || (corner == b.from && b.begins_edge());
+            return begins && (common.begin - corner).norm() <= same;
         });
     };
-    bool is_clear = true;
-    for (const PlaneCurve& one : first)
-        for (const PlaneCurve& other : second)
-            one.intersect(other, boost::make_function_output_iterator([&](const auto& common) {
-                              const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common);
-                              is_clear = is_clear && crossing && is_harmless(crossing->first);
-                          }));
-    return is_clear;
+    const std::vector<CommonOfPieces> all = common_of(a, b);
+    return std::all_of(all.begin(), all.end(), [&](const CommonOfPieces& common) {
+        return !common.is_stretch && (common.is_shared_corner || is_rounding(common));
+    });
 }
 
 /// Where more pairs of boxes come together for each piece (rings in rings), the sweep is the cheaper way.
 constexpr std::size_t most_pairs_of_piece = 100;
 
-bool all_meet_at_corners_only(const std::vector<HulledPiece>& pieces, const EdgeTree& tree, double same) {
+bool all_meet_at_corners_only(const Outline& outline, double same) {
+    const std::vector<HulledPiece>& pieces = outline.pieces;
     std::size_t n_pairs = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (const int found : tree.near(pieces[i].box, 0)) {
+        for (const int found : outline.tree.near(pieces[i].box, 0)) {
             const std::size_t j = at(found);
             if (j <= i) continue;
             if (++n_pairs > most_pairs_of_piece * pieces.size()) return false;
@@ -146,16 +202,25 @@ bool all_meet_at_corners_only(const std::vector<HulledPiece>& pieces, const Edge
     return true;
 }
 
-/// A point of a piece, and that point moved up by some d as small as you like, and to the right by d^1.5: it is on no chord and
-/// no circle. A line's is exactly in its middle.
+/// A point exactly on a piece, to be moved as windings_around says.
 struct Place {
     Kernel::Point_2 at;
     Box2 box;
 };
 
-Place place_on(const OutlinePiece& piece) {
-    const Kernel::Point_2 p =
-        piece.turn == 0 ? CGAL::midpoint(corner_at(piece.from), corner_at(piece.to)) : corner_at(piece.middle);
+/// Where the line from the piece's far end towards the place meets its line or circle again.
+Place exact_place(const PlaceOnPiece& place) {
+    const OutlinePiece& piece = place.piece;
+    const Kernel::Point_2 from = corner_at(piece.from), to = corner_at(piece.to);
+    Kernel::Point_2 p = from + Kernel::FT(place.share) * (to - from);
+    if (piece.turn != 0 && place.share == 0.5) {
+        p = corner_at(piece.middle);
+    } else if (piece.turn != 0) {
+        const Kernel::Point_2& far_end = place.share < 0.5 ? to : from;
+        const Kernel::Vector_2 along = corner_at(point_above(piece, place.share)) - far_end,
+                               to_center = CGAL::circumcenter(from, corner_at(piece.middle), to) - far_end;
+        p = far_end + Kernel::FT(2 * (to_center * along) / (along * along)) * along;
+    }
     const auto [x0, x1] = CGAL::to_interval(p.x());
     const auto [y0, y1] = CGAL::to_interval(p.y());
     return {p, {{x0, y0}, {x1, y1}}};
@@ -242,19 +307,24 @@ std::vector<int> windings_from_above(const std::vector<HulledPiece>& pieces, con
     return windings;
 }
 
-/// Is there material on the left of each of `asked`, in its middle, and none on its right?
-bool are_turned_right(const std::vector<HulledPiece>& pieces, const EdgeTree& tree, const Pieces& asked) {
+std::vector<Place> exact_places(const std::vector<PlaceOnPiece>& asked) {
     std::vector<Place> places;
-    for (const OutlinePiece& piece : asked) places.push_back(place_on(piece));
-    std::vector<int> windings = windings_from_above(pieces, places);
-    for (std::size_t k = 0; k < asked.size(); ++k) {
-        for (const int i : tree.near(places[k].box, 0))
-            if (pieces[at(i)].box.min.y() <= places[k].box.max.y()) windings[k] += winding_by(pieces[at(i)].piece, places[k]);
-        const bool is_left = asked[k].turn == 0 ? is_left_of_chord(asked[k], places[k])
-                                                : is_in_circle(asked[k], places[k]) == (asked[k].turn > 0);
-        if (windings[k] != (is_left ? 1 : 0)) return false;
-    }
-    return true;
+    for (const PlaceOnPiece& place : asked) places.push_back(exact_place(place));
+    return places;
+}
+
+std::vector<int> windings_at(const Outline& outline, const std::vector<Place>& places) {
+    std::vector<int> windings = windings_from_above(outline.pieces, places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        for (const int i : outline.tree.near(places[k].box, 0))
+            if (outline.pieces[at(i)].box.min.y() <= places[k].box.max.y())
+                windings[k] += winding_by(outline.pieces[at(i)].piece, places[k]);
+    return windings;
+}
+
+/// Is a place on this piece, moved, on the left of it?
+bool is_left_of(const OutlinePiece& piece, const Place& place) {
+    return piece.turn == 0 ? is_left_of_chord(piece, place) : is_in_circle(piece, place) == (piece.turn > 0);
 }
 
 bool comes_before(const Vec2& a, const Vec2& b) {
@@ -360,23 +430,56 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
 
 }  // namespace
 
+std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b) {
+    if (carriers_are_apart(a, b)) return {};
+    std::vector<PlaneCurve> first, second;
+    append(a, first);
+    append(b, second);
+    const std::vector<Vec2> shared = shared_corners(a, b);
+    const auto is_corner = [&](const PlaneTraits::Point_2& p) {
+        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
+            return p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())));
+        });
+    };
+    std::vector<CommonOfPieces> found;
+    const auto take = boost::make_function_output_iterator([&](const auto& common) {
+        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
+            const Vec2 p = place_of(crossing->first);
+            found.push_back({p, p, false, is_corner(crossing->first)});
+        } else {
+            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
+            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
+        }
+    });
+    for (const PlaneCurve& one : first)
+        for (const PlaneCurve& other : second) one.intersect(other, take);
+    return found;
+}
+
+std::vector<int> windings_around(const Outline& outline, const std::vector<PlaceOnPiece>& places) {
+    return windings_at(outline, exact_places(places));
+}
+
+Outline fine_outline(const Part& part, double tolerance) {
+    return outline_of(pieces_of(part, tolerance, 0.5 * std::numbers::pi));
+}
+
 bool is_surely_right(const Part& part) {
     const double same = merge_length(part);
     const std::vector<Pieces> loops = pieces_of(part);
-    std::vector<HulledPiece> pieces;
-    std::vector<Box2> boxes;
-    for (const Pieces& loop : loops)
-        for (const OutlinePiece& piece : loop) {
-            pieces.push_back(hulled(piece));
-            boxes.push_back(pieces.back().box);
-            if (boxes.back().empty() || piece.from == piece.to) return false;
-        }
-    const EdgeTree tree(boxes);
-    if (!all_meet_at_corners_only(pieces, tree, same)) return false;
-    const Pieces asked = longest_of_stretches(loops);
-    // The middle of a longer piece is beyond what is rounding at its ends.
-    const auto is_long = [&](const OutlinePiece& piece) { return (piece.to - piece.from).norm() > 4 * same; };
-    return std::all_of(asked.begin(), asked.end(), is_long) && are_turned_right(pieces, tree, asked);
+    const Outline outline = outline_of(loops);
+    if (!outline.is_sound || !all_meet_at_corners_only(outline, same)) return false;
+    std::vector<PlaceOnPiece> asked;
+    for (const OutlinePiece& piece : longest_of_stretches(loops)) {
+        // The middle of a longer piece is beyond what is rounding at its ends.
+        if ((piece.to - piece.from).norm() <= 4 * same) return false;
+        asked.push_back({piece});
+    }
+    const std::vector<Place> places = exact_places(asked);
+    const std::vector<int> windings = windings_at(outline, places);
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        if (windings[k] != (is_left_of(asked[k].piece, places[k]) ? 1 : 0)) return false;
+    return true;
 }
 
 std::optional<OutlineFault> exact_fault(const Part& part) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "geometry/brep/part.hpp"
+#include "geometry/csg/clear_pieces.hpp"
 
 namespace abut::geometry {
 
@@ -31,5 +32,27 @@ std::optional<OutlineFault> swept_fault(const Part& part);
 /// Is there a proof, by exact arithmetic on the pairs of edges that come near each other, that swept_fault finds nothing? Some
 /// 2 to 5 microseconds for each line or arc.
 bool is_surely_right(const Part& part);
+
+/// The outline as lines and arcs of at most a quarter turn; ellipses and splines by their arc splines within `tolerance`.
+Outline fine_outline(const Part& part, double tolerance);
+
+/// A point that two pieces have in common, or a stretch of both; rounded.
+struct CommonOfPieces {
+    Vec2 begin{0, 0}, end{0, 0};  ///< in no particular order; of a point the same
+    bool is_stretch = false;
+    bool is_shared_corner = false;  ///< exactly
+};
+/// All that two pieces have in common, some points twice. Cost 10 to 100 microseconds.
+std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b);
+
+/// A place exactly on a piece, within rounding of point_above(piece, share).
+struct PlaceOnPiece {
+    OutlinePiece piece;
+    double share = 0.5;
+};
+/// How often an outline winds around each place, moved up by some d as small as you like, and to the right by d^1.5: it is then
+/// on no chord and no circle. Cost O(n log n) for the outline's pieces, and a few microseconds a place; 100 where it lies
+/// within rounding of the outline.
+std::vector<int> windings_around(const Outline& outline, const std::vector<PlaceOnPiece>& places);
 
 }  // namespace abut::geometry

@@ -65,21 +65,21 @@ constexpr double straight_fraction = 0.01;
 constexpr double most_relative_deviation = 0.25;
 
 /// The larger of deviation and kink, as excess: an end's kink grows with the square of the length.
-double excess(const Portion& portion, const Curve& curve, double deviation, double tolerance) {
+double excess(const Portion& portion, const Curve& curve, double deviation, const ArcBounds& bounds) {
     const auto kink = [&](double t, const Vec2& tangent) { return std::abs(cross(unit_tangent(curve, t), tangent)); };
     const double end_kink = std::max(kink(0, portion.first_tangent), kink(1, portion.last_tangent));
-    return std::max(deviation / tolerance, std::pow(2 * end_kink / most_arc_kink, 1.5));
+    return std::max(deviation / bounds.tolerance, std::pow(2 * end_kink / bounds.kink, 1.5));
 }
 
 }  // namespace
 
-ArcFit fit_arc(const Portion& portion, double tolerance) {
+ArcFit fit_arc(const Portion& portion, const ArcBounds& bounds) {
     const Vec2 chord = portion.to - portion.from, d = portion.via - portion.from;
-    const double offset = cross(chord.normalized(), d), negligible = straight_fraction * tolerance;
+    const double offset = cross(chord.normalized(), d), negligible = straight_fraction * bounds.tolerance;
     const Through circle = through(d, chord);
     if (std::abs(offset) <= negligible && epsilon >= negligible * circle.curvature) {
         const Segment segment{portion.from, portion.to};
-        return {segment, excess(portion, segment, gap_bound(portion.span, {left_of(chord.normalized()), 0}), tolerance)};
+        return {segment, excess(portion, segment, gap_bound(portion.span, {left_of(chord.normalized()), 0}), bounds)};
     }
     const double radius = 1 / circle.curvature, deviation = gap_bound(portion.span, circle);
     const double half = std::asin(std::min(1.0, 0.5 * chord.norm() * circle.curvature));
@@ -88,7 +88,7 @@ ArcFit fit_arc(const Portion& portion, double tolerance) {
     const Arc arc{portion.from + radius * circle.normal, radius, std::atan2(r.y(), r.x()), offset < 0 ? 2 * half : -2 * half};
     const bool flat = deviation <= most_relative_deviation * radius && d.dot(chord) > 0 && (chord - d).dot(chord) > 0;
     if (!flat) return {arc, std::numeric_limits<double>::infinity()};
-    return {arc, excess(portion, arc, deviation * (1 + deviation / radius), tolerance)};
+    return {arc, excess(portion, arc, deviation * (1 + deviation / radius), bounds)};
 }
 
 }  // namespace abut::geometry

@@ -16,10 +16,10 @@ struct Portion {
 /// The arc that a portion is fitted by.
 struct ArcFit {
     Curve curve;    ///< the arc through the three points, or a segment
-    double excess;  ///< at most 1: within the tolerance and most_arc_kink, by a bound. Grows with the third power of the length
+    double excess;  ///< at most 1: within the bounds. Grows with the third power of the length
 };
 
-/// Fits one arc to a portion; `tolerance` (length) is what its excess is measured by.
-ArcFit fit_arc(const Portion& portion, double tolerance);
+/// Fits one arc to a portion; the bounds are what its excess is measured by.
+ArcFit fit_arc(const Portion& portion, const ArcBounds& bounds);
 
 }  // namespace abut::geometry

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/curves/arc_portion.hpp"
 #include "geometry/curves/general_curve.hpp"
@@ -95,7 +96,7 @@ HomogeneousSpan span_between(const Carrier& carrier, double u0, double u1, const
 /// rounding.
 constexpr double smallest_portion = 1e-9, smallest_of_tolerance = 0.5;
 
-ArcFit fit(const Carrier& carrier, double u0, double u1, double tolerance) {
+ArcFit fit(const Carrier& carrier, double u0, double u1, const ArcBounds& bounds) {
     const auto first = general_values(carrier.curve, u0), last = general_values(carrier.curve, u1);
     if ((last[0] - first[0]).norm() <= carrier.smallest) return {Segment{first[0], last[0]}, 1};
     const Portion portion{first[0],
@@ -104,7 +105,7 @@ ArcFit fit(const Carrier& carrier, double u0, double u1, double tolerance) {
                           first[1].normalized(),
                           last[1].normalized(),
                           span_between(carrier, u0, u1, first[0])};
-    return fit_arc(portion, tolerance);
+    return fit_arc(portion, bounds);
 }
 
 struct CarrierPiece {
@@ -113,15 +114,15 @@ struct CarrierPiece {
 };
 
 /// One arc, or halves until they fit.
-void append(std::vector<CarrierPiece>& pieces, const Carrier& carrier, double u0, double u1, double tolerance) {
-    const ArcFit found = fit(carrier, u0, u1, tolerance);
+void append(std::vector<CarrierPiece>& pieces, const Carrier& carrier, double u0, double u1, const ArcBounds& bounds) {
+    const ArcFit found = fit(carrier, u0, u1, bounds);
     const double middle = 0.5 * (u0 + u1);
     if (found.excess <= 1 || !(u0 < middle && middle < u1)) {
         pieces.push_back({u0, u1, found.curve});
         return;
     }
-    append(pieces, carrier, u0, middle, tolerance);
-    append(pieces, carrier, middle, u1, tolerance);
+    append(pieces, carrier, u0, middle, bounds);
+    append(pieces, carrier, middle, u1, bounds);
 }
 
 /// The excess grows with the third power of a piece's length; steps aim at this much of it.
@@ -133,54 +134,72 @@ double growth(double excess) {
     return std::clamp(std::cbrt(aim / excess), most_shrinkage, most_growth);
 }
 
-/// The longest step from u that keeps the tolerance, or nearly so; `guess` is the one before it.
-double longest_step(const Carrier& carrier, double u, double u1, double guess, double tolerance) {
+/// A step along the carrier, and the arc of the piece where that is known.
+struct Step {
+    double length;
+    std::optional<Curve> arc{};
+};
+
+/// The longest step from u that keeps the bounds, or nearly so; `guess` is the one before it.
+Step longest_step(const Carrier& carrier, double u, double u1, double guess, const ArcBounds& bounds) {
     constexpr int most_trials = 4;
     constexpr double worthwhile = 1.2, slower = 0.9;
-    const auto excess_of = [&](double step) { return fit(carrier, u, u + step, tolerance).excess; };
-    double step = std::min(guess, u1 - u), excess = excess_of(step);
-    for (int trial = 0; trial < most_trials && excess <= 1 && step < u1 - u; ++trial) {
-        const double factor = growth(excess);
-        if (factor < worthwhile) return step;
+    double step = std::min(guess, u1 - u);
+    ArcFit found = fit(carrier, u, u + step, bounds);
+    for (int trial = 0; trial < most_trials && found.excess <= 1 && step < u1 - u; ++trial) {
+        const double factor = growth(found.excess);
+        if (factor < worthwhile) return {step, found.curve};
         step = std::min(factor * step, u1 - u);
-        excess = excess_of(step);
+        found = fit(carrier, u, u + step, bounds);
     }
-    while (excess > 1 && step > parameter_rounding(carrier)) {
-        step *= std::min(slower, growth(excess));
-        excess = excess_of(step);
+    while (found.excess > 1 && step > parameter_rounding(carrier)) {
+        step *= std::min(slower, growth(found.excess));
+        found = fit(carrier, u, u + step, bounds);
     }
-    return step;
+    if (found.excess > 1) return {step};
+    return {step, found.curve};
 }
 
-/// Joints from one break to the next, both included.
-std::vector<double> joints_between(const Carrier& carrier, double u0, double u1, double tolerance) {
-    std::vector<double> joints{u0};
-    double step = u1 - u0;
-    while (joints.back() < u1) {
-        const double u = joints.back();
-        step = longest_step(carrier, u, u1, step, tolerance);
-        const double left = u1 - u - step;
-        if (left > 0 && left < step) step = 0.5 * (u1 - u);  // the last two are equal: no sliver at the end
-        joints.push_back(left > 0 ? u + step : u1);
+/// The end of a piece, and its arc where that is known.
+struct PieceEnd {
+    double u;
+    std::optional<Curve> arc{};
+};
+
+/// Pieces from one break to the next; the first end is the begin of all.
+std::vector<PieceEnd> ends_between(const Carrier& carrier, double u0, double u1, const ArcBounds& bounds) {
+    std::vector<PieceEnd> ends{{u0}};
+    Step step{u1 - u0};
+    while (ends.back().u < u1) {
+        const double u = ends.back().u;
+        step = longest_step(carrier, u, u1, step.length, bounds);
+        const double left = u1 - u - step.length;
+        if (left > 0 && left < step.length) step = {0.5 * (u1 - u)};  // the last two are equal: no sliver at the end
+        const double end = left > 0 ? u + step.length : u1;
+        ends.push_back({end, end == u + step.length ? step.arc : std::nullopt});
     }
-    return joints;
+    return ends;
 }
 
 /// A joint within this fraction of its pieces from an end of the portion would leave a sliver there.
 constexpr double sliver_of_piece = 0.25;
 
-/// The portion's ends and the joints between them.
-std::vector<double> portion_joints(const Carrier& carrier, double tolerance) {
-    std::vector<double> joints{carrier.lo};
+/// The portion's ends and the joints between them. An arc is known of pieces that the portion does not cut.
+std::vector<PieceEnd> portion_ends(const Carrier& carrier, const ArcBounds& bounds) {
+    std::vector<PieceEnd> ends{{carrier.lo}};
     for (std::size_t i = 0; i + 1 < carrier.breaks.size(); ++i) {
-        const std::vector<double> here = joints_between(carrier, carrier.breaks[i], carrier.breaks[i + 1], tolerance);
+        std::vector<PieceEnd> here = ends_between(carrier, carrier.breaks[i], carrier.breaks[i + 1], bounds);
+        const auto add = [&](double u, std::size_t k) {
+            const bool is_whole = ends.back().u == here[k - 1].u && u == here[k].u;
+            ends.push_back({u, is_whole ? std::move(here[k].arc) : std::nullopt});
+        };
         for (std::size_t k = 1; k + 1 < here.size(); ++k)
-            if (here[k] - carrier.lo > sliver_of_piece * (here[k] - here[k - 1]) &&
-                carrier.hi - here[k] > sliver_of_piece * (here[k + 1] - here[k]))
-                joints.push_back(here[k]);
-        joints.push_back(i + 2 < carrier.breaks.size() ? here.back() : carrier.hi);
+            if (here[k].u - carrier.lo > sliver_of_piece * (here[k].u - here[k - 1].u) &&
+                carrier.hi - here[k].u > sliver_of_piece * (here[k + 1].u - here[k].u))
+                add(here[k].u, k);
+        add(i + 2 < carrier.breaks.size() ? here.back().u : carrier.hi, here.size() - 1);
     }
-    return joints;
+    return ends;
 }
 
 ArcPiece as_part_of(const Curve& curve, const Carrier& carrier, const CarrierPiece& piece) {
@@ -198,7 +217,7 @@ ArcPiece as_part_of(const Curve& curve, const Carrier& carrier, const CarrierPie
 
 }  // namespace
 
-std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
+std::vector<ArcPiece> arc_spline(const Curve& curve, ArcBounds bounds) {
     std::vector<ArcPiece> result;
     if (std::holds_alternative<Segment>(curve) || std::holds_alternative<Arc>(curve)) {
         result.push_back({curve, 0, 1});
@@ -208,11 +227,17 @@ std::vector<ArcPiece> arc_spline(const Curve& curve, double tolerance) {
     Carrier carrier = arc ? ellipse_carrier(*arc) : spline_carrier(std::get<Spline>(curve));
     cut_breaks(carrier);
     const double size = bounding_box(curve).diagonal();
-    tolerance = std::max(tolerance, least_tolerance * size);
-    carrier.smallest = std::min(smallest_portion * size, smallest_of_tolerance * tolerance);
-    const std::vector<double> joints = portion_joints(carrier, tolerance);
+    bounds.tolerance = std::max(bounds.tolerance, least_tolerance * size);
+    carrier.smallest = std::min(smallest_portion * size, smallest_of_tolerance * bounds.tolerance);
+    std::vector<PieceEnd> ends = portion_ends(carrier, bounds);
     std::vector<CarrierPiece> pieces;
-    for (std::size_t i = 0; i + 1 < joints.size(); ++i) append(pieces, carrier, joints[i], joints[i + 1], tolerance);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const double u0 = ends[i - 1].u, u1 = ends[i].u;
+        if (ends[i].arc)
+            pieces.push_back({u0, u1, std::move(*ends[i].arc)});
+        else
+            append(pieces, carrier, u0, u1, bounds);
+    }
     for (const CarrierPiece& piece : pieces) result.push_back(as_part_of(curve, carrier, piece));
     if (carrier.backwards) std::reverse(result.begin(), result.end());
     return result;

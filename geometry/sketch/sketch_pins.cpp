@@ -5,7 +5,7 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/outline.hpp"
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/brep/closest_points.hpp"
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "geometry/proximity/facing.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/contact/pair_rules.hpp"

@@ -96,6 +96,11 @@ Box2 deformed_box(const Result& result, double exaggeration) {
 
 }  // namespace
 
+double drawn_exaggeration(const Result& result) {
+    const double largest = peak(result, &PartResult::max_displacement).at.value;
+    return largest > 0 ? nearest_nice(drawn_displacement * model_box(result).diagonal() / largest) : 1;
+}
+
 std::string stress_figure(const Result& result, const PictureSize& size) {
     const ResultUnits units = result_units(result);
     const View view = model_view(model_box(result), size.width, size.max_height);
@@ -112,8 +117,7 @@ std::string stress_figure(const Result& result, const PictureSize& size) {
 std::string deformed_figure(const Result& result, const PictureSize& size) {
     const ResultUnits units = result_units(result);
     const Peak largest = peak(result, &PartResult::max_displacement);
-    const double reach = drawn_displacement * model_box(result).diagonal();
-    const double exaggeration = largest.at.value > 0 ? nearest_nice(reach / largest.at.value) : 1;
+    const double exaggeration = drawn_exaggeration(result);
     const View view = model_view(deformed_box(result, exaggeration), size.width, size.max_height);
     const ColorBar bar{largest.at.value, heading("displacement", units.length), ""};
     LabelPlaces places = places_in(view);

@@ -15,6 +15,9 @@ inline constexpr double half_width = 548;   ///< of pictures that stand side by 
 
 /// The parts' common box, undeformed.
 Box2 model_box(const Result& result);
+/// How many times as large pictures draw displacements: 1, 2 or 5 times a power of ten, so that the largest is about a
+/// twentieth of the model's diagonal.
+double drawn_exaggeration(const Result& result);
 /// The size of pictures of the whole model: side by side unless the model is a strip.
 struct PictureSize {
     double width, max_height;

@@ -8,6 +8,7 @@
 #include "src/io/number_text.hpp"
 #include "src/report/report_contours.hpp"
 #include "src/report/report_field_layer.hpp"
+#include "src/report/report_sections.hpp"
 #include "src/report/report_svg.hpp"
 
 namespace abut {
@@ -17,8 +18,8 @@ namespace {
 using report::FieldValue;
 
 constexpr double panel_width = 420, panel_height = 420, panel_margin = 18, title_height = 34, bar_height = 46;
+constexpr double heading_lines = 42;   // the title's, and that of what it is
 constexpr double drawn_share = 0.995;  // of the area keeps its colours: the fields have singular places
-constexpr double exaggeration = 50;    // the dissertation's
 constexpr const char* style =
     "text{font:12px sans-serif;fill:#222}.title{font-weight:bold}.note{fill:#555}.axes line,.axes path{stroke:#555}";
 
@@ -77,16 +78,19 @@ std::string panel_svg(const Result& result, const Panel& panel, const std::strin
            scale_bar(limits, panel_width, title_height + view.height);
 }
 
-std::string panels_svg(const Result& result, const std::string& title, const std::vector<Panel>& panels) {
+std::string panels_svg(const Result& result, const std::string& title, const std::string& note,
+                       const std::vector<Panel>& panels) {
     std::string inner;
     double height = 0;
     for (std::size_t k = 0; k < panels.size(); ++k)
-        inner += "<g transform=\"translate(" + std::to_string(static_cast<int>(panel_width) * static_cast<int>(k)) +
-                 " 24)\">\n" + panel_svg(result, panels[k], "p" + std::to_string(k), height) + "</g>\n";
+        inner += "<g transform=\"translate(" + std::to_string(static_cast<int>(panel_width) * static_cast<int>(k)) + " " +
+                 std::to_string(static_cast<int>(heading_lines)) + ")\">\n" +
+                 panel_svg(result, panels[k], "p" + std::to_string(k), height) + "</g>\n";
     const double width = panel_width * static_cast<double>(panels.size());
-    return report::open_picture(width, height + 24, title, style) +
-           report::text({panel_margin, 18}, "start", title + ". 0.5 % of the area lies beyond either end of a scale.",
-                        "class=\"title\"") +
+    return report::open_picture(width, height + heading_lines, title, style) +
+           report::text({panel_margin, 18}, "start", title, "class=\"title\"") +
+           report::text({panel_margin, 36}, "start", note + ". 0.5 % of the area lies beyond either end of a scale.",
+                        "class=\"note\"") +
            inner + "</svg>\n";
 }
 
@@ -138,8 +142,8 @@ std::vector<PlottedCurve> curves_of(const SolvedTable& solved, double up_to) {
     return curves;
 }
 
-std::string pressure_svg(const SolvedTable& solved, const std::string& title) {
-    const double width = 720, height = 460, left = 70, bottom = 400, right = 690, top = 60;
+std::string pressure_svg(const SolvedTable& solved, const std::string& title, const std::string& note) {
+    const double width = 720, height = 460, left = 70, bottom = 400, right = 690, top = 76;
     const double up_to = 1.2 * solved.table.pressure->half_width;
     const std::vector<PlottedCurve> curves = curves_of(solved, up_to);
     double most = 0;
@@ -150,7 +154,8 @@ std::string pressure_svg(const SolvedTable& solved, const std::string& title) {
         return {left + (right - left) * p.x() / up_to, bottom - (bottom - top) * p.y() / ticks.back()};
     };
     std::string svg = report::open_picture(width, height, title, style) +
-                      report::text({left, 24}, "start", title, "class=\"title\"") + "<g class=\"axes\">\n";
+                      report::text({18, 18}, "start", title, "class=\"title\"") +
+                      report::text({18, 36}, "start", note, "class=\"note\"") + "<g class=\"axes\">\n";
     svg += report::line({left, bottom}, {right, bottom}, "") + report::line({left, bottom}, {left, top}, "");
     for (const double t : ticks)
         svg += report::line(at({0, t}) - Vec2(4, 0), at({0, t}), "") +
@@ -179,12 +184,13 @@ std::vector<Figure> answer_figures(const SolvedTable& solved) {
     const std::optional<Result>& answer = solved.answers[static_cast<std::size_t>(Ours::written)];
     if (!answer || answer->status != "ok" || !report::has_fields(*answer)) return {};
     const DissertationTable& t = solved.table;
-    const std::string of = t.title + ". By the dissertation's method" + (t.figures.empty() ? "" : "; its figures " + t.figures);
-    std::vector<Figure> figures{
-        {t.name + "_stress.svg", panels_svg(*answer, of, stress_panels())},
-        {t.name + "_displacement.svg", panels_svg(*answer, of, displacement_panels(0))},
-        {t.name + "_deformed.svg", panels_svg(*answer, of + ", 50 times as large", displacement_panels(exaggeration))}};
-    if (t.pressure) figures.push_back({t.name + "_pressure.svg", pressure_svg(solved, of)});
+    const std::string of = "By the dissertation's method" + (t.figures.empty() ? "" : "; its figures " + t.figures);
+    const double times = report::drawn_exaggeration(*answer);
+    const std::string deformed = of + ". Displacements drawn " + number_text(times, 3) + " times as large";
+    std::vector<Figure> figures{{t.name + "_stress.svg", panels_svg(*answer, t.title, of, stress_panels())},
+                                {t.name + "_displacement.svg", panels_svg(*answer, t.title, of, displacement_panels(0))},
+                                {t.name + "_deformed.svg", panels_svg(*answer, t.title, deformed, displacement_panels(times))}};
+    if (t.pressure) figures.push_back({t.name + "_pressure.svg", pressure_svg(solved, t.title, of)});
     return figures;
 }
 

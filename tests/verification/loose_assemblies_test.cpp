@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "geometry/brep/extent.hpp"
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 

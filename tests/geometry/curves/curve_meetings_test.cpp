@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/sample_curves.hpp"

@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "geometry/brep/closest_points.hpp"
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "geometry/interfaces/cell_case.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
 #include "src/inspection/detect_pictures.hpp"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "geometry/brep/overlap.hpp"
+#include "geometry/csg/overlap.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/contact/detect.hpp"
 #include "src/results/result_units.hpp"

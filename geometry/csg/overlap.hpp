@@ -13,12 +13,11 @@ struct Overlap {
     Vec2 at{0, 0};               ///< on the edge that reaches in
 };
 
-/// The region common to both parts by Green's theorem over its boundary: the boundary of each part inside the other. Boundaries
-/// closer than `tolerance` count as coincident, so that parts that only touch have nothing in common (depth 0); the error of
-/// the area is below the tolerance times the perimeter. The depth is that of the deepest of some points along each stretch
-/// inside, its middle among them: short by some thousandths where the deepest point lies elsewhere. Of parts that coincide no
-/// boundary lies inside: the depth is then the mean thickness, twice the area over the perimeter. Cost O(edges near the other
-/// part x its edges).
+/// The region common to both parts, by exact arithmetic (common_boundary), and its area by Green's theorem over its boundary.
+/// What is no deeper than `tolerance` is rounding: parts that only touch have nothing in common. The depth is that of the
+/// deepest of some points along each stretch of the boundary, its middle among them: short by some thousandths where the
+/// deepest point lies elsewhere. Of parts that coincide no boundary lies inside: the depth is then the mean thickness, twice
+/// the area over the perimeter. Cost O((edges + pairs that come near) log(edges)).
 Overlap overlap(const Part& part1, const Part& part2, double tolerance);
 
 }  // namespace abut::geometry
