@@ -239,7 +239,8 @@ void check_rounding(double target, Result& result) {
 }
 
 void check_grids(const Scene& scene, const Outcome& out, Result& result) {
-    if (out.solved.grids.empty()) result.warnings.push_back("nothing acts on any part: there is nothing to solve");
+    if (out.solved.grids.empty())
+        tell({{0, "", "nothing acts on any part: there is nothing to solve", "nothing acts on any part"}}, "idle", result);
     if (const std::string left_out = left_out_text(left_out_parts(result)); !left_out.empty())
         result.warnings.push_back(left_out);
     if (out.search_too_short)

@@ -49,11 +49,23 @@ PageJson field_json(const PackedField& field) {
         {"inside", field.n_inside},      {"patches", field.patches}, {"loops", field.loops}, {"loop_sizes", field.loop_sizes}};
 }
 
-/// Boxes of cells that were halved: low and high corner, and how often.
+/// Between which lines a value lies, and in which of so many equal pieces there.
+std::array<std::ptrdiff_t, 2> piece_of(const std::vector<double>& lines, double value, int pieces) {
+    const auto next = std::clamp(std::upper_bound(lines.begin(), lines.end(), value), lines.begin() + 1, lines.end() - 1);
+    const double low = *(next - 1);
+    return {next - 1 - lines.begin(), static_cast<std::ptrdiff_t>((value - low) / (*next - low) * pieces)};
+}
+
+/// The last cells that were halved: the grid's cell that each lies in, its column and row among the cells of its size there,
+/// and how often halving has gone.
 PageJson halved_json(const PartResult& p) {
     PageJson list = PageJson::array();
-    for (const PartResult::Halved& h : p.halved)
-        list.push_back({exact(h.low.x()), exact(h.low.y()), exact(h.high.x()), exact(h.high.y()), h.levels});
+    for (const PartResult::Halved& h : p.halved) {
+        const Vec2 middle = 0.5 * (h.low + h.high);
+        const auto [column, x] = piece_of(p.grid_x, middle.x(), 1 << (h.levels - 1));
+        const auto [row, y] = piece_of(p.grid_y, middle.y(), 1 << (h.levels - 1));
+        list.push_back({row * static_cast<std::ptrdiff_t>(p.grid_x.size() - 1) + column, x, y, h.levels});
+    }
     return list;
 }
 

@@ -13,13 +13,14 @@ function intervalOf(lines, v) {
     return low;
 }
 
-/// A cell and those that it is halved into: an index into boxes, or {u, v, quarters}. halved: the boxes of the last cells that
-/// were halved, all of which lie in this one; a cell is halved where one of them is it, or in it.
+/// A cell and those that it is halved into: an index into boxes, or {u, v, quarters}. halved: of the last cells that were halved
+/// those in this one, each [, column, row, times] among cells of its size; a cell is halved where one of them is it, or in it.
 function halvedCell(box, level, halved, boxes) {
-    if (!halved.some(h => h[4] > level)) return boxes.push(box) - 1;
+    if (!halved.some(h => h[3] > level)) return boxes.push(box) - 1;
     const [u0, v0, u1, v1] = box, u = (u0 + u1) / 2, v = (v0 + v1) / 2;
-    const quarters = [[u0, v0, u, v], [u, v0, u1, v], [u0, v, u, v1], [u, v, u1, v1]].map(own =>
-        halvedCell(own, level + 1, halved.filter(h => h[4] > level + 1 && own[0] < (h[0] + h[2]) / 2 && (h[0] + h[2]) / 2 < own[2] && own[1] < (h[1] + h[3]) / 2 && (h[1] + h[3]) / 2 < own[3]), boxes));
+    const half = (place, h) => place >> (h[3] - 2 - level) & 1;
+    const quarters = [[u0, v0, u, v], [u, v0, u1, v], [u0, v, u, v1], [u, v, u1, v1]].map((own, k) =>
+        halvedCell(own, level + 1, halved.filter(h => h[3] > level + 1 && half(h[1], h) === k % 2 && half(h[2], h) === k >> 1), boxes));
     return {u, v, quarters};
 }
 
@@ -29,7 +30,7 @@ export function cellsOf(part) {
     const {x, y, angle, halved} = part.grid, nx = x.length - 1, ny = y.length - 1;
     if (nx < 1 || ny < 1) return null;
     const boxes = [], within = Array.from({length: nx * ny}, () => []);
-    for (const h of halved) within[intervalOf(y, (h[1] + h[3]) / 2) * nx + intervalOf(x, (h[0] + h[2]) / 2)].push(h);
+    for (const h of halved) within[h[0]].push(h);
     const base = within.map((own, k) => halvedCell([x[k % nx], y[Math.floor(k / nx)], x[k % nx + 1], y[Math.floor(k / nx) + 1]], 0, own, boxes));
     const cellAt = (u, v) => {
         let cell = base[intervalOf(y, v) * nx + intervalOf(x, u)];

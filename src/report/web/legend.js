@@ -16,22 +16,25 @@ export class Legend {
         const reset = element('button', {type: 'button', class: 'small', title: 'Ends of the values', click: () => state.set('range', {...state.automaticRange})}, 'Reset');
         this.scale = element('div', {class: 'legend-scale'}, this.bar, this.ticks, ...this.ends);
         this.root = element('div', {class: 'legend-box'}, this.title, this.beyond, this.scale, element('div', {class: 'legend-buttons'}, this.lock, reset));
+        new ResizeObserver(() => this.update()).observe(this.scale);
         state.on(() => this.update());
         this.update();
     }
     update() {
-        const {state} = this, {low, high} = state.range, unit = state.data.units[state.quantity.unit], most = state.ends?.high.value;
-        const shown = [low, high, most, state.quantity.key, state.mode, state.locked, unit].join();
+        const {state} = this, {low, high} = state.range, unit = state.data.units[state.quantity.unit], most = state.ends?.high.value, least = state.ends?.low.value;
+        const shown = [low, high, most, least, state.quantity.key, state.mode, state.locked, unit, this.scale.clientHeight].join();
         if (this.shown === shown) return;
         this.shown = shown;
         this.title.textContent = state.quantity.name + (unit ? ` [${unit}]` : '');
-        this.beyond.textContent = most > high * (1 + 1e-6) ? `up to ${text(most, 4)} beyond` : '';
+        const slack = 1e-6 * (high - low), beyond = [most > high + slack ? `up to ${text(most, 4)}` : '', least < low - slack ? `down to ${text(least, 4)}` : ''].filter(Boolean);
+        this.beyond.textContent = beyond.length ? beyond.join(', ') + ' beyond' : '';
         const scale = new Scale(low, high, state.quantity.signed, state.mode), c = this.bar.getContext('2d');
         for (let i = 0; i < 256; ++i) {
             c.fillStyle = scale.css(high - (i + 0.5) / 256 * (high - low));
             c.fillRect(0, i, 16, 1);
         }
-        const inner = ticks(low, high, 6).filter(v => v > low + 0.06 * (high - low) && v < high - 0.06 * (high - low));
+        const room = 17 / (this.scale.clientHeight || 280) * (high - low);  // of the ends' own numbers
+        const inner = ticks(low, high, 6).filter(v => v > low + room && v < high - room);
         this.ticks.replaceChildren(...inner.map(v => element('span', {style: `top:${100 * (high - v) / (high - low)}%`}, text(v, 5))));
         this.ends[0].textContent = text(high, 4);
         this.ends[1].textContent = text(low, 4);

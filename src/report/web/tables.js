@@ -32,7 +32,7 @@ export function contactPanel(data, state, canvas) {
     const {units} = data, size = c => Math.hypot(...c.force), before = c => data.ghost?.contacts.get(contactKeys(data.contacts)[c.index]);
     const columns = [
         {name: '#', number: true, value: c => c.index + 1},
-        {name: 'contact', value: c => `${c.between[0]} – ${c.between[1]}`},
+        {name: 'contact', value: c => [0, 1].map(k => c.between[k] || data.parts[c.parts[k]].name).join(' – ')},
         {name: 'status', value: c => c.kind === 'contact' ? c.status : c.kind},
         {name: 'force' + inBrackets(units.force), number: true, value: size, show: c => compared(text(size(c)), size(c), before(c)?.size)},
         {name: 'max pressure' + inBrackets(units.stress), number: true, value: c => c.max_pressure.value ?? 0,
