@@ -151,6 +151,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     result.under_load = mobility_under_load(scene, conditions, result.contacts);
     result.strain_energy = energy_of(solved);
     result.energy_rounding = energy_rounding_of(solved);
+    if (result.strain_energy < 0 && result.strain_energy >= -result.energy_rounding) result.strain_energy = 0;
     fill_equilibrium(scene, solved, result);
     for (const PreloadState& cut : solved.preloads)
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,

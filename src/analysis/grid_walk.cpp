@@ -168,7 +168,7 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && is_in_contact(now) && now.contacts.size() == out_.candidates.size()) {
-            const ContactRuns runs = with_missed(contacts_by_theory(scene_, now).runs, missed_);
+            const ContactRuns runs = with_missed(contacts_by_theory(scene_, now).runs, followed_);
             set_first_goals(now, runs, next_);
             wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         }
@@ -313,6 +313,9 @@ private:
         missed_before_ = std::move(missed_);
         out_.seen = is_solved(now) ? look_at_contacts(scene_, now, threads_) : std::vector<SeenContact>(now.contacts.size());
         missed_ = is_solved(now) ? missed_contacts(now, out_.seen, out_.target) : MissedContacts(now.contacts.size());
+        if (!any_missed(missed_) || followed_.size() != missed_.size()) followed_ = missed_;
+        for (std::size_t k = 0; is_solved(now) && k < missed_.size(); ++k)
+            if (!missed_[k].empty() || !now.runs[k].empty()) followed_[k] = missed_[k];
     }
 
     /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
@@ -428,7 +431,7 @@ private:
         const bool is_first = next_.goal.empty();
         if (is_first) {
             theory_ = contacts_by_theory(scene_, now);
-            set_first_goals(now, with_missed(theory_.runs, missed_), next_);
+            set_first_goals(now, with_missed(theory_.runs, followed_), next_);
             if (theory_.is_close && !any_missed(missed_))
                 aim_at_goals(next_);
             else
@@ -437,7 +440,7 @@ private:
             if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
-        ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, missed_);
+        ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, followed_);
         wanted_ = sizes_from(scene_, now, runs, next_.resolution);
         add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
         add_raisers();
@@ -458,6 +461,7 @@ private:
     WantedSizes raisers_;                    // where stresses turned out to be worst
     TheoryOfContacts theory_;                // of the first solution's contacts
     MissedContacts missed_, missed_before_;  // of the last solution, and of the one before
+    MissedContacts followed_;                // and those before, while any are missed: cells that leave one miss it again
     struct {
         std::vector<solver::PartMotion> sliding{};
         double factor = 0;

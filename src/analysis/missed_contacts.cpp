@@ -8,6 +8,7 @@
 
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/analysis/static_forces.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -18,6 +19,9 @@ namespace {
 
 /// Of the scene's largest force: a part on which less acts is of no interest to anybody.
 constexpr double negligible_force = 1e-3;
+
+/// Of how far parts move, and of their size: shallower overlaps are rounding of displacements, and of coordinates.
+constexpr double rounding_of_moves = 1e-9, rounding_of_places = 1e-15;
 
 /// Of the distance between two points: nearer than this the place of the least gap is known well enough.
 constexpr double place_tolerance = 1e-3;
@@ -177,25 +181,53 @@ public:
 
     MissedContacts missed(double least_share) const {
         MissedContacts missed(seen_.size());
-        const double of_all = forces_.empty() ? 0 : *std::max_element(forces_.begin(), forces_.end());
-        for (std::size_t k = 0; k < seen_.size(); ++k) {
-            const ContactInterface& c = solved_.contacts[k];
-            const auto a = at(c.face.part[0]), b = at(c.face.part[1]);
+        const double least_force = negligible_force * largest_force();
+        for (std::size_t k = 0; k < seen_.size(); ++k)
             for (MissedContact m : seen_[k].overlaps) {
-                const double force = std::max(std::min(forces_[a], forces_[b]), negligible_force * of_all);
-                m.share = c.face.thickness * m.depth / compliance_of(solved_, k) / force;
-                if (m.share > least_share && !may_evade(a, k) && !may_evade(b, k)) missed[k].push_back(m);
+                if (!is_overlap(k, m.depth)) continue;
+                const auto& part = solved_.contacts[k].face.part;
+                m.share =
+                    force_against(k, m.depth) / std::max(std::min(forces_[at(part[0])], forces_[at(part[1])]), least_force);
+                if (m.share > least_share) missed[k].push_back(m);
             }
-        }
         return missed;
     }
 
 private:
-    /// A part on which nothing acts and that nothing holds gets out of the way, as long as that closes no other gap: a move by
-    /// the depth closes none by more.
+    /// Where nothing but motions drives there may be none yet: then it is the largest against an overlap.
+    double largest_force() const {
+        double largest = forces_.empty() ? 0 : *std::max_element(forces_.begin(), forces_.end());
+        if (largest > 0) return largest;
+        for (std::size_t k = 0; k < seen_.size(); ++k)
+            for (const MissedContact& m : seen_[k].overlaps)
+                if (is_overlap(k, m.depth)) largest = std::max(largest, force_against(k, m.depth));
+        return largest;
+    }
+
+    /// Is it more than rounding, and can neither part evade?
+    bool is_overlap(std::size_t contact, double depth) const {
+        const auto& part = solved_.contacts[contact].face.part;
+        return std::all_of(part.begin(), part.end(),
+                           [&](int i) { return depth > rounding_of(at(i)) && !may_evade(at(i), contact); });
+    }
+
+    /// About what would press an overlap back.
+    double force_against(std::size_t contact, double depth) const {
+        return solved_.contacts[contact].face.thickness * depth / compliance_of(solved_, contact);
+    }
+
+    /// Of a part's places under the displacements.
+    double rounding_of(std::size_t part) const {
+        const double farthest = solved_.solution.displacement[part].lpNorm<Eigen::Infinity>();
+        return rounding_of_moves * farthest + rounding_of_places * solved_.grids[part].size;
+    }
+
+    /// A part on which nothing acts and that nothing holds gets out of the way of one overlap, as long as that closes no other
+    /// gap: a move by the depth closes none by more.
     bool may_evade(std::size_t part, std::size_t contact) const {
         const double depth = -seen_[contact].least_gap;
         if (forces_[part] > 0 || solved_.problem.parts[part].free_motions.size() < 3) return false;
+        if (has_held_means(solved_, part) || seen_[contact].overlaps.size() > 1) return false;
         for (std::size_t k = 0; k < seen_.size(); ++k) {
             const std::array<int, 2>& between = solved_.contacts[k].face.part;
             if (k == contact || solved_.interface_of[k] < 0 || (at(between[0]) != part && at(between[1]) != part)) continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/analysis/static_forces.hpp"
 
+#include <algorithm>
+
 #include "geometry/curves/vec2.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -37,6 +39,16 @@ ContactForce across(const SolvedAssembly& solved, std::size_t contact) {
     return {unit, geometry::cross(frame.to_global(middle), unit)};
 }
 
+/// What a support that holds a mean of a part works in the part's free motions.
+Eigen::VectorXd work(const solver::MeanConstraint& c, const solver::PartSystem& part) {
+    solver::Rows row;
+    row.by_part.resize(1);
+    append_mean_constraint(row, part, 0, c.integrals, c.area, c.coefficient, c.size, 0);
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(part.modes.cols());
+    for (const solver::RowEntry& e : row.by_part[0]) sum += e.value * part.modes.row(e.coefficient).transpose();
+    return sum;
+}
+
 }  // namespace
 
 std::vector<char> given_by_statics(const SolvedAssembly& solved) {
@@ -55,9 +67,15 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     Index equations = 0;
     for (const solver::PartSystem& part : solved.problem.parts) equations += static_cast<Index>(part.free_motions.size());
     if (lines.empty() || equations == 0) return given;
-    Eigen::MatrixXd balance = Eigen::MatrixXd::Zero(equations, static_cast<Index>(lines.size()));
+    const std::vector<solver::MeanConstraint>& constraints = solved.problem.constraints;
+    Eigen::MatrixXd balance = Eigen::MatrixXd::Zero(equations, static_cast<Index>(lines.size() + constraints.size()));
     Index row = 0;
-    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) {
+        const auto n_motions = static_cast<Index>(solved.problem.parts[i].free_motions.size());
+        for (std::size_t k = 0; k < constraints.size(); ++k)
+            if (constraints[k].part == static_cast<int>(i))
+                balance.col(static_cast<Index>(lines.size() + k)).segment(row, n_motions) =
+                    work(constraints[k], solved.problem.parts[i]);
         for (const solver::RigidMotion& motion : solved.problem.parts[i].free_motions) {
             for (std::size_t j = 0; j < lines.size(); ++j)
                 for (int side : {0, 1})
@@ -66,6 +84,7 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
                             (side == 0 ? 1 : -1) * work(lines[j].unit, solved.grids[i], motion);
             ++row;
         }
+    }
     const auto [values, vectors] = solver::right_singular_vectors(balance);
     Index rank = 0;
     while (rank < values.size() && values[rank] > rounding * values[0]) ++rank;
@@ -77,6 +96,11 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     for (std::size_t j = 0; j < lines.size(); ++j)
         if (!is_given[j]) given[lines[j].contact] = 0;
     return given;
+}
+
+bool has_held_means(const SolvedAssembly& solved, std::size_t grid) {
+    return std::any_of(solved.problem.constraints.begin(), solved.problem.constraints.end(),
+                       [&](const solver::MeanConstraint& c) { return c.part == static_cast<int>(grid); });
 }
 
 }  // namespace abut

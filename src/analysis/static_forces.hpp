@@ -11,4 +11,8 @@ namespace abut {
 /// action as they were found? False where there is no force.
 std::vector<char> given_by_statics(const SolvedAssembly& solved);
 
+/// Does a support hold a mean displacement or the mean rotation of a solved part (`rigid`)? What is held so is no free motion
+/// less, but not left to contact alone.
+bool has_held_means(const SolvedAssembly& solved, std::size_t grid);
+
 }  // namespace abut

@@ -18,6 +18,7 @@
 
 #include "solver/linear_algebra/dense.hpp"
 #include "src/analysis/placement.hpp"
+#include "src/analysis/static_forces.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
@@ -101,8 +102,7 @@ struct Balance {
 Balance balance_of(const SolvedAssembly& solved) {
     Balance b;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
-        const auto holds = [&](const solver::MeanConstraint& c) { return at(c.part) == i; };
-        if (std::any_of(solved.problem.constraints.begin(), solved.problem.constraints.end(), holds)) continue;
+        if (has_held_means(solved, i)) continue;
         const Frame& frame = solved.grids[i].frame;
         for (const solver::RigidMotion& m : solved.problem.parts[i].free_motions) {
             b.part.push_back(i);
