@@ -12,7 +12,11 @@ namespace {
 
 Part outline_of(const Part& part, const Loop& loop) {
     Part outline;
-    for (const int e : loop.edges) outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
+    outline.loops.emplace_back();
+    for (const int e : loop.edges) {
+        outline.loops.front().edges.push_back(static_cast<int>(outline.edges.size()));
+        outline.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
+    }
     return outline;
 }
 
