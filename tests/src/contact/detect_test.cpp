@@ -368,7 +368,7 @@ TEST(DetectJson, HasTheKeysOfTheFormat) {
     for (const auto& item : json["pairs"][0].items()) keys.push_back(item.key());
     EXPECT_EQ(keys, (std::vector<std::string>{"parts", "between", "edges", "status", "interface", "gap", "overlap_area",
                                               "length", "shared_length", "cells_case", "why", "functional_interface"}));
-    EXPECT_EQ(json["pairs"][0]["edges"][1], nlohmann::json::array({"b/left"}));
+    EXPECT_EQ(json["pairs"][0]["edges"][1], nlohmann::ordered_json::array({"b/left"}));
     EXPECT_NEAR(json["pairs"][0]["length"].get<double>(), 1, exact);
 }
 
