@@ -18,8 +18,9 @@ namespace abut {
 
 namespace {
 
-/// Cells of one part at least before wanted sizes are given up; coarsened by this factor at a time.
-constexpr double least_cells_of_part = 3000, budget_coarsening = 1.3;
+/// Cells of all parts together where the user bounds no memory, and of one part at least, before wanted sizes are given up;
+/// coarsened by this factor at a time.
+constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
 /// Coarsened by more than this, they have fewer cells across a wall than cells that are halved along walls
 /// (`sizes_along_walls`).
@@ -323,7 +324,8 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
         result.grid = search_grid_of(scene, part, result.frame);
         return result;
     }
-    const double of_all = scene.accuracy.budget.bytes.value_or(standard_memory) / (2 * bytes_per_unknown);
+    const double of_all = scene.accuracy.budget.bytes ? *scene.accuracy.budget.bytes / (2 * bytes_per_unknown)
+                                                      : standard_cells / coarseness / coarseness;
     const double budget = std::max(least_cells_of_part, of_all / static_cast<double>(scene.parts.size()));
     design_grid(scene, wanted, coarseness, refinement, budget, result);
     return result;

@@ -12,8 +12,6 @@ namespace abut {
 /// Memory of a pass at its peak, for each unknown: factor, space and rules (3e3 on some ten thousand unknowns, halved cells;
 /// 4e3 on a million of equal cells).
 inline constexpr double bytes_per_unknown = 4e3;
-/// Memory that grids may take where the user bounds none, in bytes: what a machine to draw on has to spare.
-inline constexpr double standard_memory = 2e9;
 
 /// The grid of a part, and the part in the grid's frame.
 struct PartGrid {

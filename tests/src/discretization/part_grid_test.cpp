@@ -84,12 +84,12 @@ TEST(PartGrid, WishesBelowTheCoordinatesDigitsAreNone) {
 }
 
 TEST(PartGrid, CellsAreHalvedAlongAThinRing) {
-    // 4 cells across its walls in all rows and columns would be 6 10^7, and as many as there may be are larger than the wall
-    const double outer = 10, wall = 0.01;
+    // 4 cells across its walls in all rows and columns would be 10^7, and as many as there may be are as large as the wall
+    const double outer = 10, wall = 0.025;
     const Scene scene =
         read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0.3}}, "parts": [{"name": "p", "material": "m",
         "geometry": {"difference": [{"circle": {"center": [0, 0], "radius": 10}},
-                                    {"circle": {"center": [0, 0], "radius": 9.99}}]}}],
+                                    {"circle": {"center": [0, 0], "radius": 9.975}}]}}],
         "supports": [], "loads": []})",
                         "s.json");
     const PartGrid grid = grid_of_part(scene, 0, {}, 1, 1);
