@@ -20,9 +20,8 @@ constexpr double cells_across_wall = 4;
 /// Cells along a wall are at most this many times as long as it is thick: quadratic splines are too stiff in bending beyond
 /// (tip of a cantilever: 0.6 % at 7, 4 % at 21, 17 % at 71).
 constexpr double longest_cell_per_wall = 5;
-constexpr double halved_across_wall = 2;  // halved cells, which are as long as they are high: some are whole however it leans
-constexpr double cells_across_slot = 3;   // of a part's own slots: as many as a quadratic spline's support
-constexpr double slot_floor = 0.001;      // of the largest cell: narrower slots are not resolved
+constexpr double cells_across_slot = 3;  // of a part's own slots: as many as a quadratic spline's support
+constexpr double slot_floor = 0.001;     // of the largest cell: narrower slots are not resolved
 constexpr double cells_per_radius = 3;
 constexpr double cells_per_fillet_radius = 6;  // of holes and fillets: they raise the stress
 constexpr double turn_of_feature = 0.25;       // radians of an edge's turning that get a size of their own
@@ -60,12 +59,10 @@ double wanted_size(double v, double largest, const std::vector<SizeAlong>& sizes
     return size;
 }
 
-/// Crossings of the boundary with the line where coordinate 1 - axis is `at`.
+/// Crossings of the boundary with the line where coordinate 1 - axis is `at`, and whether the boundary stands steeply on it.
 struct Hit {
     double v;
-    double lean;  ///< of the boundary: dv over the other coordinate
-
-    bool is_steep() const { return std::abs(lean) < 1; }
+    bool steep;
 };
 
 std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int axis, double at) {
@@ -75,7 +72,7 @@ std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int ax
         if ((p.from[other] < at) == (p.to[other] < at)) continue;
         const double v = axis == 0 ? geometry::x_at(p, at) : geometry::y_at(p, at);
         const double lean = axis == 0 ? geometry::dx_dy(p, at) : geometry::dy_dx(p, at);
-        found.push_back({v, lean});
+        found.push_back({v, std::abs(lean) < 1});
     }
     std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.v < b.v; });
     return found;
@@ -93,7 +90,7 @@ void append_walls(std::vector<SizeFeature>& features, const Part& local, int axi
         const double at = box.min[1 - axis] + (k + 0.5) / chords * box.size()[1 - axis];
         const std::vector<Hit> found = hits(pieces, axis, at);
         for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-            if (!found[i].is_steep() || !found[i + 1].is_steep()) continue;
+            if (!found[i].steep || !found[i + 1].steep) continue;
             const double width = found[i + 1].v - found[i].v;
             SizeFeature f;
             f.size = i % 2 == 0 ? coarseness * width / cells_across_wall : std::max(width / cells_across_slot, least);
@@ -200,34 +197,6 @@ ShapeFeatures shape_features(const Part& local, double coarseness) {
                 features.places.push_back({at, corner_fraction * std::min(largest[0], largest[1])});
             }
         }
-    return features;
-}
-
-std::vector<SizeFeature> sizes_along_walls(const Part& local, double coarseness) {
-    std::vector<SizeFeature> features;
-    const auto pieces = geometry::monotone_pieces(local);
-    const Box2 box = bounding_box(local);
-    for (int axis : {0, 1}) {
-        const int other = 1 - axis;
-        const double half_strip = 0.5 * box.size()[other] / chords;
-        for (int k = 0; k < chords; ++k) {
-            const double at = box.min[other] + (2 * k + 1) * half_strip;
-            const std::vector<Hit> found = hits(pieces, axis, at);
-            for (std::size_t i = 0; i + 1 < found.size(); i += 2) {
-                if (!found[i].is_steep() || !found[i + 1].is_steep()) continue;
-                const double lean = 0.5 * (found[i].lean + found[i + 1].lean), width = found[i + 1].v - found[i].v;
-                SizeFeature f{{}, coarseness * width / std::hypot(1.0, lean) / halved_across_wall};
-                for (const double along : {-half_strip, half_strip}) {
-                    Vec2 p;
-                    p[axis] = found[i].v + 0.5 * width + lean * along;
-                    p[other] = at + along;
-                    f.line.push_back(p);
-                    f.box.extend(p);
-                }
-                features.push_back(std::move(f));
-            }
-        }
-    }
     return features;
 }
 

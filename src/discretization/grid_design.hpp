@@ -39,9 +39,6 @@ struct ShapeFeatures {
 };
 ShapeFeatures shape_features(const geometry::Part& local, double coarseness);
 
-/// Cells across every wall, and nowhere else: lines along the middles of walls, one a scan line.
-std::vector<SizeFeature> sizes_along_walls(const geometry::Part& local, double coarseness);
-
 /// Smallest radius of curvature of the re-entrant boundary that passes the box; infinite where none does.
 double reentrant_radius(const geometry::Part& local, const geometry::Box2& near);
 

@@ -22,10 +22,6 @@ namespace {
 /// coarsened by this factor at a time.
 constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
 
-/// Coarsened by more than this, they have fewer cells across a wall than cells that are halved along walls
-/// (`sizes_along_walls`).
-constexpr double fewer_across_wall = 2;
-
 /// A leaf of a tree costs about this times what a cell of a tensor grid does: measured 1.3 to 1.45 from the space to the
 /// smoothed stress where all leaves are of one level (20 000 and 80 000 unknowns); 1.7 to 2 in whole runs of few thousand
 /// unknowns, where levels meet everywhere, and cells are cut once more to be counted.
@@ -151,8 +147,8 @@ double longest_cell(const geometry::Grid& grid) {
 
 /// What a grid costs, in cells of a tensor grid that hold material; too many cells cost too much.
 struct PricedGrid {
-    geometry::Grid grid{};
-    double price = std::numeric_limits<double>::infinity();
+    geometry::Grid grid;
+    double price;
     double too_fine = 0;  ///< as in PartGrid
 };
 
@@ -160,20 +156,6 @@ PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most)
     const double each = grid.tree ? price_of_leaf : 1;
     const double price = grid.n_cells() > most ? std::numeric_limits<double>::infinity() : each * n_filled(local, grid);
     return {std::move(grid), price};
-}
-
-/// What a grid's cells are asked to be.
-struct Wishes {
-    std::array<double, 2> largest;
-    ShapeFeatures shape;
-    std::vector<SizeFeature> more;
-};
-
-Wishes coarser(Wishes wishes, double factor, double factor_of_largest) {
-    for (std::vector<SizeFeature>* features : {&wishes.shape.walls, &wishes.shape.places, &wishes.more})
-        for (SizeFeature& f : *features) f.size *= factor;
-    for (double& h : wishes.largest) h *= factor_of_largest;
-    return wishes;
 }
 
 double smallest_wanted(const std::vector<SizeFeature>& places) {
@@ -202,9 +184,8 @@ PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, 
 /// The cheapest of three: a tensor grid of all wishes, where its cells are no long strips; one of the shape's own, or of its
 /// extent and walls only, with cells halved where smaller ones are wanted. budget: of tensor grids; a tree's cells are where
 /// they were asked for, and it may have as many as all parts. may_halve: false, the first of them.
-PricedGrid cheapest_grid(const geometry::Part& local, const Wishes& wishes, double budget, double budget_of_all,
-                         bool may_halve) {
-    const auto& [largest, shape, wanted] = wishes;
+PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2>& largest, const ShapeFeatures& shape,
+                         const std::vector<SizeFeature>& wanted, double budget, double budget_of_all, bool may_halve) {
     const geometry::Box2 box = bounding_box(local);
     std::vector<SizeFeature> places = shape.places, own = shape.walls, all;
     places.insert(places.end(), wanted.begin(), wanted.end());
@@ -226,40 +207,6 @@ PricedGrid cheapest_grid(const geometry::Part& local, const Wishes& wishes, doub
         best = std::move(tree);
     }
     return best;
-}
-
-/// For walls that lie across rows and columns, as those of a thin ring do: they would want small cells in all of them. Cells of
-/// the extent only, halved along the walls, too.
-PricedGrid grid_along_walls(const geometry::Part& local, const Wishes& wishes, double coarseness, double most) {
-    std::vector<SizeFeature> places = sizes_along_walls(local, coarseness);
-    places.insert(places.end(), wishes.shape.places.begin(), wishes.shape.places.end());
-    places.insert(places.end(), wishes.more.begin(), wishes.more.end());
-    return halved_grid(local, tensor_grid(bounding_box(local), wishes.largest, {}), places,
-                       std::numeric_limits<double>::infinity(), most);
-}
-
-/// The grid that is asked for, or a coarser one that the budget holds. coarseness: of what is asked for, which has it in it.
-/// The others as in cheapest_grid.
-void choose_grid(const Wishes& asked, double coarseness, double budget, double budget_of_all, bool may_halve,
-                 PartGrid& result) {
-    const geometry::Part& local = result.local;
-    Wishes wishes = asked;
-    for (double factor = 1;; factor *= budget_coarsening) {
-        result.limited = factor > 1;
-        PricedGrid grid;
-        if (may_halve && factor > fewer_across_wall) {
-            const double of_tree = std::max(1.0, factor / (fewer_across_wall * budget_coarsening));
-            grid = grid_along_walls(local, coarser(asked, of_tree, std::sqrt(of_tree)), coarseness * of_tree, budget_of_all);
-            if (std::isfinite(grid.price)) result.limited = of_tree > 1;
-        }
-        if (!std::isfinite(grid.price)) grid = cheapest_grid(local, wishes, budget, budget_of_all, may_halve);
-        result.too_fine = grid.too_fine;
-        if (std::isfinite(grid.price)) {
-            result.grid = std::move(grid.grid);
-            return;
-        }
-        wishes = coarser(std::move(wishes), budget_coarsening, std::sqrt(budget_coarsening));
-    }
 }
 
 /// Sets all of result but what it was given by.
@@ -285,15 +232,28 @@ void design_grid(const Scene& scene, const std::vector<WantedSize>& wanted, doub
         around.extend(Vec2(frame.to_local(r.near) + Vec2::Constant(r.radius)));
         more.push_back({around, r.cell_size});
     }
-    Wishes asked{largest, std::move(shape), std::move(more)};
-    asked = coarser(std::move(asked), refinement, refinement);
+    for (double& h : largest) h *= refinement;
+    for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+        for (SizeFeature& f : *features) f.size *= refinement;
     if (scene.accuracy.cell_size) {
-        result.grid = tensor_grid(box, asked.largest, asked.more);
+        result.grid = tensor_grid(box, largest, more);
         return;
     }
     // a penalty is as stiff as the first part's cells are small along its edge: halves of cells would be steps in it
-    choose_grid(asked, coarseness * refinement, budget, budget * static_cast<double>(scene.parts.size()),
-                !scene.contacts.penalty, result);
+    const bool may_halve = !scene.contacts.penalty;
+    for (;;) {
+        PricedGrid cheapest =
+            cheapest_grid(local, largest, shape, more, budget, budget * static_cast<double>(scene.parts.size()), may_halve);
+        result.too_fine = cheapest.too_fine;
+        if (std::isfinite(cheapest.price)) {
+            result.grid = std::move(cheapest.grid);
+            return;
+        }
+        result.limited = true;
+        for (std::vector<SizeFeature>* features : {&shape.walls, &shape.places, &more})
+            for (SizeFeature& f : *features) f.size *= budget_coarsening;
+        for (double& h : largest) h *= std::sqrt(budget_coarsening);
+    }
 }
 
 }  // namespace

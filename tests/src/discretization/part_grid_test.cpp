@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <random>
 
 #include "src/scene/read_scene.hpp"
@@ -73,31 +70,6 @@ TEST(PartGrid, CellsGrowWithTheDistanceAsTheyMay) {
 TEST(PartGrid, OneWishThatLinesServeAsWellGetsLines) {
     const PartGrid grid = grid_of_part(square_scene(), 0, {{{{0, 0.5}, {1, 0.5}}, 0.03, size_growth}}, 1, 1);
     EXPECT_FALSE(grid.grid.tree);
-}
-
-TEST(PartGrid, WishesBelowTheCoordinatesDigitsAreNone) {
-    const SizeFeature none{{{0.5, 0.5}, {0.5, 0.5}}, 1e-30};
-    const std::vector<double> lines = graded_lines(0, 1, 0, 0.1, {none});
-    // the logarithm of the ratio of sizes over the growth, on both sides, and as many where the cells are that small
-    EXPECT_LT(lines.size(), 4 * std::log(0.1 / 1e-12) / size_growth);
-    EXPECT_TRUE(std::is_sorted(lines.begin(), lines.end()));
-}
-
-TEST(PartGrid, CellsAreHalvedAlongAThinRing) {
-    // 4 cells across its walls in all rows and columns would be 10^7, and as many as there may be are as large as the wall
-    const double outer = 10, wall = 0.025;
-    const Scene scene =
-        read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0.3}}, "parts": [{"name": "p", "material": "m",
-        "geometry": {"difference": [{"circle": {"center": [0, 0], "radius": 10}},
-                                    {"circle": {"center": [0, 0], "radius": 9.975}}]}}],
-        "supports": [], "loads": []})",
-                        "s.json");
-    const PartGrid grid = grid_of_part(scene, 0, {}, 1, 1);
-    ASSERT_TRUE(grid.grid.tree);
-    for (int degrees = 0; degrees < 360; ++degrees) {
-        const double angle = degrees * std::numbers::pi / 180, r = outer - 0.5 * wall;
-        EXPECT_LT(cell_at(grid, {r * std::cos(angle), r * std::sin(angle)}), wall) << degrees;
-    }
 }
 
 TEST(PartGrid, BoxesOfTheSceneHalveCells) {
