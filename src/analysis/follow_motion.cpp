@@ -46,7 +46,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!beside.placements.empty()) solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
-        const std::optional<std::vector<Placement>> more = placements_of(rest ? rest->scene : drawn, out.solved);
+        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);

@@ -15,8 +15,7 @@ Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t gr
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid);
 
 /// Where a solution has the parts, by part of the scene that was solved. Nothing where no part moves by more than
-/// `placed_fraction` of its own size, or beside one that it presses on by more than `paired_fraction` (with friction that does
-/// not count), or parts are not followed (why_not_followed).
+/// `placed_fraction` of its own size, or parts are not followed (why_not_followed).
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut

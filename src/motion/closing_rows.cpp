@@ -16,17 +16,6 @@ constexpr int search_steps = 40;
 /// Of what is searched: gaps tell no better where the least is, since they hardly change there.
 constexpr double known_by_gap = 1e-6;
 
-/// A round part in a hollow is pressed towards its own centre, however wide the hollow.
-Vec2 normal_of(const geometry::FacingPair& p) {
-    if (p.on1.curvature * p.on2.curvature >= 0) return p.normal;
-    return std::abs(p.on1.curvature) > std::abs(p.on2.curvature) ? p.on1.normal : Vec2(-p.on2.normal);
-}
-
-Vec2 pivot_of(const geometry::ChainPoint& own, const geometry::ChainPoint& other) {
-    if (own.curvature * other.curvature >= 0) return own.x;
-    return own.x - own.normal / own.curvature;
-}
-
 /// The gaps of one zone.
 class ZoneRows {
 public:
@@ -62,7 +51,19 @@ private:
     }
 
     void take(const geometry::FacingPair& p) {
-        if (p.found && p.gap <= far_) rows_.push_back(closing_row(c_.first, c_.second, p));
+        if (!p.found || p.gap > far_) return;
+        rows_.push_back({c_.first, c_.second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot(p.on1, p.on2), pivot(p.on2, p.on1)});
+    }
+
+    static Vec2 pivot(const geometry::ChainPoint& own, const geometry::ChainPoint& other) {
+        if (own.curvature * other.curvature >= 0) return own.x;
+        return own.x - own.normal / own.curvature;
+    }
+
+    /// A round part in a hollow is pressed towards its own centre, however wide the hollow.
+    static Vec2 normal_of(const geometry::FacingPair& p) {
+        if (p.on1.curvature * p.on2.curvature >= 0) return p.normal;
+        return std::abs(p.on1.curvature) > std::abs(p.on2.curvature) ? p.on1.normal : Vec2(-p.on2.normal);
     }
 
     /// About the least gap between two places.
@@ -113,10 +114,6 @@ void append_corner(const Meeting& m, double touching, std::vector<ClosingRow>& r
 }
 
 }  // namespace
-
-ClosingRow closing_row(int first, int second, const geometry::FacingPair& p) {
-    return {first, second, p.on1.x, p.on2.x, normal_of(p), p.gap, pivot_of(p.on1, p.on2), pivot_of(p.on2, p.on1)};
-}
 
 Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move) {
     Closing closing;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where parts that move as rigid bodies may meet: gaps at points of their facing edges.
 #pragma once
-#include <cmath>
 #include <vector>
 
 #include "src/contact/candidates.hpp"
@@ -16,16 +15,7 @@ struct ClosingRow {
     /// What a force along the normal acts in, however the parts turn: the centres of a round part and of the hollow about it,
     /// else the points themselves.
     Vec2 pivot1, pivot2;
-
-    /// How far a motion of the second pivot against the first shifts its partners: across the normal, and of a round part in a
-    /// hollow, whose centres part, in any direction.
-    double shift(const Vec2& motion) const {
-        return pivot1 == x1 && pivot2 == x2 ? std::abs(geometry::cross(normal, motion)) : motion.norm();
-    }
 };
-
-/// The row of a pair of points of two parts.
-ClosingRow closing_row(int first, int second, const geometry::FacingPair& pair);
 
 /// The gaps between parts where they are, and the deepest overlap, over the extent of the smaller part.
 struct Closing {

@@ -7,7 +7,6 @@
 
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
-#include "src/scene/accuracy_goal.hpp"
 #include "src/scene/dissertation_method.hpp"
 
 namespace abut {
@@ -16,16 +15,6 @@ namespace {
 
 double without_digits_below(double digit, double value) {
     return digit > 0 ? digit * std::round(value / digit) : value;
-}
-
-/// Cosine and sine. Those of quarter turns are exact: what was drawn along the axes, and its grid with it, stays along them.
-Vec2 direction(double angle) {
-    constexpr double rounding = 1e-15;
-    const double quarters = angle / (std::numbers::pi / 2), whole = std::round(quarters);
-    if (std::abs(quarters - whole) > rounding * std::max(1.0, std::abs(whole))) return {std::cos(angle), std::sin(angle)};
-    const auto number = static_cast<int>(whole - 4 * std::floor(whole / 4));
-    const double sign = number < 2 ? 1 : -1;
-    return number % 2 == 0 ? Vec2(sign, 0) : Vec2(0, sign);
 }
 
 bool varies_by_place(const Load& load) {
@@ -75,7 +64,7 @@ void move_load(const Scene& drawn, const std::vector<EdgePortion>& on, const std
 }  // namespace
 
 Vec2 Placement::turned(const Vec2& v) const {
-    const double c = direction(angle).x(), s = direction(angle).y();
+    const double c = std::cos(angle), s = std::sin(angle);
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
@@ -105,10 +94,6 @@ Placement without_rounding(const Placement& placement, const Vec2& center, doubl
 
 bool is_far(const Vec2& translation, double turn, double size) {
     return std::max(translation.norm(), 0.5 * size * std::abs(turn)) > placed_fraction * size || std::abs(turn) > placed_turn;
-}
-
-double paired_fraction(const Scene& scene) {
-    return std::min(placed_fraction, target_of(scene.accuracy));
 }
 
 bool is_led_far(const Scene& scene, const Support& support) {
@@ -145,7 +130,7 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
         const Placement& p = placements[i];
         if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
         ScenePart& part = scene.parts[i];
-        part.part = geometry::transformed(part.part, direction(p.angle).x(), direction(p.angle).y(), p.shift);
+        part.part = geometry::transformed(part.part, std::cos(p.angle), std::sin(p.angle), p.shift);
         for (Probe& probe : scene.output.probes)
             if (probe.part == part.name) probe.at = p.of(probe.at);
         for (Support& support : scene.supports)

@@ -29,11 +29,9 @@ Placement followed_by(const Placement& first, const Placement& then);
 /// drawn with. size: of the part, center: its middle.
 Placement without_rounding(const Placement& placement, const Vec2& center, double size, double digits = 1e-6);
 
-/// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold.
+/// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold. Below, peaks of a pin
+/// with some clearance err by 0.7 % at 0.008 of its size, by 1.2 % at 0.02, by up to 5 % at 0.04 (measured).
 inline constexpr double placed_fraction = 0.05;
-/// The same of two parts that press on each other, of their motion against each other and the smaller one's size: peaks of a
-/// pin in a hole err by 0.6 to 1.1 times that (measured), which may not be more than the error that the scene aims at.
-double paired_fraction(const Scene& scene);
 /// From this turn on (radians) forces have other levers: they err by it times a part's height over its width.
 inline constexpr double placed_turn = 0.01;
 

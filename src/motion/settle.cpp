@@ -70,10 +70,6 @@ private:
     double factor_ = 1;
 };
 
-bool is_any(const std::vector<char>& are) {
-    return std::find(are.begin(), are.end(), 1) != are.end();
-}
-
 /// The way of the parts.
 class Way {
 public:
@@ -81,7 +77,6 @@ public:
         : drawn_(drawn),
           conditions_(conditions),
           rules_(drawn),
-          paired_(paired_fraction(drawn)),
           placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from),
           leads_(drawn.parts.size()) {
         for (const ScenePart& part : drawn.parts) {
@@ -154,10 +149,6 @@ private:
     }
 
     /// Prescribed motions are met exactly.
-    void end_leads() {
-        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
-        put();
-    }
     void end_lead(std::size_t part) {
         const auto& [is_given, to] = leads_[part];
         const Vec2 by(is_given[0] ? to[0] : moved(part).x(), is_given[1] ? to[1] : moved(part).y());
@@ -184,31 +175,11 @@ private:
                            [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
     }
 
-    /// By part: do these motions (translation of its middle, turn) take it far, or far beside a part that it then presses on?
-    /// way: of a point of a part, where closing_ has it. is_to_come: of these motions, which then change the gaps.
-    template <class WayOf>
-    std::vector<char> far_parts(const std::vector<Eigen::Vector3d>& motions, bool is_to_come, const WayOf& way) const {
-        std::vector<char> far;
-        for (std::size_t i = 0; i < motions.size(); ++i) far.push_back(is_far(motions[i].head<2>(), motions[i][2], sizes_[i]));
-        for (const ClosingRow& row : closing_.rows) {
-            const Vec2 by = way(row.second, row.pivot2) - way(row.first, row.pivot1);
-            const double most = paired_ * std::min(sizes_[at(row.first)], sizes_[at(row.second)]);
-            const double gap = row.gap + (is_to_come ? row.normal.dot(by) : 0);
-            if (gap <= most && row.shift(by) > most)
-                far[at(motions[at(row.first)].norm() > motions[at(row.second)].norm() ? row.first : row.second)] = 1;
-        }
-        return far;
-    }
-
-    /// Those far from where they were drawn.
-    std::vector<char> placed_parts() const {
-        std::vector<Eigen::Vector3d> motions;
+    /// Is any part far from where it was drawn?
+    bool is_placed() const {
         for (std::size_t i = 0; i < placements_.size(); ++i)
-            motions.emplace_back(moved(i).x(), moved(i).y(), placements_[i].angle);
-        return far_parts(motions, false, [&](int part, const Vec2& x) -> Vec2 {
-            const Placement& p = placements_[at(part)];
-            return x - Placement{-p.angle, {0, 0}}.turned(x - p.shift);
-        });
+            if (is_far(moved(i), placements_[i].angle, sizes_[i])) return true;
+        return false;
     }
 
     /// From the present place to rest, or until it is known where it goes.
@@ -236,7 +207,7 @@ private:
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
             if (is_near && far * step_fraction <= settled) {
-                if (is_any(placed_parts()) || closing_.deepest > overlap_at_rest) touch();
+                if (is_placed() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
@@ -288,11 +259,12 @@ private:
         constexpr int least_steps = 3, most_steps = 30;
         constexpr double apart = 3;  // times what the springs are pressed by
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
-        end_leads();
+        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
+        put();
         Relaxation relaxation;
         double drag = 1;
         for (int k = 0; k < most_steps; ++k) {
-            const VectorXd a = step_under(drag, 1);
+            const VectorXd a = step_under(drag);
             if (drag > least_drag) {
                 if (farthest(a) <= reach_) advance(a);
                 drag = std::max(least_drag, drag * drag_step);
@@ -303,7 +275,6 @@ private:
             if (k + 1 >= least_steps && (far > reach_ || far * step_fraction <= rest_digits)) break;
         }
         apart_ = 0;
-        end_leads();
     }
 
     /// The amplitudes of a step no longer than it may be; raises the drag where that takes it. Prescribed motions wait for the
@@ -357,15 +328,14 @@ private:
         const VectorXd next = step_under(least_drag);
         std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles
         for (const MovingPart& b : moving_.list) goes[at(b.part)] = goes_on(b, push, next);
-        if (!is_any(goes)) return end;
-        const auto way_of = [&](std::size_t i) -> Vec2 { return moved(i) - (before[i].of(centers_[i]) - centers_[i]); };
-        const auto turn_of = [&](std::size_t i) { return placements_[i].angle - before[i].angle; };
+        if (std::none_of(goes.begin(), goes.end(), [](char c) { return c != 0; })) return end;
         const auto has_gone = [&](std::size_t i) {
             constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
-            return way_of(i).norm() > sizes_[i] || std::abs(turn_of(i)) > tipped;
+            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
+            return by.norm() > sizes_[i] || std::abs(placements_[i].angle - before[i].angle) > tipped;
         };
         const auto is_loaded = [&](std::size_t i) { return goes[i] && pull_on(i) > 0; };
-        const Settling there = walk([&] {
+        walk([&] {
             bool any = false, all_loaded = true;
             for (std::size_t i = 0; i < before.size(); ++i) {
                 any = any || has_gone(i);
@@ -373,13 +343,12 @@ private:
             }
             return any && all_loaded;
         });
-        const bool comes_to_rest = there.end == Settling::End::rests || there.end == Settling::End::stays;
         Settling unstable{Settling::End::never, "", {}, {}, ""};
         bool is_by_own_loads = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
-            if (!has_gone(i) && !(comes_to_rest && goes[i] && is_far(way_of(i), turn_of(i), sizes_[i]))) continue;
+            if (!has_gone(i)) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
-            is_by_own_loads = is_by_own_loads || (has_gone(i) && is_loaded(i));
+            is_by_own_loads = is_by_own_loads || is_loaded(i);
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;
@@ -419,34 +388,26 @@ private:
     }
 
     bool goes_far(const VectorXd& a) const {
-        std::vector<Eigen::Vector3d> motions(sizes_.size(), Eigen::Vector3d::Zero());
-        for (const MovingPart& b : moving_.list) motions[at(b.part)] = b.motion(a);
-        return is_any(far_parts(motions, true, [&](int part, const Vec2& x) -> Vec2 {
-            const int moving = moving_.of_part[at(part)];
-            if (moving < 0) return {0, 0};
-            const Eigen::Vector3d& m = motions[at(part)];
-            return m.head<2>() + m[2] * geometry::left_of(x - moving_.list[at(moving)].center);
-        }));
+        return std::any_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
+            const Eigen::Vector3d motion = b.motion(a);
+            return is_far(motion.head<2>(), motion[2], b.size);
+        });
     }
 
     /// Takes a step, unless parts end up in each other.
     bool advance(const VectorXd& a) {
         const std::vector<Placement> before = placements_;
         const Closing closing = closing_;
-        move(a);
-        put();
-        if (closing_.deepest <= std::max(step_overlap, closing.deepest)) return true;
-        placements_ = before;
-        put();
-        return false;
-    }
-
-    void move(const VectorXd& a) {
         for (const MovingPart& b : moving_.list) {
             const Eigen::Vector3d motion = b.motion(a);
             Placement& p = placements_[at(b.part)];
             p = followed_by(p, along_screw(b.center, motion.head<2>(), motion[2]));
         }
+        put();
+        if (closing_.deepest <= std::max(step_overlap, closing.deepest)) return true;
+        placements_ = before;
+        put();
+        return false;
     }
 
     void put() {
@@ -495,7 +456,6 @@ private:
 
     Settling rest() {
         Settling settling{Settling::End::rests, "", {}, {}, ""};
-        const std::vector<char> is_placed = placed_parts();
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < moved_at_all * sizes_[i];
             const auto& [x, y, turn] = leads_[i].is_given;
@@ -503,7 +463,7 @@ private:
                                           : x || y || turn
                                               ? placements_[i]
                                               : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
-            if (!is_placed[i]) continue;
+            if (!is_far(moved(i), placements_[i].angle, sizes_[i])) continue;
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
         }
@@ -517,7 +477,6 @@ private:
     Scene drawn_;  // with supports that lead no more
     const ResolvedConditions& conditions_;
     PairRules rules_;
-    double paired_;  // of a part's size
     std::vector<Placement> placements_;
     std::vector<Lead> leads_;  // from where parts are drawn
     Scene scene_;              // with the parts there

@@ -141,35 +141,6 @@ TEST(Settle, WhatGoesNotFarStays) {
     EXPECT_FALSE(large_motion_effect(settling_of(scene)).on);
 }
 
-/// Pairs that were found a little beside err by as much as parts of that size go: how much of it may be is the scene's to say.
-TEST(Settle, HowFarIsFarGoesByTheAccuracyAskedFor) {
-    const auto ends = [](double r, const std::string& level) {
-        return settling_of(scene_of(hole_and_pin(r, {0, 0}), R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
-                                    R"({"part": "pin", "force": [0, -100]})", R"(, "accuracy": {"level": ")" + level + "\"}"))
-            .end;
-    };
-    EXPECT_EQ(ends(9.5, "draft"), Settling::End::stays) << "by 0.019 of its size";
-    EXPECT_EQ(ends(9.5, "standard"), Settling::End::rests);
-    EXPECT_EQ(ends(9.9, "standard"), Settling::End::stays) << "by 0.0036 of its size";
-    EXPECT_EQ(ends(9.9, "fine"), Settling::End::rests);
-}
-
-/// A disc and the cup that it lies in fall by a fiftieth of their size: between them nothing is paired otherwise, and straight
-/// down on a flat neither.
-TEST(Settle, WhatGoesAlongWithItsPartnersStays) {
-    const std::string cup = part("cup", R"({"difference": [{"rectangle": {"min": [-30, 0.7], "max": [30, 20]}, "name": "c"},
-                                                          {"circle": {"center": [0, 25], "radius": 12}, "name": "h"}]})");
-    const auto ends = [&](double height) {
-        return settling_of(
-                   scene_of(floor_part + ", " + cup + ", " +
-                                part("disc", R"({"circle": {"center": [0, )" + std::to_string(height) + R"(], "radius": 10}})"),
-                            held_floor, R"({"part": "disc", "force": [0, -100]})"))
-            .end;
-    };
-    EXPECT_EQ(ends(23), Settling::End::stays);
-    EXPECT_EQ(ends(23.6), Settling::End::rests) << "the disc itself has 0.02 of its size to go in its cup";
-}
-
 TEST(Settle, ABlockLiesFlush) {
     for (const double tilt : {-30.0, -4.0, 1.0, 10.0}) {
         const Scene scene = scene_of(floor_part + R"(, {"name": "block", "material": "m", "place": {"rotate": )" +
