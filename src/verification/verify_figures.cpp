@@ -186,7 +186,8 @@ std::vector<Figure> answer_figures(const SolvedTable& solved) {
     const DissertationTable& t = solved.table;
     const std::string of = "By the dissertation's method" + (t.figures.empty() ? "" : "; its figures " + t.figures);
     const double times = report::drawn_exaggeration(*answer);
-    const std::string deformed = of + ". Displacements drawn " + number_text(times, 3) + " times as large";
+    const std::string deformed = "Displacements drawn " + number_text(times, 3) + " times as large" +
+                                 (t.figures.empty() ? "" : "; the dissertation's figures " + t.figures);
     std::vector<Figure> figures{{t.name + "_stress.svg", panels_svg(*answer, t.title, of, stress_panels())},
                                 {t.name + "_displacement.svg", panels_svg(*answer, t.title, of, displacement_panels(0))},
                                 {t.name + "_deformed.svg", panels_svg(*answer, t.title, deformed, displacement_panels(times))}};
