@@ -148,7 +148,8 @@ Remainder remainder_of(const AssemblyProblem& problem, const Rows& rows, const C
 
 /// Displacements under the contact forces. Where their residual is more than rounding, a step of iterative refinement: what
 /// they leave of closed gaps and of equilibrium is the right-hand side of a correction. It takes out the rounding of C and of
-/// the pinned solutions, where the active set holds every motion.
+/// the pinned solutions, where the active set holds every motion. On a set that is not the answer's it makes things worse, and
+/// is taken back.
 void recover_refined(const AssemblyProblem& problem, const Rows& rows, const ContactQp& qp, const MatrixXd& held,
                      const std::vector<char>& active, int threads, ContactAnswer& answer, AssemblySolution& solution) {
     const auto recover = [&] {
@@ -164,8 +165,13 @@ void recover_refined(const AssemblyProblem& problem, const Rows& rows, const Con
     correction.mode_load = std::move(left.load);
     VectorXd forces, motion;
     if (!solve_on_set(correction, active, forces, motion)) return;
+    const ContactAnswer before = answer;
+    const double residual = solution.residual;
     answer.forces += forces;
     answer.motion += motion;
+    recover();
+    if (solution.residual <= residual) return;
+    answer = before;
     recover();
 }
 

@@ -28,7 +28,7 @@ struct Iterate {
 };
 using Direction = Iterate;
 
-/// The problem in units of its own forces and lengths.
+/// Units of forces and of lengths.
 struct Scales {
     double force, length;
 };
@@ -162,14 +162,18 @@ InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
     result.active = bilateral_rows(qp);
     if (start.size() == 0) return result;
     const Scales scales = scales_of(shifted, start);
+    Scales reached = scales;  // a thin part gives way to a single row's force by far more than to all of them
     if (!(scales.force > 0 && scales.length > 0)) return result;
     Newton newton(shifted);
     Iterate x = first_iterate(shifted, newton.unilateral(), scales);
     for (result.iterations = 0; result.iterations < max_steps; ++result.iterations) {
         newton.look_at(x);
         const double mean = newton.mean_product(x.l, x.gap);
-        result.converged = mean <= complementarity * scales.force * scales.length &&
-                           newton.gap_residual() <= complementarity * scales.length &&
+        const ContactState state{x.l, x.a, qp.compliance * x.l};
+        reached = {x.l.cwiseAbs().maxCoeff(), state.closing.cwiseAbs().maxCoeff()};
+        const double rounding = gap_rounding(shifted, state).maxCoeff();
+        result.converged = mean <= complementarity * reached.force * reached.length &&
+                           newton.gap_residual() <= std::max(complementarity * reached.length, rounding) &&
                            newton.balance_residual() <= complementarity * force_scale(qp, x.l);
         if (result.converged || !newton.factorize(x)) break;
         const VectorXd none = VectorXd::Zero(x.l.size());
@@ -186,7 +190,7 @@ InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
         x.gap += reach * d.gap;
     }
     for (Index k : newton.unilateral())
-        result.active[static_cast<std::size_t>(k)] = x.l[k] / scales.force > x.gap[k] / scales.length;
+        result.active[static_cast<std::size_t>(k)] = x.l[k] / reached.force > x.gap[k] / reached.length;
     result.state = {x.l, x.a, qp.compliance * x.l};
     return result;
 }

@@ -15,8 +15,8 @@ struct InteriorPoint {
     int iterations = 0;
 };
 
-/// How near the iteration comes to the end: sum of l gap over the forces' work at the start's scale, and violations over their
-/// scales.
+/// How near the iteration comes to the end: mean of l gap over the largest force times the largest closing C l, and violations
+/// over their scales, or what rounding leaves of them.
 inline constexpr double complementarity = 1e-11;
 
 /// Solves the contact problem. C must be positive definite but for redundant rows, and some multipliers >= 0 have to balance

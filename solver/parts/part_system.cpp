@@ -154,7 +154,10 @@ std::string failure_text(const PartSystem& s) {
         return text + "its springs are too soft against its material to hold it; make them stiffer, or add a support";
     if (s.input.space.basis != Basis::web)
         return text + "functions of the basis hardly reach into the part there; take basis \"web\", or move the grid lines";
-    return text + "part of it hangs on too little there to carry anything; refine the grid, or look for a stray sliver";
+    return text +
+           "part of it hangs on too little there to carry anything, or it is so slender (some 1000 times as long as thick) "
+           "that no "
+           "digits are left; look for a stray sliver, or refine the grid";
 }
 
 void note_failure(PartSystem& s) {

@@ -18,9 +18,10 @@ namespace abut {
 
 namespace {
 
-/// Cells of all parts together where the user bounds no memory, and of one part at least, before wanted sizes are given up;
-/// coarsened by this factor at a time.
-constexpr double standard_cells = 60000, least_cells_of_part = 3000, budget_coarsening = 1.3;
+/// What all parts together may take where the user bounds no memory: a share of what any workplace has.
+constexpr double usual_bytes = 2e9;
+/// Cells of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
+constexpr double least_cells_of_part = 3000, budget_coarsening = 1.3;
 
 /// A leaf of a tree costs about this times what a cell of a tensor grid does: measured 1.3 to 1.45 from the space to the
 /// smoothed stress where all leaves are of one level (20 000 and 80 000 unknowns); 1.7 to 2 in whole runs of few thousand
@@ -154,7 +155,9 @@ struct PricedGrid {
 
 PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most) {
     const double each = grid.tree ? price_of_leaf : 1;
-    const double price = grid.n_cells() > most ? std::numeric_limits<double>::infinity() : each * n_filled(local, grid);
+    double price = std::numeric_limits<double>::infinity();
+    if (grid.n_cells() <= most_cells) price = each * n_filled(local, grid);
+    if (price > most) price = std::numeric_limits<double>::infinity();
     return {std::move(grid), price};
 }
 
@@ -284,8 +287,7 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
         result.grid = search_grid_of(scene, part, result.frame);
         return result;
     }
-    const double of_all = scene.accuracy.budget.bytes ? *scene.accuracy.budget.bytes / (2 * bytes_per_unknown)
-                                                      : standard_cells / coarseness / coarseness;
+    const double of_all = scene.accuracy.budget.bytes.value_or(usual_bytes) / (2 * bytes_per_unknown);
     const double budget = std::max(least_cells_of_part, of_all / static_cast<double>(scene.parts.size()));
     design_grid(scene, wanted, coarseness, refinement, budget, result);
     return result;

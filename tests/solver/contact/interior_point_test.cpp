@@ -69,6 +69,21 @@ TEST(InteriorPoint, ClosesTheRowsOfTheExactAnswer) {
     }
 }
 
+TEST(InteriorPoint, EndsByTheClosingOfAllRowsNotOfOneAlone) {
+    // as a thin part does, these rows give way to one's force by 10^6 of what all close by together
+    const Index m = 40;
+    const VectorXd bent = VectorXd::NullaryExpr(m, [](Index k) { return k % 2 == 0 ? 1.0 : -1.0; });
+    ContactQp qp = random_problem(11, m, 0);
+    qp.unilateral.assign(static_cast<std::size_t>(m), 1);
+    qp.compliance = MatrixXd(1e6 * bent * bent.transpose() + MatrixXd::Identity(m, m));
+    qp.gap = qp.drawn_gap = VectorXd::NullaryExpr(m, [](Index k) { return 1e-3 * static_cast<double>((k - 17) * (k - 17)); });
+    qp.modes = VectorXd::Ones(m);
+    qp.mode_load = VectorXd::Constant(1, -1.0);
+    const InteriorPoint found = interior_point({qp, qp.gap}, VectorXd::Ones(m));
+    ASSERT_TRUE(found.converged);
+    EXPECT_LT(violation(qp, found.state), 1e-6);
+}
+
 TEST(InteriorPoint, SaysWhereNothingBalancesTheLoads) {
     ContactQp qp = random_problem(7, 10, 2);
     qp.unilateral.assign(10, 1);
