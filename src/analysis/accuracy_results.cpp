@@ -41,13 +41,16 @@ struct DoubtfulPeaks {
     std::vector<Finding> at_corner, uncertain;
 };
 
-/// target: of the accuracy. Peaks of contacts that carry next to nothing are told, but speak against nothing.
+/// target: of the accuracy. Peaks of contacts that carry next to nothing are told, but speak against nothing. A pressure is
+/// known no better than the force that it adds up to (Cauchy and Schwarz: Hertz' by 0.96 of it at least), the largest one and
+/// the length of Hertz' by half of it.
 void fill_contact(const ContactError& e, double of_force, double target, std::size_t k, ContactResult& c,
                   DoubtfulPeaks& peaks) {
     const bool counts = e.share_of_peak * (e.at_corner ? 1 : e.peak) > target;
-    c.error_estimate = e.pressure;
+    const double pressure = std::max(e.pressure, of_force);
+    c.error_estimate = pressure;
     c.errors =
-        ContactErrors{e.pressure, std::max(e.peak, 0.5 * of_force), of_force, std::max(e.length, 0.5 * of_force), e.at_corner};
+        ContactErrors{pressure, std::max(e.peak, 0.5 * of_force), of_force, std::max(e.length, 0.5 * of_force), e.at_corner};
     const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,

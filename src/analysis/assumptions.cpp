@@ -252,7 +252,7 @@ void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (out.solved.limited_grids > 0)
         result.warnings.push_back("grids of " + std::to_string(out.solved.limited_grids) +
                                   " part(s) are coarser than the contacts ask for, to bound the number of cells; more memory, "
-                                  "asked for as the budget (--budget 4GB), allows more");
+                                  "asked for as the budget (--budget 16GB), allows more");
     if (out.solved.refined_for_walls > 0)
         result.warnings.push_back("grids of " + std::to_string(out.solved.refined_for_walls) +
                                   " part(s) were refined because a wall was thinner than a cell");

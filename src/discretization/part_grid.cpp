@@ -19,7 +19,7 @@ namespace abut {
 namespace {
 
 /// What all parts together may take where the user bounds no memory: a share of what any workplace has.
-constexpr double usual_bytes = 2e9;
+constexpr double usual_bytes = 4e9;
 /// Cells of one part at least, before wanted sizes are given up; coarsened by this factor at a time.
 constexpr double least_cells_of_part = 3000, budget_coarsening = 1.3;
 

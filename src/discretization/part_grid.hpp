@@ -9,9 +9,9 @@
 
 namespace abut {
 
-/// Memory of a pass at its peak, for each unknown: factor, space and rules (3e3 on some ten thousand unknowns, halved cells;
-/// 4e3 on a million of equal cells).
-inline constexpr double bytes_per_unknown = 4e3;
+/// Memory of a pass at its peak, for each unknown: factor, space and rules (3.4e3 to 4.4e3 in bearings of 20 000 to 400 000
+/// unknowns, 4e3 on a million of equal cells, 6e3 in a plate with 256 holes).
+inline constexpr double bytes_per_unknown = 6e3;
 
 /// The grid of a part, and the part in the grid's frame.
 struct PartGrid {
