@@ -16,7 +16,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int max_primal_dual_steps = 24;      // with the few steps of what follows, thirty in all
+constexpr int max_primal_dual_steps = 18;      // with those of the interior point method, thirty in all
 constexpr int max_pivots = 300, patience = 4;  // in all; while no fewer rows are wrong, before rows change alone
 constexpr double singular_fraction = 1e-15;    // of the largest pivot: the closed rows leave a motion free
 constexpr double free_fraction = 1e-10;        // of the largest stiffness against a motion: below, it counts as free

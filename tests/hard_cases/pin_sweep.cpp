@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tests/hard_cases/curve_plot.hpp"
@@ -75,7 +76,9 @@ PinAnswer answer_of(const SolvedAssembly& solved, double load) {
         a.half_angle = 90 / std::numbers::pi * (last.end - first.begin) / radius;
     }
     if (!solved.solution.converged) a.failure = "not converged";
-    if (a.failure.empty() && !(a.residual < solved_tolerance)) a.failure = "residual";
+    // gaps have the rounding of coordinates, which is measured against a closing of the size of the load (the ring's E is 1)
+    const double rounding = std::numeric_limits<double>::epsilon() * radius / load;
+    if (a.failure.empty() && !(a.residual < std::max(solved_tolerance, rounding))) a.failure = "residual";
     if (a.failure.empty() && !(a.unbalance < solved_tolerance && a.force_error < solved_tolerance)) a.failure = "unbalanced";
     a.solved = a.failure.empty();
     return a;
