@@ -26,7 +26,7 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/brep/edge_tree.hpp"
+#include "geometry/brep/oriented_tree.hpp"
 #include "geometry/csg/clear_pieces.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "src/base/index.hpp"
@@ -188,11 +188,14 @@ constexpr std::size_t most_pairs_of_piece = 100;
 
 bool all_meet_at_corners_only(const Outline& outline, double same) {
     const std::vector<HulledPiece>& pieces = outline.pieces;
+    std::vector<OrientedTree::Item> items;
+    items.reserve(pieces.size());
+    for (const HulledPiece& piece : pieces) items.push_back({piece.box, oriented_box(piece.hull)});
+    const OrientedTree tree(items);
     std::size_t n_pairs = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (const int found : outline.tree.near(pieces[i].box, 0)) {
+        for (const int found : tree.near_after(i, 0)) {
             const std::size_t j = at(found);
-            if (j <= i) continue;
             if (++n_pairs > most_pairs_of_piece * pieces.size()) return false;
             if (!clearly_meet_at_corners_only(pieces[i], pieces[j]) &&
                 !meet_at_corners_only(pieces[i].piece, pieces[j].piece, same))
