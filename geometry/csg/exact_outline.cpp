@@ -20,6 +20,7 @@
 #include <boost/variant.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <type_traits>
@@ -166,6 +167,37 @@ bool carriers_are_apart(const OutlinePiece& a, const OutlinePiece& b) {
                             (-second.divisor) * first.to_center);
     const Exact both = p + q - d;
     return both * both > Exact(4) * p * q;
+}
+
+/// What the curves of two pieces have in common, which share these corners.
+std::vector<CommonOfPieces> common_of_curves(const std::vector<PlaneCurve>& first, const std::vector<PlaneCurve>& second,
+                                             const std::vector<Vec2>& shared) {
+    const auto is_corner = [&](const PlaneTraits::Point_2& p) {
+        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
+            return p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())));
+        });
+    };
+    std::vector<CommonOfPieces> found;
+    const auto take = boost::make_function_output_iterator([&](const auto& common) {
+        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
+            const Vec2 p = place_of(crossing->first);
+            found.push_back({p, p, false, is_corner(crossing->first)});
+        } else {
+            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
+            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
+        }
+    });
+    for (const PlaneCurve& one : first)
+        for (const PlaneCurve& other : second) one.intersect(other, take);
+    return found;
+}
+
+std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b) {
+    if (carriers_are_apart(a, b)) return {};
+    std::vector<PlaneCurve> first, second;
+    append(a, first);
+    append(b, second);
+    return common_of_curves(first, second, shared_corners(a, b));
 }
 
 /// Have two pieces nothing in common but the corners that they share, and what is rounding there?
@@ -433,30 +465,25 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
 
 }  // namespace
 
-std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b) {
+struct PieceMeetings::Known {
+    const Outline &a, &b;
+    std::map<std::size_t, std::vector<PlaneCurve>> curves_of_a, curves_of_b;
+};
+
+PieceMeetings::PieceMeetings(const Outline& a, const Outline& b) : known_(new Known{a, b, {}, {}}) {}
+
+PieceMeetings::~PieceMeetings() = default;
+
+std::vector<CommonOfPieces> PieceMeetings::of(std::size_t i, std::size_t j) {
+    const OutlinePiece &a = known_->a.pieces[i].piece, &b = known_->b.pieces[j].piece;
     if (carriers_are_apart(a, b)) return {};
-    std::vector<PlaneCurve> first, second;
-    append(a, first);
-    append(b, second);
-    const std::vector<Vec2> shared = shared_corners(a, b);
-    const auto is_corner = [&](const PlaneTraits::Point_2& p) {
-        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
-            return p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())));
-        });
+    const auto curves = [](std::map<std::size_t, std::vector<PlaneCurve>>& known, std::size_t k,
+                           const OutlinePiece& piece) -> const std::vector<PlaneCurve>& {
+        const auto [found, is_new] = known.try_emplace(k);
+        if (is_new) append(piece, found->second);
+        return found->second;
     };
-    std::vector<CommonOfPieces> found;
-    const auto take = boost::make_function_output_iterator([&](const auto& common) {
-        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
-            const Vec2 p = place_of(crossing->first);
-            found.push_back({p, p, false, is_corner(crossing->first)});
-        } else {
-            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
-            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
-        }
-    });
-    for (const PlaneCurve& one : first)
-        for (const PlaneCurve& other : second) one.intersect(other, take);
-    return found;
+    return common_of_curves(curves(known_->curves_of_a, i, a), curves(known_->curves_of_b, j, b), shared_corners(a, b));
 }
 
 std::vector<int> windings_around(const Outline& outline, const std::vector<PlaceOnPiece>& places) {
