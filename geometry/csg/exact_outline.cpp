@@ -29,6 +29,7 @@
 
 #include "geometry/brep/oriented_tree.hpp"
 #include "geometry/csg/clear_pieces.hpp"
+#include "geometry/csg/exact_count.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "src/base/index.hpp"
 
@@ -513,6 +514,7 @@ bool is_surely_right(const Part& part) {
 }
 
 std::optional<OutlineFault> exact_fault(const Part& part) {
+    n_exact_loops() += static_cast<long>(part.loops.size());
     if (is_surely_right(part)) return std::nullopt;
     return swept_fault(part);
 }
