@@ -43,8 +43,7 @@ struct CommonOfPieces {
     bool is_stretch = false;
     bool is_shared_corner = false;  ///< exactly
 };
-/// What pieces of two outlines have in common. Keeps what exact arithmetic has found out about each piece: a third to a half of
-/// the cost.
+/// What pieces of two outlines have in common. Keeps the exact curves made of each piece.
 class PieceMeetings {
 public:
     /// The outlines must outlive it.
