@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 1. Pieces without a common corner are apart if a side of one's hull has the other's hull on its far side, or if the circle of
-//    one has the other's hull or all of its circle inside, or its circle outside.
+//    one has the other's hull or all of its circle inside, or its circle outside, or if their lines and circles cross beyond
+//    one of them.
 // 2. Seen from a corner, a piece lies in the wedge between its chord and its tangent there. Pieces whose wedges have no
 //    direction in common meet nowhere else.
 // 3. Two circles, or a line and a circle, that have two corners in common have no third point.
@@ -11,6 +12,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace abut::geometry {
@@ -110,6 +112,45 @@ bool circles_part(const HulledPiece& a, const HulledPiece& b) {
            is_negative(distance + first.radius - second.radius) || is_positive(distance - first.radius - second.radius);
 }
 
+Interval root_of(const Interval& x) {
+    return CGAL::sqrt(Interval(std::max(0.0, x.inf()), std::max(0.0, x.sup())));
+}
+
+using Crossings = std::array<Point, 2>;
+
+Crossings crossings_of(const Circle& a, const Circle& b) {
+    const Point between = b.center - a.center;
+    const Interval squared_distance = squared(between), square = CGAL::square(a.radius) / squared_distance;
+    const Interval share = Interval(0.5) * (square - CGAL::square(b.radius) / squared_distance + Interval(1));
+    const Point middle = a.center + share * between;
+    const Point away = root_of(square - CGAL::square(share)) * right_of(between);
+    return {middle + away, middle - away};
+}
+
+Crossings crossings_of(const OutlinePiece& line, const Circle& circle) {
+    const Point from = known_at(line.from), along = known_at(line.to) - from, to_center = circle.center - from;
+    const Interval length = squared(along), off = cross(along, to_center) / length;
+    const Interval away = root_of(CGAL::square(circle.radius) / length - CGAL::square(off)),
+                   foot = dot(along, to_center) / length;
+    return {from + (foot - away) * along, from + (foot + away) * along};
+}
+
+/// Is a point of the piece's line or circle for certain beyond its ends?
+bool is_beyond(const OutlinePiece& piece, const Point& p) {
+    const Point from = known_at(piece.from), chord = known_at(piece.to) - from;
+    const Interval along = dot(chord, p - from), side = cross(chord, p - from);
+    if (piece.turn == 0) return is_negative(along) || is_positive(along - squared(chord));
+    return piece.turn > 0 ? is_positive(side) : is_negative(side);
+}
+
+bool cross_beyond(const OutlinePiece& a, const OutlinePiece& b) {
+    if (a.turn == 0 && b.turn == 0) return false;
+    const Crossings points = a.turn == 0   ? crossings_of(a, circle_of(b))
+                             : b.turn == 0 ? crossings_of(b, circle_of(a))
+                                           : crossings_of(circle_of(a), circle_of(b));
+    return std::all_of(points.begin(), points.end(), [&](const Point& p) { return is_beyond(a, p) || is_beyond(b, p); });
+}
+
 /// Directions from a corner, from `first` counter-clockwise to `last`: less than half a turn.
 struct Wedge {
     Point first, last;
@@ -203,7 +244,8 @@ bool clearly_meet_at_corners_only(const HulledPiece& a, const HulledPiece& b) {
     const std::vector<Vec2> shared = shared_corners(a.piece, b.piece);
     if (shared.size() > 1) return have_different_carriers(a.piece, b.piece);
     const Protector rounds_up;
-    if (shared.empty()) return has_parting_side(a, b) || has_parting_side(b, a) || circles_part(a, b);
+    if (shared.empty())
+        return has_parting_side(a, b) || has_parting_side(b, a) || circles_part(a, b) || cross_beyond(a.piece, b.piece);
     return wedges_part(wedge_at(shared.front(), a.piece), wedge_at(shared.front(), b.piece));
 }
 

@@ -71,11 +71,12 @@ std::optional<ParameterPair> true_crossing(const Curve& a, const Curve& b, const
 }
 
 /// Cuts both pieces where they have something in common.
-void cut_both(CutOutline& a, std::size_t i, CutOutline& b, std::size_t j, double tolerance) {
+void cut_both(CutOutline& a, std::size_t i, CutOutline& b, std::size_t j, const std::vector<CommonOfPieces>& all_common,
+              double tolerance) {
     const OutlinePiece &first = a.outline.pieces[i].piece, &second = b.outline.pieces[j].piece;
     const Curve &curve1 = a.part->edges[at(first.edge)].curve, &curve2 = b.part->edges[at(second.edge)].curve;
     const bool is_approximate = has_arc_spline(curve1) || has_arc_spline(curve2);
-    for (const CommonOfPieces& common : common_of(first, second)) {
+    for (const CommonOfPieces& common : all_common) {
         for (const Vec2& p : {common.begin, common.end}) {
             ParameterPair t{parameter_at(a, first, p), parameter_at(b, second, p)};
             if (is_approximate && !common.is_stretch) t = true_crossing(curve1, curve2, t, tolerance).value_or(t);
@@ -97,12 +98,13 @@ void cut_both(CutOutline& a, std::size_t i, CutOutline& b, std::size_t j, double
 
 void cut_each_other(CutOutline& a, CutOutline& b, double tolerance) {
     const std::vector<HulledPiece>&first = a.outline.pieces, &second = b.outline.pieces;
+    PieceMeetings meetings(a.outline, b.outline);
     for (std::size_t i = 0; i < first.size(); ++i)
         for (const int found : b.outline.tree.near(first[i].box, 0)) {
             const std::size_t j = at(found);
             const bool have_hulls = !first[i].hull.empty() && !second[j].hull.empty();
             if (!have_hulls || !clearly_meet_at_corners_only(first[i], second[j])) {
-                cut_both(a, i, b, j, tolerance);
+                cut_both(a, i, b, j, meetings.of(i, j), tolerance);
                 continue;
             }
             for (const Vec2& p : shared_corners(first[i].piece, second[j].piece)) {

@@ -20,14 +20,16 @@
 #include <boost/variant.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
-#include "geometry/brep/edge_tree.hpp"
+#include "geometry/brep/oriented_tree.hpp"
 #include "geometry/csg/clear_pieces.hpp"
+#include "geometry/csg/exact_count.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "src/base/index.hpp"
 
@@ -168,6 +170,37 @@ bool carriers_are_apart(const OutlinePiece& a, const OutlinePiece& b) {
     return both * both > Exact(4) * p * q;
 }
 
+/// What the curves of two pieces have in common, which share these corners.
+std::vector<CommonOfPieces> common_of_curves(const std::vector<PlaneCurve>& first, const std::vector<PlaneCurve>& second,
+                                             const std::vector<Vec2>& shared) {
+    const auto is_corner = [&](const PlaneTraits::Point_2& p) {
+        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
+            return p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())));
+        });
+    };
+    std::vector<CommonOfPieces> found;
+    const auto take = boost::make_function_output_iterator([&](const auto& common) {
+        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
+            const Vec2 p = place_of(crossing->first);
+            found.push_back({p, p, false, is_corner(crossing->first)});
+        } else {
+            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
+            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
+        }
+    });
+    for (const PlaneCurve& one : first)
+        for (const PlaneCurve& other : second) one.intersect(other, take);
+    return found;
+}
+
+std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b) {
+    if (carriers_are_apart(a, b)) return {};
+    std::vector<PlaneCurve> first, second;
+    append(a, first);
+    append(b, second);
+    return common_of_curves(first, second, shared_corners(a, b));
+}
+
 /// Have two pieces nothing in common but the corners that they share, and what is rounding there?
 bool meet_at_corners_only(const OutlinePiece& a, const OutlinePiece& b, double same) {
     const std::vector<Vec2> shared = shared_corners(a, b);
@@ -188,11 +221,14 @@ constexpr std::size_t most_pairs_of_piece = 100;
 
 bool all_meet_at_corners_only(const Outline& outline, double same) {
     const std::vector<HulledPiece>& pieces = outline.pieces;
+    std::vector<OrientedTree::Item> items;
+    items.reserve(pieces.size());
+    for (const HulledPiece& piece : pieces) items.push_back({piece.box, oriented_box(piece.hull)});
+    const OrientedTree tree(items);
     std::size_t n_pairs = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        for (const int found : outline.tree.near(pieces[i].box, 0)) {
+        for (const int found : tree.near_after(i, 0)) {
             const std::size_t j = at(found);
-            if (j <= i) continue;
             if (++n_pairs > most_pairs_of_piece * pieces.size()) return false;
             if (!clearly_meet_at_corners_only(pieces[i], pieces[j]) &&
                 !meet_at_corners_only(pieces[i].piece, pieces[j].piece, same))
@@ -430,30 +466,25 @@ std::optional<Vec2> wrong_winding(Arrangement& arrangement, double same) {
 
 }  // namespace
 
-std::vector<CommonOfPieces> common_of(const OutlinePiece& a, const OutlinePiece& b) {
+struct PieceMeetings::Known {
+    const Outline &a, &b;
+    std::map<std::size_t, std::vector<PlaneCurve>> curves_of_a, curves_of_b;
+};
+
+PieceMeetings::PieceMeetings(const Outline& a, const Outline& b) : known_(new Known{a, b, {}, {}}) {}
+
+PieceMeetings::~PieceMeetings() = default;
+
+std::vector<CommonOfPieces> PieceMeetings::of(std::size_t i, std::size_t j) {
+    const OutlinePiece &a = known_->a.pieces[i].piece, &b = known_->b.pieces[j].piece;
     if (carriers_are_apart(a, b)) return {};
-    std::vector<PlaneCurve> first, second;
-    append(a, first);
-    append(b, second);
-    const std::vector<Vec2> shared = shared_corners(a, b);
-    const auto is_corner = [&](const PlaneTraits::Point_2& p) {
-        return std::any_of(shared.begin(), shared.end(), [&](const Vec2& corner) {
-            return p.equals(PlaneTraits::Point_2(Kernel::FT(corner.x()), Kernel::FT(corner.y())));
-        });
+    const auto curves = [](std::map<std::size_t, std::vector<PlaneCurve>>& known, std::size_t k,
+                           const OutlinePiece& piece) -> const std::vector<PlaneCurve>& {
+        const auto [found, is_new] = known.try_emplace(k);
+        if (is_new) append(piece, found->second);
+        return found->second;
     };
-    std::vector<CommonOfPieces> found;
-    const auto take = boost::make_function_output_iterator([&](const auto& common) {
-        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
-            const Vec2 p = place_of(crossing->first);
-            found.push_back({p, p, false, is_corner(crossing->first)});
-        } else {
-            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
-            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
-        }
-    });
-    for (const PlaneCurve& one : first)
-        for (const PlaneCurve& other : second) one.intersect(other, take);
-    return found;
+    return common_of_curves(curves(known_->curves_of_a, i, a), curves(known_->curves_of_b, j, b), shared_corners(a, b));
 }
 
 std::vector<int> windings_around(const Outline& outline, const std::vector<PlaceOnPiece>& places) {
@@ -483,6 +514,7 @@ bool is_surely_right(const Part& part) {
 }
 
 std::optional<OutlineFault> exact_fault(const Part& part) {
+    n_exact_loops() += static_cast<long>(part.loops.size());
     if (is_surely_right(part)) return std::nullopt;
     return swept_fault(part);
 }

@@ -21,6 +21,7 @@
 #include <utility>
 #include <variant>
 
+#include "geometry/csg/exact_count.hpp"
 #include "geometry/csg/loop_rounding.hpp"
 #include "geometry/csg/primitives.hpp"
 #include "geometry/csg/source_portions.hpp"
@@ -581,6 +582,7 @@ std::vector<std::vector<RawPiece>> ExactPrimitives::loops(const ExactRegion& reg
         for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
             loops.push_back(raw_loop(*hole, model_->portions, vertices));
     }
+    n_exact_loops() += static_cast<long>(loops.size());
     return loops;
 }
 

@@ -9,6 +9,7 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/message_text.hpp"
+#include "geometry/brep/oriented_tree.hpp"
 #include "geometry/curves/curve_meetings.hpp"
 
 namespace abut::geometry {
@@ -219,14 +220,14 @@ std::vector<int> told(const LoopModel& model, const std::vector<EdgeMeeting>& me
 }  // namespace
 
 std::vector<EdgeMeeting> edge_meetings(const LoopModel& model, const std::vector<bool>& is_left_out) {
-    std::vector<Box2> boxes;
-    for (const LoopEdge& edge : model.edges) boxes.push_back(bounding_box(edge.curve));
-    const EdgeTree tree(boxes);
+    std::vector<OrientedTree::Item> items;
+    for (const LoopEdge& edge : model.edges) items.push_back({bounding_box(edge.curve), oriented_box(edge.curve)});
+    const OrientedTree tree(items);
     std::vector<EdgeMeeting> found;
-    for (std::size_t a = 0; a < boxes.size(); ++a) {
+    for (std::size_t a = 0; a < items.size(); ++a) {
         if (is_left_out[a]) continue;
-        for (const int b : tree.near(boxes[a], model.tolerance)) {
-            if (b <= static_cast<int>(a) || is_left_out[static_cast<std::size_t>(b)]) continue;
+        for (const int b : tree.near_after(a, model.tolerance)) {
+            if (is_left_out[static_cast<std::size_t>(b)]) continue;
             if (const auto meeting = Pair(model, static_cast<int>(a), b).meeting()) found.push_back(*meeting);
         }
     }

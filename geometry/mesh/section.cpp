@@ -66,8 +66,8 @@ std::string counted_points(int n, const Mesh& body) {
 }
 
 /// What was recovered, and how far the points are from it.
-void report(const OutlinePiece& piece, const Mesh& body, std::vector<Repair>& repairs) {
-    using Kind = OutlinePiece::Kind;
+void report(const RecoveredPiece& piece, const Mesh& body, std::vector<Repair>& repairs) {
+    using Kind = RecoveredPiece::Kind;
     if (piece.kind == Kind::line) return;
     const Vec2 at = point(piece.curves[piece.curves.size() / 2], piece.curves.size() > 1 ? 0 : 0.5);
     if (piece.kind == Kind::curve) {
@@ -86,8 +86,8 @@ void report(const OutlinePiece& piece, const Mesh& body, std::vector<Repair>& re
 
 void add_entities(const BodyOutlines& found, const Mesh& body, Section& section) {
     int n = 0;
-    for (const Outline& outline : found.outlines)
-        for (const OutlinePiece& piece : outline.pieces) {
+    for (const RecoveredOutline& outline : found.outlines)
+        for (const RecoveredPiece& piece : outline.pieces) {
             report(piece, body, section.repairs);
             for (const Curve& curve : piece.curves) {
                 SketchEntity entity;
@@ -114,9 +114,9 @@ void leave_facets_where_curves_cross(const std::vector<BodyCut>& cuts, std::vect
     for (auto conflicts = conflicts_of_bulges(bodies); !conflicts.empty(); conflicts = conflicts_of_bulges(bodies))
         for (auto conflict = conflicts.rbegin(); conflict != conflicts.rend(); ++conflict) {  // places before stay valid
             const auto own = static_cast<std::size_t>(conflict->body), other = static_cast<std::size_t>(conflict->other);
-            Outline& outline = bodies[own].outlines[static_cast<std::size_t>(conflict->outline)];
+            RecoveredOutline& outline = bodies[own].outlines[static_cast<std::size_t>(conflict->outline)];
             const auto place = outline.pieces.begin() + conflict->piece;
-            const std::vector<OutlinePiece> facets = facets_of(outline, *place);
+            const std::vector<RecoveredPiece> facets = facets_of(outline, *place);
             section.repairs.push_back({std::to_string(facets.size()) + " facets of " + cuts[own].body->name +
                                            " left as they are: a curve through their points would cross " +
                                            (own == other ? "it elsewhere" : cuts[other].body->name),

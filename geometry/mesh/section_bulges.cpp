@@ -73,7 +73,7 @@ public:
         std::vector<BulgeConflict> found;
         for (size_t b = 0; b < bodies_.size(); ++b)
             for (size_t o = 0; o < bodies_[b].outlines.size(); ++o) {
-                const Outline& outline = bodies_[b].outlines[o];
+                const RecoveredOutline& outline = bodies_[b].outlines[o];
                 for (size_t p = 0; p < outline.pieces.size(); ++p) {
                     // No bulge of less height can hold anything deeper than the tolerance.
                     if (outline.pieces[p].sagitta <= bodies_[b].tolerance) continue;
@@ -89,7 +89,7 @@ private:
         std::vector<Item> items;
         for (size_t b = 0; b < bodies.size(); ++b)
             for (size_t o = 0; o < bodies[b].outlines.size(); ++o) {
-                const std::vector<OutlinePiece>& pieces = bodies[b].outlines[o].pieces;
+                const std::vector<RecoveredPiece>& pieces = bodies[b].outlines[o].pieces;
                 for (size_t p = 0; p < pieces.size(); ++p)
                     for (const Curve& curve : pieces[p].curves)
                         items.push_back({static_cast<int>(b), static_cast<int>(o), static_cast<int>(p), &curve});
@@ -102,12 +102,12 @@ private:
         return boxes;
     }
 
-    const Outline& outline(const Item& i) const { return bodies_[at(i.body)].outlines[at(i.outline)]; }
-    const OutlinePiece& piece(const Item& i) const { return outline(i).pieces[at(i.piece)]; }
+    const RecoveredOutline& outline(const Item& i) const { return bodies_[at(i.body)].outlines[at(i.outline)]; }
+    const RecoveredPiece& piece(const Item& i) const { return outline(i).pieces[at(i.piece)]; }
 
     std::optional<BulgeConflict> conflict_of(const Item& own) const {
-        const Outline& line = outline(own);
-        const OutlinePiece& recovered = piece(own);
+        const RecoveredOutline& line = outline(own);
+        const RecoveredPiece& recovered = piece(own);
         for (int k = recovered.first; k < recovered.first + recovered.n_facets; ++k) {
             const Vec2 &a = point_of(line, k), &b = point_of(line, k + 1);
             Box2 box;
@@ -123,7 +123,7 @@ private:
     }
 
     std::optional<BulgeConflict> conflict_at(const Item& own, int facet, const Item& other) const {
-        const Outline& line = outline(own);
+        const RecoveredOutline& line = outline(own);
         const Vec2 &a = point_of(line, facet), &b = point_of(line, facet + 1);
         const bool turns_left = turning_of(own) > 0;
         if (!turns_left && other.body != own.body) return std::nullopt;  // its material shrinks
@@ -143,7 +143,7 @@ private:
     }
 
     std::optional<BulgeConflict> conflict_along(const Ray& feeler, const Item& own, const Item& other) const {
-        const OutlinePiece& recovered = piece(own);
+        const RecoveredPiece& recovered = piece(own);
         const double tolerance = bodies_[at(own.body)].tolerance;
         std::optional<double> height;
         for (const Curve& curve : recovered.curves) {
@@ -173,13 +173,13 @@ private:
 
     /// Of the piece: positive where its curve lies on the right of its facets.
     double turning_of(const Item& own) const {
-        const Outline& line = outline(own);
+        const RecoveredOutline& line = outline(own);
         const int k = piece(own).first;
         return cross(point_of(line, k + 1) - point_of(line, k), point_of(line, k + 2) - point_of(line, k + 1));
     }
 
     bool facets_cross(const Item& item, const Ray& ray, double least, double most) const {
-        const Outline& line = outline(item);
+        const RecoveredOutline& line = outline(item);
         for (int k = piece(item).first; k < piece(item).first + piece(item).n_facets; ++k)
             if (first_beyond(crossings_of(ray, Segment{point_of(line, k), point_of(line, k + 1)}), least, most)) return true;
         return false;
@@ -188,8 +188,8 @@ private:
     /// Did the bodies' facets overlap before anything was recovered: there, behind the facet, or where two facets cross?
     bool overlapped(const Item& own, const Item& other, const Ray& feeler, double height) const {
         if (own.body == other.body) return false;
-        const Outline &mine = outline(own), &its = outline(other);
-        const OutlinePiece &my_piece = piece(own), &its_piece = piece(other);
+        const RecoveredOutline &mine = outline(own), &its = outline(other);
+        const RecoveredPiece &my_piece = piece(own), &its_piece = piece(other);
         const double tolerance = bodies_[at(own.body)].tolerance;
         if (facets_cross(other, feeler, -height - its_piece.sagitta - tolerance, -tolerance)) return true;
         for (int j = its_piece.first; j < its_piece.first + its_piece.n_facets; ++j) {

@@ -10,7 +10,7 @@ namespace abut::geometry {
 
 /// All outlines of one body's section, material on the left of their points.
 struct BodyOutlines {
-    std::vector<Outline> outlines;
+    std::vector<RecoveredOutline> outlines;
     double tolerance = 0;  ///< of its arcs
 };
 

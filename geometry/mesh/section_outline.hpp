@@ -8,7 +8,7 @@
 namespace abut::geometry {
 
 /// A line or a curve that an outline was recovered as, with the facets that it stands for.
-struct OutlinePiece {
+struct RecoveredPiece {
     enum class Kind {
         line,    ///< a line as the section has it; through several points within the tolerance
         arc,     ///< vertices on one circle
@@ -23,18 +23,18 @@ struct OutlinePiece {
 };
 
 /// A closed polyline and the pieces that it was recovered as.
-struct Outline {
+struct RecoveredOutline {
     std::vector<Vec2> points;
-    std::vector<OutlinePiece> pieces;  ///< in order along the points
+    std::vector<RecoveredPiece> pieces;  ///< in order along the points
 };
 
 /// Recovers a closed polyline as lines and arcs; with `recognise_arcs` false as lines from point to point. Cost near linear.
-Outline outline_of(const std::vector<Vec2>& points, double tolerance, bool recognise_arcs);
+RecoveredOutline outline_of(const std::vector<Vec2>& points, double tolerance, bool recognise_arcs);
 
 /// Point k of the outline, counted on around it.
-const Vec2& point_of(const Outline& outline, int k);
+const Vec2& point_of(const RecoveredOutline& outline, int k);
 
 /// The piece as lines from point to point.
-std::vector<OutlinePiece> facets_of(const Outline& outline, const OutlinePiece& piece);
+std::vector<RecoveredPiece> facets_of(const RecoveredOutline& outline, const RecoveredPiece& piece);
 
 }  // namespace abut::geometry

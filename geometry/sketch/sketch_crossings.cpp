@@ -10,6 +10,7 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
+#include "geometry/brep/oriented_tree.hpp"
 #include "geometry/curves/curve_meetings.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_winding.hpp"
@@ -126,12 +127,11 @@ using EdgePairs = std::map<ChainPair, std::vector<std::pair<int, int>>>;
 
 /// Edges that may meet, by their chains.
 EdgePairs near_edges(const Layout& layout, double tolerance) {
-    const EdgeTree tree(layout.all);
+    const OrientedTree tree(layout.all);
     EdgePairs found;
     for (std::size_t i = 0; i < layout.all.edges.size(); ++i) {
         const Curve& a = layout.all.edges[i].curve;
-        for (const int k : tree.near(bounding_box(a), tolerance)) {
-            if (k <= static_cast<int>(i)) continue;
+        for (const int k : tree.near_after(i, tolerance)) {
             const int chain = layout.chain[i], other = layout.chain[static_cast<std::size_t>(k)];
             if (may_meet(a, layout.all.edges[static_cast<std::size_t>(k)].curve,
                          tolerance_between(layout, chain, other, tolerance)))

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/brep/edge_tree.hpp"
+#include "geometry/brep/oriented_tree.hpp"
 #include "geometry/curves/curve_meetings.hpp"
 #include "geometry/sketch/sketch_crossings.hpp"
 
@@ -72,14 +72,14 @@ bool share_from_inside(const Curve& a, const Curve& b, double tolerance) {
 std::vector<bool> shared_from_inside(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance) {
     const std::vector<Side> sides = sides_of(entities, chains);
-    std::vector<Box2> boxes;
-    for (const Side& side : sides) boxes.push_back(bounding_box(side.curve));
-    const EdgeTree tree(boxes);
+    std::vector<OrientedTree::Item> items;
+    for (const Side& side : sides) items.push_back({bounding_box(side.curve), oriented_box(side.curve)});
+    const OrientedTree tree(items);
     std::vector<bool> found(entities.size(), false);
     for (std::size_t i = 0; i < sides.size(); ++i)
-        for (const int near : tree.near(boxes[i], tolerance)) {
+        for (const int near : tree.near_after(i, tolerance)) {
             const auto k = static_cast<std::size_t>(near);
-            if (k <= i || sides[k].chain == sides[i].chain || !may_meet(sides[i].curve, sides[k].curve, tolerance)) continue;
+            if (sides[k].chain == sides[i].chain || !may_meet(sides[i].curve, sides[k].curve, tolerance)) continue;
             if (!share_from_inside(sides[i].curve, sides[k].curve, tolerance)) continue;
             found[static_cast<std::size_t>(sides[i].entity)] = found[static_cast<std::size_t>(sides[k].entity)] = true;
         }

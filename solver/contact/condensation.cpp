@@ -163,7 +163,7 @@ Compliance sum_of(const std::vector<PartShare>& shares, int m, const VectorXd& s
     }
     MatrixXd sum = MatrixXd::Zero(m, m);
     for (const PartShare& share : shares) add_share(share, sum);
-    sum.diagonal().head(softness.size()) += softness;
+    if (softness.size() > 0) sum.diagonal().head(softness.size()) += softness;
     return sum;
 }
 

@@ -123,7 +123,8 @@ VectorXd turn_in_hollow(const AssemblyProblem& problem, const Interface& f, cons
     const Eigen::Matrix3Xd a = free_twists(problem.parts[static_cast<std::size_t>(f.part[0])]),
                            b = free_twists(problem.parts[static_cast<std::size_t>(f.part[1])]);
     VectorXd turn(a.cols() + b.cols());
-    turn << a.row(2).transpose(), -b.row(2).transpose();
+    if (a.cols() > 0) turn.head(a.cols()) = a.row(2).transpose();
+    if (b.cols() > 0) turn.tail(b.cols()) = -b.row(2).transpose();
     VectorXd motion = basis * (basis.transpose() * turn);
     if (motion.norm() <= same_motion * turn.norm()) return VectorXd::Zero(turn.size());
     motion.normalize();

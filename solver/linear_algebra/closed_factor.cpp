@@ -98,7 +98,7 @@ bool ClosedFactor::append_all(const std::vector<Index>& more) {
 
 /// [y1; y2] = L^-1 [g1; g2]: y2 = L22^-1 (g2 - L21 y1).
 void ClosedFactor::solve_new_rows(const MatrixXd& columns) {
-    if (solved_.cols() != columns.cols()) solved_.resize(l_.rows(), columns.cols());
+    if (solved_.rows() != l_.rows() || solved_.cols() != columns.cols()) solved_.resize(l_.rows(), columns.cols());
     const int n = static_cast<int>(n_solved_), more = static_cast<int>(rows_.size()) - n, ld = static_cast<int>(l_.rows()),
               width = static_cast<int>(columns.cols());
     n_solved_ = rows_.size();

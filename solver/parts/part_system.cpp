@@ -122,6 +122,7 @@ void set_loads(PartSystem& s, Eigen::VectorXd applied, const Eigen::VectorXd& we
 
 void set_modes(PartSystem& s) {
     s.modes = coefficients_of(s.input.space, s.free_motions);
+    if (s.modes.cols() == 0) return;
     for (std::size_t i = 0; i < s.dropped.size(); ++i)
         if (s.dropped[i]) s.modes.row(static_cast<Index>(i)).setZero();
 }

@@ -21,10 +21,23 @@ for file in bin/abut libexec/abut/abut-read-mesh share/abut/scenes/vise.json sha
     grep -q " ./usr/$file\$" "$folder/list" || fail "usr/$file is not in the package"
 done
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libc6 libstdc++6 libassimp5 lib3mf1; do
+libraries="libc6 libstdc++6 libassimp5 lib3mf1"
+# The reader of STEP is built, and packed, where OpenCASCADE is installed.
+if [ -e "$2/apps/readers/abut-read-step" ]; then
+    grep -q " ./usr/libexec/abut/abut-read-step\$" "$folder/list" || fail "the reader of STEP is not in the package"
+    libraries+=" libocct-data-exchange libocct-foundation libocct-modeling-algorithms libocct-modeling-data libocct-ocaf"
+fi
+for library in $libraries; do
     [[ $depends == *"$library"* ]] || fail "the package does not depend on $library: $depends"
 done
 dpkg -x "$package" "$folder/root" || fail "it cannot be unpacked"
 "$folder/root/usr/bin/abut" verify E6 >/dev/null || fail "the packed program does not find its scenes"
 "$folder/root/usr/bin/abut" inspect "$folder/root/usr/share/abut/sketches/l_bracket.stl" >/dev/null || fail "the packed program does not read a mesh"
+sketch="$folder/root/usr/share/abut/sketches/pin_bracket.step"
+if [ -e "$folder/root/usr/libexec/abut/abut-read-step" ]; then
+    "$folder/root/usr/bin/abut" inspect "$sketch" >"$folder/said" 2>&1 || fail "the packed program does not read STEP: $(cat "$folder/said")"
+else
+    "$folder/root/usr/bin/abut" inspect "$sketch" >"$folder/said" 2>&1 && fail "the packed program reads STEP without its reader"
+    grep -q OpenCASCADE "$folder/said" || fail "the packed program does not name what reads STEP: $(cat "$folder/said")"
+fi
 echo "passed"

@@ -135,6 +135,21 @@ std::vector<std::string> source_files() {
     return files;
 }
 
+/// The types that a header's text defines, with their namespaces, which stand without indentation.
+std::vector<std::string> types_of(const std::string& text) {
+    static const std::regex space(R"(^namespace ([\w:]+) \{$)"),
+        type(R"(^(struct|class|enum|enum class) (\w+)( final)?( : .*)? \{.*$)");
+    std::vector<std::string> found;
+    std::istringstream stream(text);
+    std::string line, prefix;
+    std::smatch match;
+    while (std::getline(stream, line)) {
+        if (std::regex_match(line, match, space)) prefix = match[1].str() + "::";
+        if (std::regex_match(line, match, type)) found.push_back(prefix + match[2].str());
+    }
+    return found;
+}
+
 std::string read(const std::string& file) {
     std::ifstream stream(fs::path(ABUT_SOURCE_DIR) / file);
     std::ostringstream text;
@@ -146,6 +161,24 @@ TEST(Layers, NoFileIncludesWhatItMustNot) {
     for (const std::string& file : source_files()) {
         for (const std::string& line : faults_of(file, read(file))) ADD_FAILURE() << line;
     }
+}
+
+/// Two of one name in one namespace are one to the linker, which takes the functions of either.
+TEST(Layers, OneNameIsOneType) {
+    std::map<std::string, std::string> where;
+    for (const std::string& file : source_files()) {
+        if (!is_header(file)) continue;
+        for (const std::string& type : types_of(read(file))) {
+            const auto [known, is_new] = where.emplace(type, file);
+            EXPECT_TRUE(is_new) << type << " is defined in " << known->second << " and in " << file;
+        }
+    }
+    EXPECT_GT(where.size(), 300U);
+    EXPECT_TRUE(where.contains("abut::geometry::Part") && where.contains("abut::solver::SupportMethod"));
+    const std::vector<std::string> both{"a::b::C", "a::b::D", "a::E"};
+    EXPECT_EQ(types_of("namespace a::b {\nstruct C {\n    struct In {};\n};\nclass F;\nenum class D { x };\n}\n"
+                       "namespace a {\nclass E final : public X {\n"),
+              both);
 }
 
 /// Neither a folder more than the order of rooms knows nor one less, each with its README.

@@ -94,7 +94,7 @@ std::optional<Point> on_states(const ContactQp& qp, const std::vector<int>& pair
     VectorXd b = VectorXd::Zero(m + n);
     const auto close = [&](Index k) {
         a.row(k).head(m) = qp.compliance.dense().row(k);
-        a.row(k).tail(n) = qp.modes.row(k);
+        if (n > 0) a.row(k).tail(n) = qp.modes.row(k);
         b[k] = -qp.gap[k];
     };
     for (Index k = 0; k < p; ++k) {

@@ -130,7 +130,9 @@ TEST(Schemas, TheReaderTakesTheKeysOfTheSchemaAndNoOthers) {
 
 TEST(Schemas, DefaultsAreTheReaders) {
     const Json schema = json_of(schema_file("scene"));
-    const auto standard = [&](const std::string& key) { return schema.at(Json::json_pointer(key + "/default")); };
+    const auto standard = [&](const std::string& key) -> const Json& {
+        return schema.at(Json::json_pointer(key + "/default"));
+    };
     const Scene scene;
     const ContactOptions contacts;
     const Accuracy accuracy;
@@ -138,12 +140,12 @@ TEST(Schemas, DefaultsAreTheReaders) {
     EXPECT_EQ(ScenePart{}.thickness, standard("/properties/thickness"));
     EXPECT_EQ(Selector{}.within, standard("/$defs/selector/anyOf/1/properties/within"));
     EXPECT_EQ(contacts.detect, standard("/$defs/contacts/properties/detect"));
-    EXPECT_EQ(contacts.overlap, standard("/$defs/contacts/properties/overlap"));
+    EXPECT_EQ(Json(contacts.overlap), standard("/$defs/contacts/properties/overlap"));
     EXPECT_EQ(PenaltyOptions{}.factor, standard("/$defs/contacts/properties/penalty"));
-    EXPECT_EQ(accuracy.level, standard("/$defs/accuracy/properties/level"));
+    EXPECT_EQ(Json(accuracy.level), standard("/$defs/accuracy/properties/level"));
     EXPECT_EQ(accuracy.degree, standard("/$defs/accuracy/properties/degree"));
-    EXPECT_EQ(accuracy.basis, standard("/$defs/accuracy/properties/basis"));
-    EXPECT_EQ(accuracy.dirichlet, standard("/$defs/accuracy/properties/dirichlet"));
+    EXPECT_EQ(Json(accuracy.basis), standard("/$defs/accuracy/properties/basis"));
+    EXPECT_EQ(Json(accuracy.dirichlet), standard("/$defs/accuracy/properties/dirichlet"));
     EXPECT_EQ(Json(Output{}.formats), standard("/$defs/output/properties/formats"));
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "geometry/csg/exact_count.hpp"
 #include "geometry/csg/exact_outline.hpp"
 #include "src/scene/read_scene.hpp"
 
@@ -25,6 +26,23 @@ TEST(ExampleScenes, OutlinesAreExactlyRight) {
         }
     EXPECT_GT(n_scenes, 40);
     EXPECT_GT(n_parts, n_scenes);
+}
+
+/// Reading a scene, which every command does first, puts each outline of it through CGAL once: each loop of each part is one
+/// that was looked at or made there.
+TEST(ExampleScenes, OutlinesGoThroughExactArithmetic) {
+    int n_scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ABUT_SOURCE_DIR) / "data" / "scenes")) {
+        if (entry.path().extension() != ".json") continue;
+        ++n_scenes;
+        const long before = abut::geometry::n_exact_loops();
+        const abut::Scene scene = abut::read_scene(entry.path().string());
+        long n_loops = 0;
+        for (const abut::ScenePart& part : scene.parts) n_loops += static_cast<long>(part.part.loops.size());
+        EXPECT_GT(n_loops, 0) << entry.path();
+        EXPECT_EQ(abut::geometry::n_exact_loops() - before, n_loops) << entry.path();
+    }
+    EXPECT_GE(n_scenes, 20);
 }
 
 }  // namespace
