@@ -7,8 +7,9 @@
 namespace abut {
 
 /// Fills in the estimated errors of the contacts (parallel to the candidates) and of the whole, and the passes; warns where the
-/// target was missed or a pressure may have no limit.
-void fill_errors(const Outcome& out, Result& result);
+/// target was missed or a pressure may have no limit. of_pairs: what each contact's largest pressure errs by since parts move
+/// (moved_pair_errors), or none.
+void fill_errors(const Outcome& out, const std::vector<double>& of_pairs, Result& result);
 
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
 void fill_missed(const Outcome& out, Result& result);

@@ -16,6 +16,7 @@
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
+#include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/turned_contacts.hpp"
@@ -157,7 +158,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
     tell_contact_residual(solved, result);
-    fill_errors(out, result);
+    fill_errors(out, moved_pair_errors(scene, solved), result);
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;

@@ -17,6 +17,16 @@ double without_digits_below(double digit, double value) {
     return digit > 0 ? digit * std::round(value / digit) : value;
 }
 
+/// Cosine and sine. Those of quarter turns are exact: what was drawn along the axes, and its grid with it, stays along them.
+Vec2 direction(double angle) {
+    constexpr double rounding = 1e-15;
+    const double quarters = angle / (std::numbers::pi / 2), whole = std::round(quarters);
+    if (std::abs(quarters - whole) > rounding * std::max(1.0, std::abs(whole))) return {std::cos(angle), std::sin(angle)};
+    const auto number = static_cast<int>(whole - 4 * std::floor(whole / 4));
+    const double sign = number < 2 ? 1 : -1;
+    return number % 2 == 0 ? Vec2(sign, 0) : Vec2(0, sign);
+}
+
 bool varies_by_place(const Load& load) {
     return !load.value[0].is_constant() || !load.value[1].is_constant();
 }
@@ -64,7 +74,7 @@ void move_load(const Scene& drawn, const std::vector<EdgePortion>& on, const std
 }  // namespace
 
 Vec2 Placement::turned(const Vec2& v) const {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = direction(angle).x(), s = direction(angle).y();
     return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
@@ -130,7 +140,7 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
         const Placement& p = placements[i];
         if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
         ScenePart& part = scene.parts[i];
-        part.part = geometry::transformed(part.part, std::cos(p.angle), std::sin(p.angle), p.shift);
+        part.part = geometry::transformed(part.part, direction(p.angle).x(), direction(p.angle).y(), p.shift);
         for (Probe& probe : scene.output.probes)
             if (probe.part == part.name) probe.at = p.of(probe.at);
         for (Support& support : scene.supports)

@@ -149,6 +149,10 @@ private:
     }
 
     /// Prescribed motions are met exactly.
+    void end_leads() {
+        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
+        put();
+    }
     void end_lead(std::size_t part) {
         const auto& [is_given, to] = leads_[part];
         const Vec2 by(is_given[0] ? to[0] : moved(part).x(), is_given[1] ? to[1] : moved(part).y());
@@ -259,12 +263,11 @@ private:
         constexpr int least_steps = 3, most_steps = 30;
         constexpr double apart = 3;  // times what the springs are pressed by
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
-        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
-        put();
+        end_leads();
         Relaxation relaxation;
         double drag = 1;
         for (int k = 0; k < most_steps; ++k) {
-            const VectorXd a = step_under(drag);
+            const VectorXd a = step_under(drag, 1);
             if (drag > least_drag) {
                 if (farthest(a) <= reach_) advance(a);
                 drag = std::max(least_drag, drag * drag_step);
@@ -275,6 +278,7 @@ private:
             if (k + 1 >= least_steps && (far > reach_ || far * step_fraction <= rest_digits)) break;
         }
         apart_ = 0;
+        end_leads();
     }
 
     /// The amplitudes of a step no longer than it may be; raises the drag where that takes it. Prescribed motions wait for the
@@ -329,13 +333,14 @@ private:
         std::vector<char> goes(before.size(), 0);  // by part; others may follow, as a lid does whose column buckles
         for (const MovingPart& b : moving_.list) goes[at(b.part)] = goes_on(b, push, next);
         if (std::none_of(goes.begin(), goes.end(), [](char c) { return c != 0; })) return end;
+        const auto way_of = [&](std::size_t i) -> Vec2 { return moved(i) - (before[i].of(centers_[i]) - centers_[i]); };
+        const auto turn_of = [&](std::size_t i) { return placements_[i].angle - before[i].angle; };
         const auto has_gone = [&](std::size_t i) {
             constexpr double tipped = 1;  // radians: what leans a little against the next part is held by that
-            const Vec2 by = moved(i) - (before[i].of(centers_[i]) - centers_[i]);
-            return by.norm() > sizes_[i] || std::abs(placements_[i].angle - before[i].angle) > tipped;
+            return way_of(i).norm() > sizes_[i] || std::abs(turn_of(i)) > tipped;
         };
         const auto is_loaded = [&](std::size_t i) { return goes[i] && pull_on(i) > 0; };
-        walk([&] {
+        const Settling there = walk([&] {
             bool any = false, all_loaded = true;
             for (std::size_t i = 0; i < before.size(); ++i) {
                 any = any || has_gone(i);
@@ -343,12 +348,13 @@ private:
             }
             return any && all_loaded;
         });
+        const bool comes_to_rest = there.end == Settling::End::rests || there.end == Settling::End::stays;
         Settling unstable{Settling::End::never, "", {}, {}, ""};
         bool is_by_own_loads = false;
         for (std::size_t i = 0; i < before.size(); ++i) {
-            if (!has_gone(i)) continue;
+            if (!has_gone(i) && !(comes_to_rest && goes[i] && is_far(way_of(i), turn_of(i), sizes_[i]))) continue;
             unstable.parts.push_back(drawn_.parts[i].name);
-            is_by_own_loads = is_by_own_loads || is_loaded(i);
+            is_by_own_loads = is_by_own_loads || (has_gone(i) && is_loaded(i));
             unstable.why += (unstable.why.empty() ? "the balance is unstable: the least push takes " : ", ") + words(i);
         }
         if (!unstable.parts.empty() && is_by_own_loads) return unstable;

@@ -24,11 +24,12 @@ Outcome outcome(double pressure, double peak, PathEnd end) {
     return out;
 }
 
-Result filled(const Outcome& out) {
+Result filled(const Outcome& out, const std::vector<double>& of_pairs = {}) {
     Result result;
     result.contacts.emplace_back();
     result.contacts[0].max_pressure.value = 100;
-    fill_errors(out, result);
+    result.contacts[0].parts = {"plate", "pin"};
+    fill_errors(out, of_pairs, result);
     return result;
 }
 
@@ -101,6 +102,25 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
     }
 }
 
+TEST(AccuracyResults, PairsOfWherePartsWereDrawnCount) {
+    const Result well = filled(outcome(0.003, 0.002, PathEnd::reached), {0.004}),
+                 off = filled(outcome(0.003, 0.002, PathEnd::reached), {0.02});
+    EXPECT_TRUE(well.accuracy.reached);
+    EXPECT_FALSE(off.accuracy.reached);
+    EXPECT_NEAR(off.contacts[0].errors->peak, 0.02, 2e-4);
+    EXPECT_NEAR(off.contacts[0].errors->pressure, 0.04, 2e-4);
+    ASSERT_EQ(off.reasons.size(), 1u);
+    EXPECT_EQ(off.reasons[0].kind, "accuracy");
+    EXPECT_TRUE(
+        is_warned(off, "contact 1 is paired where its parts are drawn, and they move away from there; draw plate and pin"));
+    Outcome single = outcome(0.003, 0.002, PathEnd::no_need);  // of one solution, which has no estimate
+    single.errors.back() = single.errors.front();
+    const Result told = filled(single, {0.02});
+    ASSERT_EQ(told.reasons.size(), 1u);
+    EXPECT_EQ(told.reasons[0].text, "the largest pressure of contact 1 known to 2 %");
+    EXPECT_TRUE(filled(single, {0.004}).reasons.empty());
+}
+
 TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
     EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
     Outcome corner = outcome(0.005, 0, PathEnd::reached);
@@ -119,7 +139,7 @@ TEST(AccuracyResults, ManyPeaksAtCornersAreOneWarningThatNamesTheLargest) {
     errors.resize(3, errors[0]);
     Result result;
     for (const double pressure : {100, 300, 200}) result.contacts.emplace_back().max_pressure.value = pressure;
-    fill_errors(out, result);
+    fill_errors(out, {}, result);
     ASSERT_EQ(result.warnings.size(), 1u);
     EXPECT_EQ(result.warnings[0].find("the largest pressure of contact 2 stands at a sharp corner"), 0u);
     EXPECT_NE(result.warnings[0].find("the same of 2 others: contact 3, contact 1"), std::string::npos) << result.warnings[0];

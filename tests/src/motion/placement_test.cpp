@@ -22,6 +22,15 @@ TEST(Placement, TurnsThenMoves) {
     expect_near(p.turned({3, 0}), {0, 3});
 }
 
+TEST(Placement, TurnsByRightAnglesExactly) {
+    const double quarter = pi / 2;
+    const Vec2 x(3, 0.1);
+    EXPECT_EQ((Placement{quarter, {0, 0}}.turned(x)), Vec2(-0.1, 3));
+    EXPECT_EQ((Placement{-quarter, {0, 0}}.turned(x)), Vec2(0.1, -3));
+    EXPECT_EQ((Placement{6 * quarter, {0, 0}}.turned(x)), Vec2(-3, -0.1));
+    EXPECT_NE((Placement{quarter * (1 + 1e-12), {0, 0}}.turned(x)), Vec2(-0.1, 3));
+}
+
 TEST(Placement, AScrewKeepsWhatItTurnsAbout) {
     // a point 2 to the right of the pole goes up
     const Placement p = along_screw({2, 0}, {0, 2 * 0.7}, 0.7);

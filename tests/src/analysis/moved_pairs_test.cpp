@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pins err by that move in their holes by less than parts are followed from, against pins drawn at rest.
+#include "src/analysis/moved_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::moved_pairs_test {
+namespace {
+
+struct Pin {
+    double clearance, force, E;
+    std::string analysis = "plane_stress";
+    double turn = 0;  ///< degrees, of the load and the place
+};
+
+/// at: over the clearance, where (0, -1) is at rest.
+Scene scene_of(const Pin& pin, const Vec2& at, const std::string& accuracy = R"({"level": "fine"})") {
+    const double c = std::cos(pin.turn * std::numbers::pi / 180), s = std::sin(pin.turn * std::numbers::pi / 180);
+    std::ostringstream text;
+    text << R"({"abut": 1, "analysis": ")" << pin.analysis << R"(", "materials": {"m": {"E": 2e5, "nu": 0.3}, "p": {"E": )"
+         << pin.E << R"(, "nu": 0.3}}, "parts": [
+        {"name": "plate", "material": "m", "geometry": {"difference": [
+            {"circle": {"center": [0, 0], "radius": 40}, "name": "rim"}, {"circle": {"center": [0, 0], "radius": 10}, "name": "h"}]}},
+        {"name": "pin", "material": "p", "geometry": {"circle": {"center": [)"
+         << pin.clearance * (c * at.x() - s * at.y()) << ", " << pin.clearance * (s * at.x() + c * at.y()) << R"(], "radius": )"
+         << 10 - pin.clearance << R"(}}}], "supports": [{"on": "plate/rim/*", "fix": ["x", "y"]}],
+        "loads": [{"part": "pin", "force": [)"
+         << s * pin.force << ", " << -c * pin.force << R"(]}], "accuracy": )" << accuracy << "}";
+    return read_scene_text(text.str(), "s.json");
+}
+
+Result solved(const Scene& scene) {
+    return analyze(scene, {});
+}
+
+const ContactResult& contact_of(const Result& result) {
+    return result.contacts.at(0);
+}
+
+}  // namespace
+
+TEST(MovedPairs, PinsKnowWhatTheyErrBy) {
+    for (const Pin& pin :
+         {Pin{0.4, 100, 2e5}, Pin{0.4, 2000, 7e4, "plane_strain"}, Pin{0.2, 2000, 2e5}, Pin{0.1, 12000, 2e5}}) {
+        const double peak = contact_of(solved(scene_of(pin, {0, -1}))).max_pressure.value;
+        for (const Vec2& at : {Vec2(0, 1), Vec2(0.6, 0.8), Vec2(1, 0)}) {
+            const Result result = solved(scene_of(pin, at));
+            const double error = std::abs(contact_of(result).max_pressure.value / peak - 1),
+                         stated = contact_of(result).errors->peak;
+            EXPECT_FALSE(result.parts.at(1).placement) << "is followed";
+            if (error < 0.004) continue;  // what is left of the grids and of the pin's own yielding
+            EXPECT_GT(stated, 0.5 * error) << pin.clearance << " " << pin.force << " " << at.transpose();
+            EXPECT_LT(stated, 2 * error) << pin.clearance << " " << pin.force << " " << at.transpose();
+        }
+    }
+}
+
+TEST(MovedPairs, AreToldHoweverTheSceneIsTurned) {
+    const std::string standard = R"({"level": "standard"})";
+    const Result drawn = solved(scene_of({0.4, 2000, 2e5}, {0, 1}, standard)),
+                 turned = solved(scene_of({0.4, 2000, 2e5, "plane_stress", 37}, {0, 1}, standard)),
+                 rests = solved(scene_of({0.4, 2000, 2e5}, {0, -1}, standard));
+    EXPECT_FALSE(drawn.accuracy.reached);
+    EXPECT_NE(drawn.accuracy.why.find("draw plate and pin to each other as they come to rest"), std::string::npos);
+    EXPECT_FALSE(turned.accuracy.reached);
+    EXPECT_NEAR(contact_of(turned).errors->peak / contact_of(drawn).errors->peak, 1, 0.1);
+    EXPECT_TRUE(rests.accuracy.reached) << rests.accuracy.why;
+}
+
+/// A disc goes down on a flat, however far: its pairs stay the same.
+TEST(MovedPairs, WhatFallsStraightDownErrsByNothing) {
+    const Result fallen = solved(read_scene_text(
+        R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-60, -30], "max": [60, 0]}}},
+            {"name": "disc", "material": "m", "geometry": {"circle": {"center": [0, 11], "radius": 10}}}],
+            "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}], "loads": [{"part": "disc", "force": [0, -100]}]})",
+        "s.json"));
+    EXPECT_TRUE(fallen.accuracy.reached);
+    EXPECT_FALSE(fallen.parts.at(1).placement) << "is followed";
+    EXPECT_EQ(fallen.reasons.size(), 0u);
+}
+
+}  // namespace abut::moved_pairs_test
