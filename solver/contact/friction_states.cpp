@@ -65,15 +65,16 @@ MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unk
     const ContactQp& qp = shifted.qp;
     const Index m = static_cast<Index>(u.rows.size()), n = qp.modes.cols();
     MatrixXd a(m + n, m + n);
-    for (Index j = 0; j < m; ++j) {
+    for (Index j = 0; j < m; ++j)
         for (Index i = 0; i < m; ++i) a(i, j) = unit * qp.compliance(u.rows[of(i)], u.rows[of(j)]);
-        a.col(j).tail(n) = qp.modes.row(u.rows[of(j)]).transpose();
-    }
-    for (const Unknowns::Slip& s : u.slips) {
+    for (const Unknowns::Slip& s : u.slips)
         for (Index i = 0; i < m; ++i) a(i, s.column) += s.factor * unit * qp.compliance(u.rows[of(i)], s.tangential);
-        a.col(s.column).tail(n) += s.factor * qp.modes.row(s.tangential).transpose();
+    if (n == 0) return a;
+    for (Index j = 0; j < m; ++j) {
+        a.row(j).tail(n) = qp.modes.row(u.rows[of(j)]);
+        a.col(j).tail(n) = a.row(j).tail(n).transpose();
     }
-    for (Index i = 0; i < m; ++i) a.row(i).tail(n) = qp.modes.row(u.rows[of(i)]);
+    for (const Unknowns::Slip& s : u.slips) a.col(s.column).tail(n) += s.factor * qp.modes.row(s.tangential).transpose();
     a.bottomRightCorner(n, n) = -proximal.stiffness / unit;
     return a;
 }
