@@ -84,9 +84,9 @@ std::vector<double> moved_pair_errors(const Scene& scene, const SolvedAssembly& 
     std::vector<double> errors(solved.contacts.size(), 0.0);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
-        const double compliance = compliance_of(solved, k);
-        if (solved.runs[k].empty() || c.face.bilateral || c.pairing != Pairing::middle || compliance == 0) continue;
-        const double largest = pressure_of(solved, k).maxCoeff();
+        if (solved.runs[k].empty() || c.face.bilateral || c.pairing != Pairing::middle) continue;
+        const double compliance = compliance_of(solved, k), largest = pressure_of(solved, k).maxCoeff();
+        if (compliance == 0) continue;
         for (const ContactRun& run : solved.runs[k]) {
             const Excess more = excess_of(scene, c, run, {&parts[at(c.face.part[0])], &parts[at(c.face.part[1])]});
             const double half = 0.5 * (run.end - run.begin),
