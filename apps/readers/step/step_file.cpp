@@ -5,6 +5,9 @@
 #include <BRep_Tool.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <Interface_CheckIterator.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <Message_Printer.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepShape_SolidModel.hxx>
@@ -163,6 +166,8 @@ void tell_losses(STEPControl_Reader& reader, StepRecords& records) {
 }  // namespace
 
 StepFile read_step(const std::string& path, StepRecords& records) {
+    // What it has to say of a file it would print beside our one sentence.
+    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
     STEPCAFControl_Reader reader;
     reader.SetColorMode(Standard_False);
     reader.SetLayerMode(Standard_False);
