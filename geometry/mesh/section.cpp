@@ -186,7 +186,8 @@ constexpr double leaning_share = 1e-3;
 WallAxes wall_axes(const std::vector<Mesh>& bodies) {
     double all = 0;
     Vec3 leaning = Vec3::Zero();  // by axis: area of facets that are neither along it nor across
-    for (const Mesh& body : bodies)
+    for (const Mesh& body : bodies) {
+        if (!is_sound(body)) continue;
         for (const std::array<int, 3>& t : body.triangles) {
             const auto corner = [&](std::size_t k) -> const Vec3& { return body.vertices[static_cast<std::size_t>(t[k])]; };
             const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)) / 2;
@@ -198,6 +199,7 @@ WallAxes wall_axes(const std::vector<Mesh>& bodies) {
                 if (std::min(std::abs(normal[axis]), within.norm()) > most_leaning * area) leaning[axis] += area;
             }
         }
+    }
     WallAxes axes{};
     for (int axis = 0; axis < 3; ++axis) axes[static_cast<std::size_t>(axis)] = leaning[axis] <= leaning_share * all;
     return axes;
