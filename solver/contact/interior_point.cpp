@@ -79,10 +79,12 @@ public:
     }
     const std::vector<Index>& unilateral() const { return unilateral_; }
 
-    /// Residuals of gap = g + C l + G a (of bilateral rows: of 0), and of the balance.
-    void look_at(const Iterate& x) {
-        of_gap_ = gap0_ + qp_.compliance * x.l + qp_.modes * x.a - x.gap;
+    /// Residuals of gap = g + C l + G a (of bilateral rows: of 0), and of the balance. The state that they are of.
+    ContactState look_at(const Iterate& x) {
+        ContactState state{x.l, x.a, qp_.compliance * x.l};
+        of_gap_ = gap0_ + state.closing + qp_.modes * x.a - x.gap;
         of_balance_ = qp_.modes.transpose() * x.l + qp_.mode_load;
+        return state;
     }
     double gap_residual() const { return of_gap_.size() > 0 ? of_gap_.cwiseAbs().maxCoeff() : 0; }
     double balance_residual() const { return of_balance_.size() > 0 ? of_balance_.cwiseAbs().maxCoeff() : 0; }
@@ -167,9 +169,8 @@ InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
     Newton newton(shifted);
     Iterate x = first_iterate(shifted, newton.unilateral(), scales);
     for (result.iterations = 0; result.iterations < max_steps; ++result.iterations) {
-        newton.look_at(x);
+        const ContactState state = newton.look_at(x);
         const double mean = newton.mean_product(x.l, x.gap);
-        const ContactState state{x.l, x.a, qp.compliance * x.l};
         reached = {x.l.cwiseAbs().maxCoeff(), state.closing.cwiseAbs().maxCoeff()};
         const double rounding = gap_rounding(shifted, state).maxCoeff();
         result.converged = mean <= complementarity * reached.force * reached.length &&

@@ -154,10 +154,9 @@ struct PricedGrid {
 };
 
 PricedGrid priced(const geometry::Part& local, geometry::Grid grid, double most) {
-    const double each = grid.tree ? price_of_leaf : 1;
-    double price = std::numeric_limits<double>::infinity();
-    if (grid.n_cells() <= most_cells) price = each * n_filled(local, grid);
-    if (price > most) price = std::numeric_limits<double>::infinity();
+    constexpr double too_many = std::numeric_limits<double>::infinity();
+    const double cells = grid.n_cells() > most_cells ? too_many : n_filled(local, grid);
+    const double price = cells > most ? too_many : (grid.tree ? price_of_leaf : 1) * cells;
     return {std::move(grid), price};
 }
 

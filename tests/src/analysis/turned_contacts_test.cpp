@@ -67,24 +67,24 @@ Result clamped_disc(double share) {
                         std::to_string(share * 2 * 0.15 * 2000 * 10) + R"(}], "contacts": {"friction": 0.15}})");
 }
 
-}  // namespace
-
-/// The walls' forces at rest are 11 % above those of the places as drawn.
-TEST(TurnedContacts, DiscsThatMoveApartAreTold) {
-    const Result moved = three_discs(0.9), at_rest = three_discs(0);
+/// Of parts that move, and of the same drawn where they come to rest.
+void expect_told_where_parts_move(const Result& moved, const Result& at_rest) {
     ASSERT_EQ(moved.status, "ok") << moved.message;
     EXPECT_TRUE(has_reason(moved, "turned_force"));
     ASSERT_EQ(at_rest.status, "ok") << at_rest.message;
     EXPECT_FALSE(has_reason(at_rest, "turned_force"));
 }
 
+}  // namespace
+
+/// The walls' forces at rest are 11 % above those of the places as drawn.
+TEST(TurnedContacts, DiscsThatMoveApartAreTold) {
+    expect_told_where_parts_move(three_discs(0.9), three_discs(0));
+}
+
 /// A strut's forces go as the cotangent of its angle, which pins that move in their holes change.
 TEST(TurnedContacts, StrutsThatTurnAreTold) {
-    const Result moved = strut(0.05), at_rest = strut(0);
-    ASSERT_EQ(moved.status, "ok") << moved.message;
-    EXPECT_TRUE(has_reason(moved, "turned_force"));
-    ASSERT_EQ(at_rest.status, "ok") << at_rest.message;
-    EXPECT_FALSE(has_reason(at_rest, "turned_force"));
+    expect_told_where_parts_move(strut(0.05), strut(0));
 }
 
 /// Pressure on a disc goes through its centre: friction alone bears the moment.
