@@ -49,7 +49,7 @@ double pressure_of(const ContactRecord& c, double s) {
     return solver::pressure_at(c.pressure, c.coefficients, s);
 }
 double spacing_of(const ContactRecord& c, double s, double /*now*/) {
-    return spacing(c.pressure, s);
+    return cell_ratio_at(c.s, c.cell_ratio, s) * spacing(c.pressure, s);
 }
 
 bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
@@ -110,6 +110,7 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
         const ContactInterface& c = solved.contacts[k];
         record.contacts.back() = {c.s1,
                                   c.s,
+                                  c.cell_ratio,
                                   c.face.pressure,
                                   pressure_of(solved, k),
                                   solved.runs[k],
@@ -139,7 +140,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             const double p = pressure_of(now, s);
             const double s0 = place_in(before, interpolate(now.s, now.s1, s));
             const double p0 = pressure_of(before, s0);
-            const double closer = h / spacing_of(before, s0, h);
+            const double resolved = spacing_of(now, s, h), closer = resolved / spacing_of(before, s0, resolved);
             if (std::abs(p) > change.peak) {
                 change.peak = std::abs(p);
                 change.peak_interval = i;

@@ -44,6 +44,10 @@ struct ContactInterface {
     /// ascending.
     std::vector<double> s1, s;
     std::vector<double> s2;  ///< partners on chain 2 of the table's entries
+    /// Between entries of the table: the mean of both sides' cells, weighted by their compliances, over the finer side's, whose
+    /// knots the pressure has. Where the walls of one side are thin its cells are small, and the pressure is known no better
+    /// than the other's. Penalty: empty.
+    std::vector<double> cell_ratio{};
     double foundation = 0;
     GapRule drawn{};
     Pairing pairing = Pairing::middle;
@@ -79,6 +83,9 @@ struct KnownInterfaces {
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
                                 const PartOnGrid& second, std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces,
                                 KnownInterfaces* known = nullptr);
+
+/// The cell_ratio at arc length s of the middle curve, by its table.
+double cell_ratio_at(const std::vector<double>& table, const std::vector<double>& cell_ratio, double s);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);

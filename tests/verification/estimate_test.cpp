@@ -15,9 +15,11 @@
 //                                                          are small by chance where the estimate is far too high
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "src/analysis/analysis.hpp"
+#include "src/scene/read_scene.hpp"
 #include "src/verification/verify_contact_answers.hpp"
 #include "tests/verification/true_errors.hpp"
 
@@ -211,6 +213,31 @@ TEST(LongEstimates, PressuresOfPinsRingsAndCorners) {
     // 2e-4 off at 0.2 %, beside corners, where no finer solution is known better
     expect_honest_contact({"scenes/case_a.json"}, {0.05, 0.02, 0.01, 0.005});
     expect_honest_contact({"verification/filleted_punch.json", {{"R", 1}, {"P", 0.013}}}, {0.05, 0.02, 0.01});
+}
+
+/// A sleeve between plate and pin, all of one radius: its wall asks for cells far smaller than those that plate and pin have.
+/// Never too low; the peak's, and with it the pressure's, is too high where grids shift the ripples of an even pressure.
+TEST(LongEstimates, PressuresOfThinSleeves) {
+    const std::string rest = R"scene(,
+        "materials": {"steel": {"E": 200000, "nu": 0.3}, "aluminium": {"E": 70000, "nu": 0.33}},
+        "parts": [
+          {"name": "plate", "material": "steel", "geometry": {"difference": [
+            {"rectangle": {"min": [-40, -40], "max": [40, 40]}, "name": "p"}, {"circle": {"center": [0, 0], "radius": 10}}]}},
+          {"name": "sleeve", "material": "aluminium", "geometry": {"difference": [
+            {"circle": {"center": [0, 0], "radius": 10}}, {"circle": {"center": [0, 0], "radius": "10-wall"}}]}},
+          {"name": "pin", "material": "steel", "geometry": {"circle": {"center": [0, 0], "radius": "10-wall"}}}],
+        "supports": [{"on": "plate/p/bottom", "fix": ["x", "y"]}],
+        "loads": [{"part": "pin", "force": ["1000*cos(angle*pi/180)", "1000*sin(angle*pi/180)"]}]})scene";
+    for (const auto& [wall, angle] : std::vector<std::array<double, 2>>{{0.05, -17}, {0.1, -50}, {0.2, 60}}) {
+        SCOPED_TRACE("wall " + std::to_string(wall) + ", angle " + std::to_string(angle));
+        const std::string parameters = R"({"wall": )" + std::to_string(wall) + R"(, "angle": )" + std::to_string(angle) + "}";
+        const Scene scene = read_scene_text(R"({"abut": 1, "parameters": )" + parameters + rest, "sleeve.json");
+        const Outcome reference = test::solved_to(scene, 0.001), out = test::solved_to(scene, 0.01);
+        const test::TrueErrors truth = test::errors_against(out, reference);
+        const double doubt = *reference.errors.back().contact_pressure;
+        ASSERT_LT(doubt, 0.5 * truth.contact_pressure) << "the reference is too coarse";
+        EXPECT_GE(*out.errors.back().contact_pressure, (truth.contact_pressure - doubt) / dishonest);
+    }
 }
 
 TEST(LongEstimates, Stress) {
