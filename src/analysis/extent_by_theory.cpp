@@ -253,8 +253,9 @@ bool is_at_axis(const Scene& scene, const ContactInterface& contact, const Conta
     return (begin.found && begin.on1.x.x() < reach) || (end.found && end.on1.x.x() < reach);
 }
 
-/// Puts the ends of one contact's runs where theory has them. Its pressure, where all of them are small and of half planes.
-std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly& solved, std::size_t k,
+/// Puts the ends of one contact's runs of fewer than so many knots where theory has them. Its pressure, where all of them are
+/// such, small and of half planes.
+std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly& solved, std::size_t k, int knots,
                                         std::vector<ContactRun>& runs) {
     const ContactInterface& contact = solved.contacts[k];
     const std::vector<ContactJoint> joints = contact_joints(scene, contact);
@@ -265,7 +266,7 @@ std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly
         if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
         const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.runs[k], r);
         if (!(plane.force > 0)) continue;
-        if (knots_in(contact, run) < few_knots) {
+        if (knots_in(contact, run) < knots) {
             if (std::optional<PlaneRun> known = move_by_galin(scene, contact, joints, plane, run))
                 pressure.runs.push_back(std::move(*known));
         } else {
@@ -281,6 +282,12 @@ std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly
     return pressure;
 }
 
+/// Does theory know of such contacts? It knows of no bonds, and of no other springs than half planes.
+bool is_told(const SolvedAssembly& solved, std::size_t k) {
+    const ContactInterface& contact = solved.contacts[k];
+    return !solved.runs[k].empty() && !contact.face.bilateral && contact.pairing == Pairing::middle;
+}
+
 }  // namespace
 
 TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved) {
@@ -288,12 +295,17 @@ TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& so
     theory.pressure.resize(theory.runs.size());
     for (std::size_t k = 0; k < theory.runs.size(); ++k) {
         if (theory.runs[k].empty()) continue;
-        const ContactInterface& contact = solved.contacts[k];
-        if (!contact.face.bilateral && contact.pairing == Pairing::middle)
-            theory.pressure[k] = place_runs(scene, solved, k, theory.runs[k]);
+        if (is_told(solved, k)) theory.pressure[k] = place_runs(scene, solved, k, few_knots, theory.runs[k]);
         theory.is_close = theory.is_close && theory.pressure[k];
     }
     return theory;
+}
+
+void renew_pressures(const Scene& scene, const SolvedAssembly& solved, TheoryOfContacts& theory) {
+    for (std::size_t k = 0; k < theory.pressure.size(); ++k) {
+        std::vector<ContactRun> runs = solved.runs[k];
+        if (is_told(solved, k)) theory.pressure[k] = place_runs(scene, solved, k, std::numeric_limits<int>::max(), runs);
+    }
 }
 
 }  // namespace abut

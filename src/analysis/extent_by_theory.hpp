@@ -32,4 +32,7 @@ struct TheoryOfContacts {
 /// too.
 TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved);
 
+/// The pressures by theory of a later solution: of its forces, and of the contacts that it closed.
+void renew_pressures(const Scene& scene, const SolvedAssembly& solved, TheoryOfContacts& theory);
+
 }  // namespace abut

@@ -300,6 +300,7 @@ private:
             now.part_energy = std::move(energies);
         }
         out_.passes.push_back(stuck ? PassRecord{} : record_of(now, seconds_so_far()));
+        if (!stuck) renew_pressures(scene_, now, theory_);
         out_.errors.push_back(errors_of_last(stuck));
         settled_from_ = std::max(settled_from_, comparable_from_);
         if (has_changed_contacts()) settled_from_ = out_.passes.size() - 1;
@@ -459,7 +460,7 @@ private:
     NextGrids next_;
     WantedSizes wanted_;
     WantedSizes raisers_;                    // where stresses turned out to be worst
-    TheoryOfContacts theory_;                // of the first solution's contacts
+    TheoryOfContacts theory_;                // of the first solution's contacts, with the forces of the last
     MissedContacts missed_, missed_before_;  // of the last solution, and of the one before
     MissedContacts followed_;                // and those before, while any are missed: cells that leave one miss it again
     struct {

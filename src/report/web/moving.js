@@ -42,7 +42,7 @@ export class PartMover {
     begin(event) {
         const part = event.button ? null : this.at(event.clientX, event.clientY);
         if (!part) return;
-        this.dragged = {part, name: part.name, slides: this.slides(part), from: this.canvas.point(...this.local(event.clientX, event.clientY)), place: this.wanted(part)};
+        this.dragged = {part, name: part.name, slides: this.slides(part), from: [event.clientX, event.clientY], scale: this.canvas.place.scale, place: this.wanted(part)};
         this.canvas.element.setPointerCapture(event.pointerId);
     }
     move(event) {
@@ -50,13 +50,14 @@ export class PartMover {
             if (this.isOn) this.canvas.element.style.cursor = this.at(event.clientX, event.clientY) ? 'move' : '';
             return;
         }
-        const {part, slides, from, place} = this.dragged, to = this.canvas.point(...this.local(event.clientX, event.clientY));
-        let by = [to[0] - from[0], to[1] - from[1]];
+        // By how far the pointer went: answers on the way may move the picture below it.
+        const {part, slides, from, scale, place} = this.dragged;
+        let by = [(event.clientX - from[0]) / scale, (from[1] - event.clientY) / scale];
         if (slides.length === 1) {
             const [x, y] = slides[0], along = (by[0] * x + by[1] * y) / (x * x + y * y);
             by = [along * x, along * y];
         }
-        const step = 10 ** Math.floor(Math.log10(2 / this.canvas.place.scale)), limit = this.live.controls.settings.find(s => s.key === placeKey(part)).max;
+        const step = 10 ** Math.floor(Math.log10(2 / scale)), limit = this.live.controls.settings.find(s => s.key === placeKey(part)).max;
         // Along an oblique direction rounding would lead off it.
         const isFree = slides.length > 1 || slides[0].includes(0), round = v => isFree ? Number((Math.round(v / step) * step).toPrecision(12)) : v;
         this.live.move(inputs => inputs.settings[placeKey(part)] = by.map((v, k) => Math.min(limit, Math.max(-limit, round(place[k] + v)))));

@@ -66,6 +66,24 @@ TEST(ExtentByTheory, PressureOfHalfACylinderIsHertz) {
     EXPECT_NEAR(away.peak_before, 500, 1);
 }
 
+/// On fine cells, too, and where the first solution had another force: half the load, and the pressure by theory is that of the
+/// whole one again.
+TEST(ExtentByTheory, PressuresAreRenewedByForcesOfTheLastSolution) {
+    const Scene half = test::adaptive_scene({"verification/hertz_001.json", {{"P", 0.5 * 3.92699081698724}}});
+    const Scene whole = test::adaptive_scene({"verification/hertz_001.json"});
+    TheoryOfContacts theory = contacts_by_theory(half, on_cells(half, 0.1).solved);
+    ASSERT_TRUE(theory.pressure[0]);
+    const Outcome out = test::solved_to(whole, 0.01);
+    const PassRecord& last = out.passes.back();
+    const PressureChange stale = change_from(last.contacts[0], *theory.pressure[0]);
+    EXPECT_GT(stale.inside, 0.2 * stale.norm);
+    renew_pressures(whole, out.solved, theory);
+    ASSERT_TRUE(theory.pressure[0]);
+    const PressureChange away = change_from(last.contacts[0], *theory.pressure[0]);
+    EXPECT_LT(away.inside, 0.01 * away.norm);
+    EXPECT_NEAR(away.peak_before, 500, 1);
+}
+
 /// A layer as thick as the contact is wide presses otherwise than a half plane.
 TEST(ExtentByTheory, HasNoPressureOfThinParts) {
     const Scene scene = disc_on(0.05, 10);
