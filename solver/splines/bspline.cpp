@@ -99,6 +99,11 @@ int interval_of(const KnotVector& knots, double x) {
     return std::clamp(i, 0, knots.n_intervals() - 1);
 }
 
+double spacing_at(const KnotVector& knots, double x) {
+    const auto i = static_cast<std::size_t>(interval_of(knots, x));
+    return knots.breakpoints[i + 1] - knots.breakpoints[i];
+}
+
 void evaluate(const IntervalKnots& knots, double x, LocalValues& values) {
     cox_de_boor(knots.start, knots.degree, x, values.data());
 }

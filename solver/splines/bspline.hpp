@@ -55,6 +55,8 @@ IntervalRange support(const KnotVector& knots, int i);
 
 /// The interval that holds x; the last for the right end, the nearest for points outside.
 int interval_of(const KnotVector& knots, double x);
+/// The length of that interval.
+double spacing_at(const KnotVector& knots, double x);
 
 /// The values (and first derivatives) at x of the functions of an interval; x may lie outside of it: the polynomials are
 /// continued.

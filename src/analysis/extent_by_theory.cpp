@@ -69,18 +69,13 @@ PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorX
     const double low = r == 0 ? contact.s.front() : 0.5 * (runs[r - 1].end + run.begin);
     const double high = r + 1 == runs.size() ? contact.s.back() : 0.5 * (run.end + runs[r + 1].begin);
     const auto [force, moment] = force_between(contact.face.pressure, pressure, low, high);
-    const std::vector<double>& knots = contact.face.pressure.breakpoints;
-    const auto spacing = [&](double s) {
-        const auto i = static_cast<std::size_t>(solver::interval_of(contact.face.pressure, s));
-        return knots[i + 1] - knots[i];
-    };
     const bool is_half = run.from_start || run.to_end;
     return {(is_half ? 2 : 1) * force * compliance,
             compliance,
             run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
             (is_half ? 1 : 0.5) * (run.end - run.begin),
-            spacing(run.begin),
-            spacing(std::nextafter(run.end, run.begin))};
+            spacing_at(contact.face.pressure, run.begin),
+            spacing_at(contact.face.pressure, std::nextafter(run.end, run.begin))};
 }
 
 int knots_in(const ContactInterface& contact, const ContactRun& run) {

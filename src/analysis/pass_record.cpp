@@ -20,11 +20,6 @@ constexpr double same_place = 1e-6;     // of a zone's length
 constexpr double same_cells = 0.95;     // ratio of knot spacings above which they are no finer
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
 
-double spacing(const solver::KnotVector& knots, double s) {
-    const auto i = static_cast<std::size_t>(interval_of(knots, s));
-    return knots.breakpoints[i + 1] - knots.breakpoints[i];
-}
-
 /// Is a place within the reach of an end of that kind?
 bool beside(RunEnd::Kind kind, const std::vector<ContactRun>& runs, double s) {
     return std::any_of(runs.begin(), runs.end(), [=](const ContactRun& run) {
@@ -49,7 +44,7 @@ double pressure_of(const ContactRecord& c, double s) {
     return solver::pressure_at(c.pressure, c.coefficients, s);
 }
 double spacing_of(const ContactRecord& c, double s, double /*now*/) {
-    return cell_ratio_at(c.s, c.cell_ratio, s) * spacing(c.pressure, s);
+    return cell_ratio_at(c.s, c.cell_ratio, s) * spacing_at(c.pressure, s);
 }
 
 bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {

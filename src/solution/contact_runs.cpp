@@ -101,21 +101,17 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
         const double length = run.end - run.begin;
         const auto from_begin = [&, s = run.begin](double x) { return solver::pressure_at(pressure, coefficients, s + x); };
         const auto from_end = [&, s = run.end](double x) { return solver::pressure_at(pressure, coefficients, s - x); };
-        const auto knots_at = [&](double s) {
-            const auto i = static_cast<std::size_t>(solver::interval_of(pressure, s));
-            return pressure.breakpoints[i + 1] - pressure.breakpoints[i];
-        };
         const double most = length / (2 * fit_to), inside = std::nextafter(run.end, run.begin);
-        const auto spacing_at = [&](double s) { return std::min(knots_at(s), most); };
-        const auto resolved_at = [&](double s) { return std::min(cell_ratio(s) * knots_at(s), most); };
+        const auto knots_at = [&](double s) { return std::min(spacing_at(pressure, s), most); };
+        const auto resolved_at = [&](double s) { return std::min(cell_ratio(s) * spacing_at(pressure, s), most); };
         if (run.from_start)
             run.at_begin = fixed_end(from_begin, length);
         else
-            run.begin += free_end(from_begin, spacing_at(run.begin), resolved_at(run.begin), run.at_begin);
+            run.begin += free_end(from_begin, knots_at(run.begin), resolved_at(run.begin), run.at_begin);
         if (run.to_end)
             run.at_end = fixed_end(from_end, length);
         else
-            run.end -= free_end(from_end, spacing_at(inside), resolved_at(inside), run.at_end);
+            run.end -= free_end(from_end, knots_at(inside), resolved_at(inside), run.at_end);
     }
     return runs;
 }
