@@ -43,14 +43,14 @@ struct DoubtfulPeaks {
 
 /// target: of the accuracy. Peaks of contacts that carry next to nothing are told, but speak against nothing. A pressure is
 /// known no better than the force that it adds up to (Cauchy and Schwarz: Hertz' by 0.96 of it at least), the largest one and
-/// the length of Hertz' by half of it.
+/// the length of Hertz' by half of it; but a resultant's error, where pressures balance each other, is a small one of theirs.
 void fill_contact(const ContactError& e, double of_force, double target, std::size_t k, ContactResult& c,
                   DoubtfulPeaks& peaks) {
     const bool counts = e.share_of_peak * (e.at_corner ? 1 : e.peak) > target;
-    const double pressure = std::max(e.pressure, of_force);
+    const double of_level = e.of_integral * of_force, pressure = std::max(e.pressure, of_level);
     c.error_estimate = pressure;
     c.errors =
-        ContactErrors{pressure, std::max(e.peak, 0.5 * of_force), of_force, std::max(e.length, 0.5 * of_force), e.at_corner};
+        ContactErrors{pressure, std::max(e.peak, 0.5 * of_level), of_force, std::max(e.length, 0.5 * of_level), e.at_corner};
     const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,
@@ -220,7 +220,8 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         if (k < error.own_energy.size() && out.solved.problem.parts[k].free_motions.empty()) {
             own = error.own_energy[k];
             for (const ContactResult& c : result.contacts)
-                if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name)) own = std::max(own, c.errors->force);
+                if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name))
+                    own = std::max(own, std::min(c.errors->force, c.errors->pressure));
         }
         p.max_displacement_error = std::min(1.0, own);
     }

@@ -18,6 +18,7 @@
 #include "src/results/result_units.hpp"
 #include "src/scene/dissertation_method.hpp"
 #include "src/solution/contact_measures.hpp"
+#include "src/solution/interface_points.hpp"
 
 namespace abut {
 
@@ -152,7 +153,8 @@ void check_bonds(Result& result) {
     tell(std::move(findings), "bond", result);
 }
 
-/// A plane model spreads what a thin part presses a thick one with over the whole thickness of that.
+/// A plane model spreads what a thin part presses a thick one with over the whole thickness of that, which yields less for it:
+/// between half planes pressures grow with the root of what is left of their compliance.
 void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> findings;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
@@ -163,11 +165,16 @@ void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& r
         const double ratio = thick->input.thickness / thin->input.thickness;
         if (ratio == 1 || thick->is_rigid || face.bilateral) continue;
         const std::string& name = scene.parts[at(thick->part)].name;
+        const double c1 = compliance(scene, *thin), c2 = compliance(scene, *thick);
+        const double too_high = std::sqrt((c1 + c2) / (c1 + c2 / ratio)) - 1;
         findings.push_back({ratio, "contact " + contact_number(k),
                             "contact " + contact_number(k) + " presses part " + name + " over " +
                                 number_text(thin->input.thickness, 3) + " of its thickness of " +
                                 number_text(thick->input.thickness, 3) + ": beside it the stress of " + name +
-                                " is an average, and up to " + number_text(ratio, 2) + " times as large where it is pressed"});
+                                " is an average, and up to " + number_text(ratio, 2) +
+                                " times as large where it is pressed; where the contact is short beside that thickness its "
+                                "largest pressure comes out too high, and its length too short, by up to " +
+                                percent_text(too_high)});
     }
     tell(std::move(findings), "thickness", result);
 }

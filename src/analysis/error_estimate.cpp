@@ -81,6 +81,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
     if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak);
     e.force = missing * c.force_change;
+    if (now.resultant && c.force != 0) e.of_integral = std::min(1.0, now.resultant->norm() / std::abs(c.force));
     e.length = ends_in_length * e.ends;
     if (theory && are_of_one_zone(now, *theory)) {
         const PressureChange away = change_from(now, *theory);

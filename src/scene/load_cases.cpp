@@ -24,6 +24,16 @@ Load scaled(Load load, double factor) {
     return load;
 }
 
+bool acts_in_any(const Load& load, const Scene& scene) {
+    return std::any_of(scene.cases.begin(), scene.cases.end(), [&](const LoadCase& c) { return factor_of(load, c) != 0; });
+}
+
+/// A part that is let go keeps what friction has locked in: it is solved in the steps, too, in which its loads are none. A cut
+/// that is tightened by none is whole.
+bool is_let_go(const Load& load, const Scene& scene) {
+    return scene.in_steps && load.kind != Load::Kind::preload && acts_in_any(load, scene);
+}
+
 }  // namespace
 
 std::string case_word(const Scene& scene) {
@@ -44,7 +54,7 @@ Scene scene_of_case(const Scene& scene, const LoadCase& c) {
     for (const Load& load : scene.loads)
         if (const double factor = factor_of(load, c); factor == 1)
             own.loads.push_back(load);
-        else if (factor != 0)
+        else if (factor != 0 || is_let_go(load, scene))
             own.loads.push_back(scaled(load, factor));
     std::erase_if(own.expect, [&](const Expectation& e) { return e.in_case != c.name; });
     return own;
@@ -53,8 +63,7 @@ Scene scene_of_case(const Scene& scene, const LoadCase& c) {
 std::vector<Load> acting_loads(const Scene& scene) {
     std::vector<Load> loads;
     for (const Load& load : scene.loads)
-        if (std::any_of(scene.cases.begin(), scene.cases.end(), [&](const LoadCase& c) { return factor_of(load, c) != 0; }))
-            loads.push_back(load);
+        if (acts_in_any(load, scene)) loads.push_back(load);
     return loads;
 }
 

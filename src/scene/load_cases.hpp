@@ -10,8 +10,8 @@ std::string case_word(const Scene& scene);
 /// The case on the way from one to another: factors of named loads in between.
 LoadCase between(const LoadCase& from, const LoadCase& to, double fraction);
 
-/// The scene under the loads of one of its cases: loads times their factors, those that do not act left out; what is expected
-/// of this case alone. It has no cases.
+/// The scene under the loads of one of its cases: loads times their factors, those that do not act left out, but for
+/// steps' that act in another one; what is expected of this case alone. It has no cases.
 Scene scene_of_case(const Scene& scene, const LoadCase& load_case);
 
 /// The loads that act in any of the scene's cases, as they are given.

@@ -154,4 +154,31 @@ TEST(FrictionAnalysis, RemembersFromStepToStep) {
     EXPECT_LT(largest(0), 0.1 * largest(2)) << "pressed alone it is the same on both sides; pushed and let go it is not";
 }
 
+/// A wedge of 10 degrees on each side, friction 0.3: let go of, it stays jammed, and holds a pull that is far below what frees
+/// it.
+TEST(FrictionAnalysis, KeepsWhatIsLockedInWhereNothingLoadsAPartAnyMore) {
+    const auto steps_with = [](const std::string& let_go) {
+        const Scene scene = read_scene_text(
+            R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parameters": {"t": 0.17632698070846498},
+            "parts": [
+            {"name": "wedge", "material": "m", "geometry": {"polygon": [[-5, 0], [5, 0], ["5+40*t", 40], ["-5-40*t", 40]]}},
+            {"name": "left", "material": "m", "geometry": {"polygon": [[-40, 8], ["-5-8*t", 8], ["-5-30*t", 30], [-40, 30]]}},
+            {"name": "right", "material": "m", "geometry": {"polygon": [["5+8*t", 8], [40, 8], [40, 30], ["5+30*t", 30]]}}],
+            "supports": [{"on": "left/e3", "fix": ["x", "y"]}, {"on": "right/e1", "fix": ["x", "y"]}],
+            "loads": [{"name": "P", "on": "wedge/e2", "force": [0, -1000]}], "contacts": {"friction": 0.3},
+            "accuracy": {"level": "draft"},
+            "steps": [{"name": "in", "loads": {"P": 1}}, {"name": "let go", "loads": {"P": )" +
+                let_go + R"(}}, {"name": "pulled", "loads": {"P": -0.1}}]})",
+            "wedge.json");
+        return analyze_cases(scene, {});
+    };
+    const std::vector<CaseResult> nothing = steps_with("0"), little = steps_with("0.001");
+    ASSERT_EQ(nothing.size(), 3U);
+    const auto force = [](const CaseResult& step) { return step.result.contacts.at(0).force.norm(); };
+    EXPECT_GT(force(little[1]), 500);
+    EXPECT_NEAR(force(nothing[1]), force(little[1]), 0.01 * force(little[1]));
+    EXPECT_EQ(nothing[2].result.status, "ok") << nothing[2].result.message;
+    EXPECT_NEAR(force(nothing[2]), force(little[2]), 0.01 * force(little[2]));
+}
+
 }  // namespace abut::friction_analysis_test

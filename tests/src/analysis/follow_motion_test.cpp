@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/follow_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/verification/scene_answers.hpp"
+
+namespace abut::follow_motion_test {
+namespace {
+
+/// A beam, 2 high, on two rollers 100 apart, that a punch bends in the middle: the punch goes far beside its own size, the beam
+/// does not, but for its bending.
+Result bent_by(double force, const std::string& motion) {
+    return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "beam", "material": "m", "geometry": {"rectangle": {"min": [-60, 0], "max": [60, 2]}}},
+        {"name": "s1", "material": "m", "geometry": {"circle": {"center": [-50, -5], "radius": 5}}},
+        {"name": "s2", "material": "m", "geometry": {"circle": {"center": [50, -5], "radius": 5}}},
+        {"name": "punch", "material": "m", "geometry": {"circle": {"center": [0, 7], "radius": 5}}}],
+        "supports": [{"part": "s1", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"part": "s2", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"part": "punch", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "contacts": {"friction": 0.3}, "loads": [{"part": "punch", "force": [0, )" +
+                        test::number(-force) +
+                        R"(]}], "output": {"probes": [{"part": "beam", "at": [0, 1]}]}, "accuracy": {"level": "draft"})" +
+                        motion + "}");
+}
+
+}  // namespace
+
+/// Where the punch is placed anew, the deflection of the beam is still told from where it was drawn.
+TEST(FollowMotion, BendingIsNoMotionOfThePart) {
+    for (double force : {40.0, 50.0, 60.0, 70.0}) {
+        SCOPED_TRACE(force);
+        const Result followed = bent_by(force, ""), as_drawn = bent_by(force, R"(, "motion": "off")");
+        ASSERT_EQ(followed.status, "ok");
+        const double deflection = as_drawn.probes.at(0).displacement.y();
+        // Euler and Bernoulli: F L^3 / (48 E I); friction at the rollers takes a little of it
+        EXPECT_NEAR(deflection, -force * 1e6 / (48 * 210000 * 10 * 8.0 / 12), 0.03 * std::abs(deflection));
+        EXPECT_NEAR(followed.probes.at(0).displacement.y(), deflection, 0.01 * std::abs(deflection));
+        EXPECT_FALSE(followed.parts.at(0).placement);
+    }
+}
+
+}  // namespace abut::follow_motion_test
