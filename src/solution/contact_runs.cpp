@@ -116,4 +116,9 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
     return runs;
 }
 
+std::vector<ContactRun> contact_runs(const ContactInterface& contact, const Eigen::VectorXd& coefficients) {
+    return contact_runs(contact.face.pressure, coefficients,
+                        [&](double s) { return cell_ratio_at(contact.s, contact.cell_ratio, s); });
+}
+
 }  // namespace abut

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/splines/bspline.hpp"
+#include "src/solution/contact_interface.hpp"
 
 namespace abut {
 
@@ -39,5 +40,8 @@ using ContactRuns = std::vector<std::vector<ContactRun>>;
 std::vector<ContactRun> contact_runs(
     const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients,
     const std::function<double(double)>& cell_ratio = [](double) { return 1.0; });
+
+/// The same along a contact, of a spline over its pressure's knots, with the cells that the contact has.
+std::vector<ContactRun> contact_runs(const ContactInterface& contact, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

@@ -218,4 +218,17 @@ TEST(NextLevel, NothingToGoByIsNoPrediction) {
     EXPECT_FALSE(missed.next_level);
 }
 
+/// A fit that presses all round has a resultant of rounding, which may err by any times itself.
+TEST(AccuracyResults, ABalancedResultantIsNoErrorOfThePressure) {
+    Outcome out = outcome(0.003, 0.003, PathEnd::reached);
+    out.errors.back().contacts[0]->force = 14;
+    EXPECT_GE(filled(out).contacts[0].errors->pressure, 14);
+    out.errors.back().contacts[0]->of_integral = 1e-8;
+    const ContactErrors balanced = *filled(out).contacts[0].errors;
+    EXPECT_EQ(balanced.pressure, 0.003);
+    EXPECT_EQ(balanced.peak, 0.003);
+    EXPECT_GE(balanced.force, 14);
+    EXPECT_LT(balanced.length, 0.01);
+}
+
 }  // namespace abut::accuracy_results_test
