@@ -13,6 +13,7 @@
 #include "src/analysis/adaptive.hpp"
 #include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
+#include "src/analysis/drawn_touches.hpp"
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
@@ -20,7 +21,6 @@
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/turned_contacts.hpp"
-#include "src/analysis/unpaired_touches.hpp"
 #include "src/answers/contact_results.hpp"
 #include "src/answers/equilibrium.hpp"
 #include "src/answers/field_results.hpp"
@@ -177,7 +177,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
-    warn_of_unpaired_touches(scene, result);
+    warn_of_drawn_touches(scene, result);
 }
 
 /// "assembly" holds the factorisations, too.

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/analysis/follow_motion.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <tuple>
+
+#include "geometry/brep/part.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
+#include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 
 namespace abut {
@@ -28,6 +36,41 @@ bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vec
     out = std::move(answer);
     rest = std::move(there);
     return true;
+}
+
+/// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
+bool is_round(const geometry::Part& part) {
+    constexpr double round_fraction = 1e-3;
+    const Vec2 center = centroid(part);
+    double nearest = 0, farthest = 0;
+    for (const geometry::Loop& loop : part.loops) {
+        double near = std::numeric_limits<double>::infinity(), far = 0;
+        for (int e : loop.edges)
+            for (double t : {0.0, 0.25, 0.5, 0.75}) {
+                const double r = (point(curve_of(part, e), t) - center).norm();
+                near = std::min(near, r);
+                far = std::max(far, r);
+            }
+        if (far > farthest) std::tie(nearest, farthest) = std::tuple(near, far);  // the outer loop is the farthest
+    }
+    return farthest - nearest <= round_fraction * farthest;
+}
+
+/// A part that falls over is no longer the assembly that was drawn, however well it is balanced where it comes to lie.
+void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
+    constexpr double tipping = std::numbers::pi / 4;  // from there on another side of a square is nearer to where it was
+    if (std::any_of(drawn.supports.begin(), drawn.supports.end(), [&](const Support& s) { return is_led_far(drawn, s); }))
+        return;
+    std::vector<Finding> tipped;
+    for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
+        const double angle = rest.placements[i].angle;
+        if (std::abs(angle) < tipping || is_round(drawn.parts[i].part)) continue;
+        const std::string turns = drawn.parts[i].name + " turns by " +
+                                  number_text(std::abs(angle) * 180 / std::numbers::pi, 3) + " degrees before it rests";
+        tipped.push_back(
+            {std::abs(angle), drawn.parts[i].name, "a part does not stay on the side it was drawn on: " + turns, turns});
+    }
+    tell(std::move(tipped), "displacement", result);
 }
 
 }  // namespace
@@ -82,6 +125,7 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
         row = large_motion_effect(there);
         result.warnings.push_back("analysed where the loads take it, " + there.why +
                                   " from where it was drawn: places and displacements are those from there");
+        tell_tipping(drawn, *rest, result);
     }
     result.effects.push_back(std::move(row));
 }

@@ -24,7 +24,7 @@ constexpr double along_normal = 0.99985;
 void append_drawn(const Scene& scene, const Candidate& c, std::vector<FacingPair>& touching) {
     const geometry::Part &first = part_of(scene, c.first), &second = part_of(scene, c.second);
     const double rounding = touching_length(first, second);
-    if (c.zone.gap_min - c.closing > rounding) return;
+    if (c.zone.gap_min - c.closing() > rounding) return;
     std::vector<FacingPair> pairs;
     double guess = c.zone.begin2, closest = c.zone.gap_max;
     for (int k = 0; k < zone_samples; ++k) {

@@ -107,7 +107,7 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
     for (double s : profile_places(contact, solved.runs[k])) {
         const geometry::FacingPair pair = pair_at(scene, contact, s);
         if (!pair.found) continue;
-        const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing;
+        const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing();
         const Vec2 apart = second.displacement_at(pair.on2) - first.displacement_at(pair.on1);
         const double gap = drawn + pair.normal.dot(apart);
         const double p = is_open ? 0 : pressure_for(contact, pressure, s, gap);
@@ -178,8 +178,8 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     ContactResult result;
     result.part = {candidate.first, candidate.second};
     result.parts = {scene.parts[at(candidate.first)].name, scene.parts[at(candidate.second)].name};
-    result.gap_min = candidate.zone.gap_min - candidate.closing;
-    result.gap_max = candidate.zone.gap_max - candidate.closing;
+    result.gap_min = candidate.zone.gap_min - candidate.interference;
+    result.gap_max = candidate.zone.gap_max - candidate.interference;
     if (solved.interface_of[contact] < 0) {
         result.status = "open";
         return result;

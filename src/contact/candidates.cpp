@@ -37,7 +37,7 @@ Candidate candidate_of(const Scene& scene, int first, int second, RuledZone&& ru
     c.friction = scene.contacts.friction;
     if (c.rule >= 0) {
         const PairRule& rule = scene.contacts.pairs[static_cast<std::size_t>(c.rule)];
-        c.closing = rule.interference;
+        c.interference = rule.interference;
         c.bonded = rule.kind == PairRule::Kind::bonded;
         c.friction = c.bonded ? 0 : rule.friction.value_or(c.friction);
     }
@@ -100,10 +100,14 @@ Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach,
         for (RuledZone& ruled : split_by_rules(scene, rules, first, second, zone))
             if (is_searched(scene, ruled.rule)) m.candidates.push_back(candidate_of(scene, first, second, std::move(ruled)));
     }
-    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.closing <= distances.shown;
+    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.interference <= distances.shown;
+    m.counts_as_touching = scene.contacts.overlap == "report" && common.depth <= reach.precision(first, second);
+    if (m.counts_as_touching)
+        for (Candidate& c : m.candidates) c.apart = std::max(0.0, -c.zone.gap_min);
     if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {
         m.overlap = common;
         m.too_deep = common.depth > deepest || !depth_seen;
+        m.is_refused = m.too_deep || (scene.contacts.overlap == "report" && !m.counts_as_touching);
     }
     m.unpaired = m.closest && !paired && is_searched(scene, rules.of(first, m.closest->edge1, second, m.closest->edge2));
     return m;
@@ -167,7 +171,7 @@ PartPairs touching_pairs(const std::vector<Candidate>& candidates) {
 PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candidates) {
     PartPairs pairs;
     for (const Candidate& c : candidates)
-        if (c.closing != 0 || scene.contacts.overlap == "press_fit") pairs.emplace_back(c.first, c.second);
+        if (c.interference != 0 || scene.contacts.overlap == "press_fit") pairs.emplace_back(c.first, c.second);
     return pairs;
 }
 

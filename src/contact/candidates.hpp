@@ -31,7 +31,8 @@ struct ExpectedPressure {
 struct Candidate {
     int first, second;  ///< indices into Scene::parts, first < second, or the same: a part with itself
     geometry::FacingZone zone;
-    double closing = 0;       ///< interference
+    double interference = 0;  ///< by the rule
+    double apart = 0;         ///< a drawn overlap that counts as touching (precision_fraction)
     bool no_overlap = false;  ///< drawn overlaps count as touching
     bool bonded = false;      ///< held together as drawn
     double friction = 0;      ///< coefficient; infinite: rough
@@ -39,6 +40,9 @@ struct Candidate {
     bool shown = true;        ///< within the distance that `contacts` shows
     std::vector<ExpectedEnd> ends{};
     ExpectedPressure expected{};  ///< empty: nothing is known
+
+    /// What is taken off the drawn gap.
+    double closing() const { return interference - apart; }
 };
 
 using PartPairs = std::vector<std::pair<int, int>>;
@@ -58,6 +62,8 @@ struct Meeting {
     bool unpaired = false;                             ///< at the closest points no faces oppose each other
     std::optional<geometry::Overlap> overlap{};        ///< more than rounding, and not left alone by a rule
     bool too_deep = false;                             ///< the overlap: no faces are paired across it
+    bool counts_as_touching = false;                   ///< whatever overlaps is within what drawings are precise to
+    bool is_refused = false;                           ///< the overlap: neither allowed nor within what drawings are precise to
 };
 
 /// Distances up to which zones are looked for, are shown, and closest points are looked for; with the dissertation's search

@@ -72,7 +72,7 @@ std::string status_of(double gap, double touching) {
 }
 
 std::string why_overlapping(const Scene& scene, const Meeting& m) {
-    const bool is_allowed = scene.contacts.overlap != "report" && !m.too_deep;
+    const bool is_allowed = !m.is_refused;
     return overlap_text(scene, m) + (is_allowed ? "" : ": " + overlap_hint(scene, m));
 }
 
@@ -83,7 +83,7 @@ std::string how_close(const Scene& scene, double gap, double touching, const Vec
 
 std::string rule_text(const Scene& scene, const Candidate& c) {
     if (c.bonded) return ", bonded";
-    return c.closing == 0 ? "" : ", with an interference of " + with_unit(c.closing, 4, scene.length_unit);
+    return c.interference == 0 ? "" : ", with an interference of " + with_unit(c.interference, 4, scene.length_unit);
 }
 
 /// How the meetings of two parts are listed.
@@ -99,8 +99,8 @@ DetectedPair row_of(const Listing& l, const Candidate& c, const Candidate* deepe
     DetectedPair row = row_of(l.scene, m, faces.carrying);
     name_edges(l.scene, faces, row);
     const double drawn = drawn_gap(l.scene, m, c, l.touching);
-    row.gap_min = drawn - c.closing;
-    row.gap_max = c.zone.gap_max - c.closing;
+    row.gap_min = drawn - c.interference;
+    row.gap_max = c.zone.gap_max - c.interference;
     row.status = status_of(drawn, l.touching);
     row.interface = faces.kind;
     row.functional = faces.functional;

@@ -44,7 +44,7 @@ std::string overlap_hint(const Scene& scene, const Meeting& m) {
 void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems) {
     const bool any = scene.contacts.overlap == "report";
     for (const Meeting& m : meetings) {
-        if (!m.overlap || !(any || m.too_deep)) continue;
+        if (!m.is_refused) continue;
         const ScenePart &a = scene_part(scene, m.first), &b = scene_part(scene, m.second);
         const std::string why_not = any                                     ? ""
                                     : scene.contacts.overlap == "press_fit" ? ": no press fit, which small strains could close"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/curves/curve.hpp"
+#include "geometry/sketch/sketch.hpp"
 #include "src/scene/part_levels.hpp"
 #include "src/scene/scene.hpp"
 
@@ -18,6 +19,10 @@ inline constexpr double shown_fraction = 0.02;
 /// written with, below the joining tolerance of imports and any clearance that means something.
 inline constexpr double touching_fraction = 1e-6;
 
+/// Overlaps below this fraction of the smaller extent are no deeper than drawings are precise, whose ends are joined within as
+/// much: the parts are taken as touching, and a warning says so.
+inline constexpr double precision_fraction = geometry::joining_fraction;
+
 /// The gap up to which two parts touch: touching_fraction of the smaller extent.
 double touching_length(const geometry::Part& first, const geometry::Part& second);
 
@@ -31,6 +36,7 @@ public:
     /// The distance up to which two parts are searched; factor: on the first search distance.
     double searched(int first, int second, double factor) const;
     double shown(int first, int second) const;
+    double precision(int first, int second) const { return precision_fraction * size(first, second); }
     double touching(int first, int second) const { return touching_fraction * size(first, second); }
     /// Do the parts have a level in common, and come their boxes as near as this? Those that do not have nothing to do with
     /// each other.

@@ -105,7 +105,7 @@ ContactInterface along(ContactInterface contact, double friction) {
 
 /// Is the gap closed by an interference, or by a drawn overlap that counts as one?
 bool closes(const Scene& scene, const Candidate& c) {
-    return !c.bonded && (c.closing != 0 || (scene.contacts.overlap == "press_fit" && c.zone.gap_min < 0));
+    return !c.bonded && (c.interference != 0 || (scene.contacts.overlap == "press_fit" && c.zone.gap_min < 0));
 }
 
 /// Rigid parts have no pressure between them, and nothing to hold them together by: the pair is looked at after the solution.

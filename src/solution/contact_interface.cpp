@@ -211,7 +211,7 @@ MeasuredZone measured_zone(const Scene& scene, const Candidate& candidate, const
                            std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces) {
     MeasuredZone zone;
     ContactInterface& c = zone.on_middle;
-    c.drawn = {candidate.closing, candidate.no_overlap};
+    c.drawn = {candidate.closing(), candidate.no_overlap};
     c.part = {first.part, second.part};
     c.zone = candidate.zone;
     const std::vector<Piece> pieces = measure(scene, c, first, second, faces[at(solver_part[0])], faces[at(solver_part[1])]);
@@ -260,7 +260,7 @@ bool is_same(const geometry::FacingZone& a, const geometry::FacingZone& b) {
 }
 
 bool is_same(const Candidate& a, const Candidate& b) {
-    return a.first == b.first && a.second == b.second && a.closing == b.closing && a.no_overlap == b.no_overlap &&
+    return a.first == b.first && a.second == b.second && a.closing() == b.closing() && a.no_overlap == b.no_overlap &&
            is_same(a.zone, b.zone);
 }
 
@@ -292,7 +292,7 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
                                 KnownInterfaces* known) {
     if (scene.contacts.penalty)
         return make_penalty_interface(scene, candidate.zone, first, second, solver_part,
-                                      {candidate.closing, candidate.no_overlap});
+                                      {candidate.closing(), candidate.no_overlap});
     if (known && known->zones.empty()) known->faces = faces;
     ContactInterface c;
     if (known && known->faces == faces) {

@@ -24,7 +24,7 @@ double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidat
                                           (1 - t) * c.zone.begin1 + t * c.zone.end1, guess);
         if (!pair.found) continue;
         guess = pair.s2;
-        double gap = pair.gap - c.closing;
+        double gap = pair.gap - c.closing();
         for (std::size_t side = 0; side < 2; ++side) {
             const std::size_t i = at(solved.solver_part[at(parts[side])]);
             const PartOnGrid& g = solved.grids[i];

@@ -64,8 +64,8 @@ void expect_same_rows(const Scene& scene) {
         const Candidate& c = candidates[k];
         EXPECT_EQ(rows[k].part, (std::array{c.first, c.second})) << k;
         EXPECT_EQ(rows[k].length, c.zone.end1 - c.zone.begin1) << k;
-        EXPECT_LE(rows[k].gap_min, c.zone.gap_min - c.closing) << k;  // less at corners
-        EXPECT_EQ(rows[k].gap_max, c.zone.gap_max - c.closing) << k;
+        EXPECT_LE(rows[k].gap_min, c.zone.gap_min - c.interference) << k;  // less at corners
+        EXPECT_EQ(rows[k].gap_max, c.zone.gap_max - c.interference) << k;
     }
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parts that touch as drawn in a way that the analysis does not take literally.
+#pragma once
+#include "src/results/result.hpp"
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// Adds one warning with all places where parts touch and no faces oppose each other, since there is nothing to couple
+/// (`contacts` lists them; corners that meet corners are left out: nothing is pressed there), and one with all overlaps that
+/// count as touching.
+void warn_of_drawn_touches(const Scene& scene, Result& result);
+
+}  // namespace abut
