@@ -6,6 +6,7 @@
 
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
+#include "geometry/proximity/facing.hpp"
 
 namespace abut::geometry {
 
