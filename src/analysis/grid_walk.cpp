@@ -408,8 +408,7 @@ private:
                     number_text(g.too_fine / g.size, 2) + " of its size)";
         out_.too_small += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
         const ErrorEstimate& error = out_.errors.back();
-        if (error.contact_pressure && *error.contact_pressure > most_target)
-            now.failure = out_.too_small;
+        if (error.contact_pressure && *error.contact_pressure > most_target) now.failure = out_.too_small;
         return end(std::move(now), PathEnd::too_deep);
     }
 
