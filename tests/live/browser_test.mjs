@@ -43,7 +43,7 @@ async function open(address, options = {}) {
     await page.waitForFunction(() => window.abutReport?.canvas.paths, null, {timeout: 60000});
     return {page, said, close: () => context.close()};
 }
-const isSettled = page => page.waitForFunction(() => window.abutLive.settled && !window.abutLive.shown.quick && !window.abutLive.wanted && window.abutLive.shownVersion === window.abutLive.version, null, {timeout: 60000});
+const isSettled = page => page.waitForFunction(() => window.abutLive.settled && !window.abutLive.shown.quick && !window.abutLive.sending && window.abutLive.shownVersion === window.abutLive.version, null, {timeout: 60000});
 const picture = (page, name) => pictures && page.screenshot({path: join(pictures, name + '.png')});
 /// Where the tip of a force is in the window.
 const tip = (page, k = 0) => page.evaluate(k => {
@@ -142,8 +142,10 @@ async function ofTheBracket() {
         await tab.evaluate(k => window.abutLive.move(inputs => inputs.loads[0] = [100 * k, -15000]), k);
         await isSettled(tab);
     }));
+    // every tab knows of its own move by now, and hears of the others' in its time
+    const last = Math.max(...await Promise.all(tabs.map(({page: tab}) => tab.evaluate(() => window.abutLive.version))));
     const states = await Promise.all(tabs.map(async ({page: tab}) => {
-        await tab.waitForFunction(() => window.abutLive.settled && window.abutLive.shownVersion === window.abutLive.version);
+        await tab.waitForFunction(v => window.abutLive.settled && window.abutLive.version >= v && window.abutLive.shownVersion === window.abutLive.version, last);
         return tab.evaluate(() => window.abutReport.data.contacts[0].force.join());
     }));
     check('ten tabs, one state', new Set(states).size === 1, states);
