@@ -18,7 +18,9 @@ namespace {
 
 using geometry::Vec2;
 
-constexpr double width = 548, height = 320, left = 74, right = 20, top = 34, bottom = 44;
+constexpr double width = 548, height = 320, left = 74, top = 34, bottom = 44;
+/// Right of the curves: room for half a number, and for the names of lines, whose letters are about as wide as this.
+constexpr double curve_margin = 20, letter_width = 7;
 
 /// Told apart by the colour-blind, and dark enough on white.
 constexpr const char* line_colors[] = {"#1348b0", "#d98200", "#0a7d55", "#d3102b", "#7a3db8", "#5b5b5b"};
@@ -93,6 +95,10 @@ public:
         y_ = axis_of(low, high);
         const std::vector<double>& values = sweep.parameters.front().values;
         x_ = axis_of(values.front(), values.back());
+        for (const SweepPoint& p : sweep.points)
+            right_ =
+                std::max(right_, curve_margin + letter_width * static_cast<double>(line_name(sweep, line_of(sweep, p)).size()));
+        right_ = std::min(right_, 0.4 * width);
     }
 
     std::string svg() const {
@@ -110,7 +116,7 @@ public:
 
 private:
     Vec2 at(double x, double y) const {
-        return {left + (width - left - right) * (x - x_.low) / (x_.high - x_.low),
+        return {left + (width - left - right_) * (x - x_.low) / (x_.high - x_.low),
                 height - bottom - (height - top - bottom) * (y - y_.low) / (y_.high - y_.low)};
     }
 
@@ -124,7 +130,7 @@ private:
             text += report::line(at(t, y_.low), at(t, y_.low) + Vec2(0, 4), "class=\"axis\"") +
                     report::text(at(t, y_.low) + Vec2(0, 18), "middle", number_text(t, 4));
         return text + report::line(at(x_.low, y_.low), at(x_.high, y_.low), "class=\"axis\"") +
-               report::text({0.5 * (left + width - right), height - 6}, "middle", sweep_.parameters.front().name);
+               report::text({0.5 * (left + width - right_), height - 6}, "middle", sweep_.parameters.front().name);
     }
 
     /// Between points that failed or have no such answer there is no line; those that failed are crosses below.
@@ -157,10 +163,9 @@ private:
         }
         end_run();
         if (of.empty() || last.isZero(0)) return text;
-        const double label = free_height(last.y() - 8, labels);
+        const double label = free_height(last.y() + 4, labels);
         if (label > height - bottom) return text;  // no room: the points tell their values
-        return text + report::text({width - right - 4, label}, "end", line_name(sweep_, of),
-                                   "style=\"fill:" + color + ";paint-order:stroke;stroke:#fff;stroke-width:3px\"");
+        return text + report::text({width - right_ + 8, label}, "start", line_name(sweep_, of), "style=\"fill:" + color + "\"");
     }
 
     /// Where a label covers no other: as high as wanted, or below what is there.
@@ -182,6 +187,7 @@ private:
     const Sweep& sweep_;
     std::size_t quantity_;
     Axis x_{}, y_{};
+    double right_ = curve_margin;
 };
 
 std::string failures(const Sweep& sweep) {
