@@ -31,8 +31,8 @@ bool is_far_side(const geometry::FacingZone& zone, const geometry::Overlap& comm
 }
 
 Candidate candidate_of(const Scene& scene, int first, int second, RuledZone&& ruled) {
-    Candidate c{first, second, acting_zone(part_of(scene, first), part_of(scene, second), std::move(ruled.zone)), 0,
-                scene.contacts.overlap == "ignore"};
+    Candidate c{first, second, acting_zone(part_of(scene, first), part_of(scene, second), std::move(ruled.zone))};
+    c.no_overlap = scene.contacts.overlap == "ignore";
     c.rule = ruled.rule;
     c.friction = scene.contacts.friction;
     if (c.rule >= 0) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tests/verification/scene_answers.hpp"
 
@@ -41,6 +43,32 @@ TEST(FollowMotion, BendingIsNoMotionOfThePart) {
         EXPECT_NEAR(followed.probes.at(0).displacement.y(), deflection, 0.01 * std::abs(deflection));
         EXPECT_FALSE(followed.parts.at(0).placement);
     }
+}
+
+/// A plate drawn on its corner, beyond the place where it would balance, falls on its long side; round parts turn as they like.
+TEST(FollowMotion, APartThatTipsOverIsAReason) {
+    const auto falls = [](double degrees) {
+        const double a = degrees * std::numbers::pi / 180, c = std::cos(a), s = std::sin(a);
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "floor", "material": "m", "geometry": {"rectangle": {"min": [-100, -20], "max": [100, 0]}}},
+            {"name": "plate", "material": "m", "geometry": {"polygon": [[0, 0], )" +
+                            test::pair_text(10 * c, 10 * s) + ", " + test::pair_text(10 * c - 40 * s, 10 * s + 40 * c) + ", " +
+                            test::pair_text(-40 * s, 40 * c) + R"(]}},
+            {"name": "stop", "material": "m", "geometry": {"rectangle": {"min": [-100, 0], "max": [-60, 30]}}}],
+            "supports": [{"on": "floor/bottom", "fix": ["x", "y"]}, {"on": "stop/left", "fix": ["x", "y"]}],
+            "loads": [{"on": "plate/*", "force": [0, -100]}], "accuracy": {"level": "draft"}})");
+    };
+    const auto tips = [](const Result& r) {
+        return std::any_of(r.reasons.begin(), r.reasons.end(),
+                           [](const Reason& reason) { return reason.text.find("plate turns by") != std::string::npos; });
+    };
+    const Result over = falls(30), back = falls(80);
+    ASSERT_EQ(over.status, "ok") << over.message;
+    ASSERT_EQ(back.status, "ok") << back.message;
+    EXPECT_NEAR(over.parts.at(1).placement->rotation, std::numbers::pi / 3, 1e-6);
+    EXPECT_TRUE(tips(over));
+    EXPECT_NEAR(back.parts.at(1).placement->rotation, std::numbers::pi / 18, 1e-6);
+    EXPECT_FALSE(tips(back));
 }
 
 }  // namespace abut::follow_motion_test
