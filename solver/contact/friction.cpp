@@ -71,11 +71,10 @@ void write_answer(const ShiftedQp& shifted, const VectorXd& settled, ContactStat
 }
 
 /// The search without a proximal term; where it does not find the answer nothing is changed.
-bool search_exactly(const ShiftedQp& shifted, Repeats repeats, ContactState& state, ContactQpResult& result) {
+bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResult& result) {
     ContactState exact;
     ActiveSet states = result.active;
-    if (search_states(shifted, no_term(shifted.qp.modes.cols()), repeats, states, exact, result.iterations) !=
-            SetSearch::found ||
+    if (search_states(shifted, no_term(shifted.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
         !is_in_balance(shifted.qp, exact.multipliers))
         return false;
     state = std::move(exact);
@@ -93,8 +92,7 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
 /// The state under a proximal term from the states in `result`; false: none was found.
 bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
     const ActiveSet before = result.active;
-    if (search_states(shifted, proximal, Repeats::one_by_one, result.active, state, result.iterations) == SetSearch::found)
-        return true;
+    if (search_states(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
     result.used_fallback = true;
     std::optional<ActiveSet> states = pivoted_states(shifted, proximal, before);
     if (!states) return false;
@@ -106,7 +104,7 @@ bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& sta
     const Index n = shifted.qp.modes.cols();
     for (int pass = 0; pass < friction_passes; ++pass) {
         if (!solve_pass(shifted, proximal, state, result)) return false;
-        if (search_exactly(shifted, Repeats::one_by_one, state, result)) return true;
+        if (search_exactly(shifted, state, result)) return true;
         ContactState exact;
         if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
             state = std::move(exact);
@@ -304,11 +302,11 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     const Index n = qp.modes.cols();
     ContactState state;
-    result.converged = search_exactly(near, Repeats::end, state, result);
+    result.converged = search_exactly(near, state, result);
     if (!result.converged && n > 0 && solve_states(near, no_term(n), expected, state)) {
         result.active = expected;
         creep(near, foundation_stiffness(qp), state, result);
-        result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);
+        result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
     }
     if (result.converged) write_answer(near, *settled, state, result);
     return result.converged;
@@ -328,7 +326,7 @@ void look_for_another(const ContactQp& qp, ContactQpResult& result) {
         if (state != row_state::open) state = near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
     }
     ContactState state;
-    if (!search_exactly(near, Repeats::end, state, other)) return;
+    if (!search_exactly(near, state, other)) return;
     const double largest = result.multipliers.cwiseAbs().maxCoeff();
     result.is_one_of_several = (state.multipliers - result.multipliers).cwiseAbs().maxCoeff() > differs * largest;
 }
@@ -351,7 +349,7 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
         result.active = states_of(qp, pressures);
     };
     stick_where_pressed();
-    result.converged = search_exactly(near, Repeats::end, state, result);
+    result.converged = search_exactly(near, state, result);
     if (!result.converged) {
         if (finds_motion(qp, result)) return result;
         stick_where_pressed();
@@ -364,7 +362,7 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
             write_answer(near, start.amplitudes, state, result);
             return result;
         }
-        result.converged = state.multipliers.size() > 0 && search_exactly(near, Repeats::one_by_one, state, result);
+        result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
         if (!result.converged) {
             stick_where_pressed();
             result.converged = pass_by_pass(near, term_of(start.stiffness, first_fraction), state, result);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 #include "solver/linear_algebra/complementarity.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -16,7 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_newton_steps = 40;
+constexpr int most_newton_steps = 60;
+constexpr double least_step = 1.0 / 64;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
@@ -237,63 +238,81 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
 
 namespace {
 
-/// By how much each row is beyond its state, forces over the largest, lengths over the largest closing.
-VectorXd beyond_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& s) {
-    const VectorXd gap = gap_of(shifted, s);
-    const double force = s.multipliers.cwiseAbs().maxCoeff(), length = s.closing.cwiseAbs().maxCoeff();
-    const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : value; };
-    VectorXd beyond = VectorXd::Zero(gap.size());
-    for (Index k = 0; k < gap.size(); ++k)
-        if (shifted.qp.unilateral[of(k)])
-            beyond[k] = states[of(k)] ? -scaled(s.multipliers[k], force) : -scaled(gap[k], length);
-    for (const FrictionRow& f : shifted.qp.friction) {
-        const double excess = std::abs(s.multipliers[f.tangential]) - f.coefficient * s.multipliers[f.normal];
-        beyond[f.tangential] =
-            states[of(f.tangential)] == row_state::closed ? scaled(excess, force) : scaled(std::abs(gap[f.tangential]), length);
+/// What the multipliers of a point lack of what its gaps ask for: of each row its own compliance tells which force closes a
+/// gap. Natural residuals; zero at a solution alone.
+class Lack {
+public:
+    explicit Lack(const ShiftedQp& shifted) : qp_(shifted.qp), compliance_(shifted.qp.compliance.diagonal()) {
+        const double least = std::numeric_limits<double>::epsilon() * compliance_.maxCoeff();
+        compliance_ = compliance_.cwiseMax(least);
     }
-    return beyond;
-}
 
-/// The set with the one row changed that is farthest beyond its state, a pressure's with its traction.
-ActiveSet worst_changed(const ShiftedQp& shifted, const ActiveSet& states, const ActiveSet& next, const ContactState& state) {
-    const VectorXd beyond = beyond_states(shifted, states, state);
-    std::vector<Index> normal_of(states.size(), -1), traction_of(states.size(), -1);
-    for (const FrictionRow& f : shifted.qp.friction) {
-        normal_of[of(f.tangential)] = f.normal;
-        traction_of[of(f.normal)] = f.tangential;
+    /// The states that the point asks for.
+    ActiveSet states(const VectorXd& multipliers, const VectorXd& gap) const {
+        const VectorXd wanted = multipliers - gap.cwiseQuotient(compliance_);
+        ActiveSet states = bilateral_rows(qp_);
+        for (std::size_t k = 0; k < states.size(); ++k)
+            if (qp_.unilateral[k] && wanted[static_cast<Index>(k)] > 0) states[k] = row_state::closed;
+        for (const FrictionRow& f : qp_.friction) {
+            const double traction = wanted[f.tangential], bound = f.coefficient * wanted[f.normal];
+            char& state = states[of(f.tangential)] = states[of(f.normal)];
+            if (state == row_state::closed && std::abs(traction) > bound)
+                state = traction < 0 ? row_state::slips_forward : row_state::slips_backward;
+        }
+        return states;
     }
-    Index worst = -1;
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        const bool follows = normal_of[k] >= 0 && states[of(normal_of[k])] != next[of(normal_of[k])];
-        const auto row = static_cast<Index>(k);
-        if (states[k] != next[k] && !follows && (worst < 0 || beyond[row] > beyond[worst])) worst = row;
+
+    /// The sum of the residuals' squares, as energies.
+    double energy(const VectorXd& multipliers, const VectorXd& gap) const {
+        const VectorXd wanted = multipliers - gap.cwiseQuotient(compliance_);
+        VectorXd lack = multipliers - wanted;
+        for (std::size_t k = 0; k < qp_.unilateral.size(); ++k) {
+            const auto row = static_cast<Index>(k);
+            if (qp_.unilateral[k]) lack[row] = multipliers[row] - std::max(0.0, wanted[row]);
+        }
+        for (const FrictionRow& f : qp_.friction) {
+            const double pressure = std::max(0.0, wanted[f.normal]), bound = pressure > 0 ? f.coefficient * pressure : 0;
+            lack[f.tangential] = multipliers[f.tangential] - std::clamp(wanted[f.tangential], -bound, bound);
+        }
+        return lack.cwiseAbs2().dot(compliance_);
     }
-    ActiveSet changed = states;
-    if (worst < 0) return changed;
-    changed[of(worst)] = next[of(worst)];
-    if (traction_of[of(worst)] >= 0) changed[of(traction_of[of(worst)])] = next[of(traction_of[of(worst)])];
-    return changed;
-}
+
+private:
+    const ContactQp& qp_;
+    VectorXd compliance_;
+};
 
 }  // namespace
 
-SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repeats repeats, ActiveSet& states,
-                        ContactState& state, int& iterations) {
-    std::set<ActiveSet> seen;
-    bool one_by_one = false;
-    int left = most_newton_steps;
-    for (; left > 0; --left) {
-        if (!seen.insert(states).second) {
-            if (one_by_one || repeats == Repeats::end) return SetSearch::repeated;
-            one_by_one = true;
-            seen = {states};
-            left = static_cast<int>(states.size());
-        }
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                        int& iterations) {
+    const Lack lack(shifted);
+    ContactState from;
+    double energy = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < most_newton_steps; ++step) {
         ++iterations;
-        if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;
-        ActiveSet next = next_states(shifted, states, state);
-        if (next == states) return SetSearch::found;
-        states = one_by_one ? worst_changed(shifted, states, next, state) : std::move(next);
+        ContactState to;
+        if (!solve_states(shifted, proximal, states, to)) return SetSearch::singular;
+        state = to;
+        if (next_states(shifted, states, to) == states) return SetSearch::found;
+        double share = 1;
+        if (const double whole = lack.energy(to.multipliers, gap_of(shifted, to)); step == 0 || whole < energy) {
+            from = std::move(to);
+            energy = whole;
+        } else {
+            const VectorXd gap = gap_of(shifted, from), opens = gap_of(shifted, to) - gap,
+                           way = to.multipliers - from.multipliers;
+            energy = whole;
+            for (double part = 0.5; part >= least_step; part *= 0.5)
+                if (const double e = lack.energy(from.multipliers + part * way, gap + part * opens); e < energy) {
+                    share = part;
+                    energy = e;
+                }
+            from.multipliers += share * way;
+            from.amplitudes += share * (to.amplitudes - from.amplitudes);
+            from.closing += share * (to.closing - from.closing);
+        }
+        states = lack.states(from.multipliers, gap_of(shifted, from));
     }
     return SetSearch::repeated;
 }

@@ -18,12 +18,10 @@ bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const Acti
 /// traction sticks, what closes sticks at first.
 ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const ContactState& state);
 
-/// Where a set comes back: the search ends, or goes on by steps that change the row alone that is worst, one for each row.
-enum class Repeats { end, one_by_one };
-
-/// Semismooth Newton steps from `states`.
-SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Repeats repeats, ActiveSet& states,
-                        ContactState& state, int& iterations);
+/// Semismooth Newton steps from `states`. A step that does not bring the residual of all conditions down is cut to where it is
+/// least: whole steps run about where much sticks and slips.
+SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                        int& iterations);
 
 /// The states of a solution under a proximal term that is positive definite, by Lemke's pivots from `expected` ones; nothing
 /// where these end without one.

@@ -396,7 +396,7 @@ private:
         return std::any_of(now.grids.begin(), now.grids.end(), [](const PartOnGrid& g) { return g.too_fine > 0; });
     }
 
-    /// An error that nobody could aim at is no answer.
+    /// Where no grid came to an error that anybody could aim at there is no answer.
     bool end_too_deep(SolvedAssembly&& now) {
         for (const PartOnGrid& g : now.grids)
             if (g.too_fine > 0)
@@ -407,8 +407,11 @@ private:
                     number_text(g.too_fine, 2) + " in " + scene_.parts[static_cast<std::size_t>(g.part)].name + " (" +
                     number_text(g.too_fine / g.size, 2) + " of its size)";
         out_.too_small += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
-        const ErrorEstimate& error = out_.errors.back();
-        if (error.contact_pressure && *error.contact_pressure > most_target) now.failure = out_.too_small;
+        const auto could_be_aimed_at = [](const ErrorEstimate& e) {
+            return e.contact_pressure && std::max(*e.contact_pressure, *e.peak) <= most_target;
+        };
+        if (out_.errors.back().contact_pressure && std::none_of(out_.errors.begin(), out_.errors.end(), could_be_aimed_at))
+            now.failure = out_.too_small;
         return end(std::move(now), PathEnd::too_deep);
     }
 

@@ -10,6 +10,8 @@
 #include <optional>
 #include <random>
 
+#include "solver/contact/friction_states.hpp"
+
 namespace abut::solver::friction_test {
 namespace {
 
@@ -187,8 +189,26 @@ TEST(Friction, IsSolvedWhereverAllStatesTriedFindAnAnswer) {
         by_pivots += held.by_pivots + free.by_pivots;
     }
     EXPECT_GT(solved, 380);
-    EXPECT_GT(by_pivots, 0);
+    EXPECT_EQ(by_pivots, 0) << "damped steps find them all";
 }
+
+/// Pivots, the last resort, find an answer by themselves.
+TEST(Friction, IsSolvedByPivotsAlone) {
+    int found = 0;
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+        const ContactQp qp = random_problem(seed, {4, 1, 1, 0}, 0.3, true);
+        const ShiftedQp shifted{qp, qp.gap};
+        const Proximal none{MatrixXd::Zero(0, 0), VectorXd::Zero(0)};
+        const auto states = pivoted_states(shifted, none, bilateral_rows(qp));
+        if (!states) continue;
+        ContactState state;
+        ASSERT_TRUE(solve_states(shifted, none, *states, state)) << seed;
+        EXPECT_LT(violation(qp, {state.multipliers, state.amplitudes}), 1e-7) << seed;
+        ++found;
+    }
+    EXPECT_GT(found, 95);
+}
+
 /// Where coefficients are large there may be several answers, and none is found of a few problems; but never a wrong one.
 TEST(Friction, OfAnySizeIsAnsweredByAnAnswerOrNotAtAll) {
     int several = 0, told = 0;
