@@ -278,9 +278,15 @@ bool solve_from_neighbour(const ContactQp& qp, const VectorXd& amplitudes, Close
 
 ContactQpResult solve_contact_qp(const ContactQp& qp) {
     ensure_shapes(qp);
-    if (!qp.friction.empty()) return solve_with_friction(qp);
     ContactQpResult result;
     result.active = bilateral_rows(qp);
+    if (!qp.gap.allFinite() || !qp.modes.allFinite()) {  // of cells that coordinates hardly tell apart: nothing converges
+        result.multipliers = VectorXd::Zero(qp.gap.size());
+        result.settled = result.motion = VectorXd::Zero(qp.modes.cols());
+        result.gap = qp.gap;
+        return result;
+    }
+    if (!qp.friction.empty()) return solve_with_friction(qp);
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
     if (qp.gap.size() == 0 && qp.modes.cols() == 0) {
         result.converged = true;

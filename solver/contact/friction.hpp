@@ -33,10 +33,10 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 ///    (feasible, not converged, with a mechanism).
 /// 4. Step 1 from where the creep ended, else passes of step 1 under a term that is reduced tenfold each time. Each pass tries
 ///    the set without the term.
-/// In 3 and 4, where a set comes back rows change one at a time; where that does not end, Lemke's pivots find the states of the
-/// linear complementarity problem that it is [Klarbring86], beginning with those of the pass before. Converged is what meets
-/// all conditions. Several answers are possible where coefficients are large: a second search then begins with everything
-/// slipping, and where it finds another answer that is told (is_one_of_several).
+/// Newton steps are cut where whole ones do not bring the residual of all conditions down. In 3 and 4, where that does not end,
+/// Lemke's pivots find the states of the linear complementarity problem that it is [Klarbring86], beginning with those of the
+/// pass before. Converged is what meets all conditions. Several answers are possible where coefficients are large: a second
+/// search then begins with everything slipping, and where it finds another answer that is told (is_one_of_several).
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// The largest violation of the conditions, scaled like contact_residual. Tractions beyond their bound are relative to the

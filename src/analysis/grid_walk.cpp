@@ -327,6 +327,10 @@ private:
             const solver::RigidMotion motion = rigid_motion_of(now, k);
             const double farthest = motion.translation.norm(), turn = std::abs(motion.rotation);
             if (farthest <= now.grids[k].size && turn <= 1) continue;
+            if (!std::isfinite(farthest + turn))
+                return "the solution of part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
+                       " is no number: a place in it asks for cells that coordinates hardly tell apart. Ask for less accuracy, "
+                       "or round the corner where contact ends";
             return "part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
                    (turn > 1 ? " turns by more than a radian"
                              : " moves by " + number_text(farthest, 3) + ", more than its own size,") +

@@ -209,6 +209,17 @@ TEST(Friction, IsSolvedByPivotsAlone) {
     EXPECT_GT(found, 95);
 }
 
+/// Numbers that are none, as cells too small for their coordinates give them, are no motion.
+TEST(Friction, OfNoNumbersIsNotConverged) {
+    for (const Index pairs : {0, 3}) {
+        ContactQp qp = random_problem(1, {pairs, 3, 0, 2}, 0.3, true);
+        qp.gap[0] = std::numeric_limits<double>::quiet_NaN();
+        const ContactQpResult r = solve_contact_qp(qp);
+        EXPECT_FALSE(r.converged);
+        EXPECT_EQ(r.mechanism.size(), 0);
+    }
+}
+
 /// Where coefficients are large there may be several answers, and none is found of a few problems; but never a wrong one.
 TEST(Friction, OfAnySizeIsAnsweredByAnAnswerOrNotAtAll) {
     int several = 0, told = 0;
