@@ -72,8 +72,7 @@ std::string status_of(double gap, double touching) {
 }
 
 std::string why_overlapping(const Scene& scene, const Meeting& m) {
-    const bool is_allowed = !m.is_refused;
-    return overlap_text(scene, m) + (is_allowed ? "" : ": " + overlap_hint(scene, m));
+    return overlap_text(scene, m) + (m.is_refused ? ": " + overlap_hint(scene, m) : "");
 }
 
 /// "touching at (0, 0)", "0.1 mm apart at (0, 0)".
