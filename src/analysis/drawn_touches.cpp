@@ -35,7 +35,9 @@ void warn_of_drawn_touches(const Scene& scene, Result& result) {
             joined(unpaired, "; ") + "; round the corner, or support the part");
     if (!overlapping.empty())
         result.warnings.push_back("parts overlap by no more than a drawing is precise to, and are taken as touching there: " +
-                                  joined(overlapping, "; ") + "; contacts.overlap \"press_fit\" presses them apart instead");
+                                  joined(overlapping, "; ") +
+                                  "; what parts that are held on both sides press by is uncertain by as much; contacts.overlap "
+                                  "\"press_fit\" presses them apart instead");
 }
 
 }  // namespace abut
