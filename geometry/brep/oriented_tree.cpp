@@ -56,7 +56,7 @@ private:
 
 /// The box along the largest spread of points.
 OrientedBox spread_box(const std::vector<Vec2>& points) {
-    const Vec2 from = points.front();
+    const Vec2& from = points.front();
     Spread spread(from);
     for (const Vec2& p : points) spread.add(p);
     const Vec2 along = spread.direction();

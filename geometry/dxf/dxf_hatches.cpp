@@ -147,7 +147,7 @@ Hatch read_hatch(const Record& record, const Look& look) {
         std::vector<Curve> loop = (flags & polyline) != 0 ? read_polyline(path) : read_edges(path);
         const int n_sources = path.is_next(97) ? path.integer(97) : 0;
         for (int i = 0; i < n_sources; ++i) path.skip(330);
-        if (path.is_good() && loop.size() > 0 && (flags & text_box) == 0) hatch.loops.push_back(std::move(loop));
+        if (path.is_good() && !loop.empty() && (flags & text_box) == 0) hatch.loops.push_back(std::move(loop));
     }
     if (!path.is_good()) hatch.loops.clear();
     if (record.number(230, 1) < 0) place_hatch(hatch, seen_from_below());

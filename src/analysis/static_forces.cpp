@@ -49,9 +49,8 @@ Eigen::VectorXd work(const solver::MeanConstraint& c, const solver::PartSystem& 
     return sum;
 }
 
-}  // namespace
-
-std::vector<char> given_by_statics(const SolvedAssembly& solved) {
+/// Contacts' forces as far as statics knows them: along their resultant, with friction also across it.
+std::vector<Line> lines_of(const SolvedAssembly& solved) {
     std::vector<Line> lines;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         if (solved.interface_of[k] < 0) continue;
@@ -63,38 +62,52 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
         lines.push_back({k, f});
         if (friction_of(solved, k) > 0) lines.push_back({k, across(solved, k)});
     }
-    std::vector<char> given(solved.contacts.size(), 0);
+    return lines;
+}
+
+/// What unit forces of lines and supports work in the free motions of parts: a row for each motion, a column for each force,
+/// lines before supports.
+Eigen::MatrixXd balance_of(const SolvedAssembly& solved, const std::vector<Line>& lines) {
     Index equations = 0;
     for (const solver::PartSystem& part : solved.problem.parts) equations += static_cast<Index>(part.free_motions.size());
-    if (lines.empty() || equations == 0) return given;
     const std::vector<solver::MeanConstraint>& constraints = solved.problem.constraints;
     Eigen::MatrixXd balance = Eigen::MatrixXd::Zero(equations, static_cast<Index>(lines.size() + constraints.size()));
     Index row = 0;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
-        const auto n_motions = static_cast<Index>(solved.problem.parts[i].free_motions.size());
+        const auto part = static_cast<int>(i);
+        const std::vector<solver::RigidMotion>& motions = solved.problem.parts[i].free_motions;
         for (std::size_t k = 0; k < constraints.size(); ++k)
-            if (constraints[k].part == static_cast<int>(i))
-                balance.col(static_cast<Index>(lines.size() + k)).segment(row, n_motions) =
+            if (constraints[k].part == part)
+                balance.col(static_cast<Index>(lines.size() + k)).segment(row, static_cast<Index>(motions.size())) =
                     work(constraints[k], solved.problem.parts[i]);
-        for (const solver::RigidMotion& motion : solved.problem.parts[i].free_motions) {
-            for (std::size_t j = 0; j < lines.size(); ++j)
-                for (int side : {0, 1})
-                    if (solved.contacts[lines[j].contact].face.part[static_cast<std::size_t>(side)] == static_cast<int>(i))
+        for (const solver::RigidMotion& motion : motions) {
+            for (std::size_t j = 0; j < lines.size(); ++j) {
+                const std::array<int, 2>& touches = solved.contacts[lines[j].contact].face.part;
+                for (std::size_t side : {0U, 1U})
+                    if (touches[side] == part)
                         balance(row, static_cast<Index>(j)) +=
                             (side == 0 ? 1 : -1) * work(lines[j].unit, solved.grids[i], motion);
+            }
             ++row;
         }
     }
+    return balance;
+}
+
+}  // namespace
+
+std::vector<char> given_by_statics(const SolvedAssembly& solved) {
+    const std::vector<Line> lines = lines_of(solved);
+    const Eigen::MatrixXd balance = balance_of(solved, lines);
+    std::vector<char> given(solved.contacts.size(), 0);
+    if (balance.rows() == 0 || lines.empty()) return given;
     const auto [values, vectors] = solver::right_singular_vectors(balance);
     Index rank = 0;
     while (rank < values.size() && values[rank] > rounding * values[0]) ++rank;
     const auto null = vectors.rightCols(balance.cols() - rank);
-    std::vector<char> is_given(lines.size());
-    for (std::size_t j = 0; j < lines.size(); ++j)
-        is_given[j] = null.cols() == 0 || null.row(static_cast<Index>(j)).norm() < rounding;
     for (const Line& line : lines) given[line.contact] = 1;
     for (std::size_t j = 0; j < lines.size(); ++j)
-        if (!is_given[j]) given[lines[j].contact] = 0;
+        if (null.cols() > 0 && null.row(static_cast<Index>(j)).norm() >= rounding) given[lines[j].contact] = 0;
     return given;
 }
 

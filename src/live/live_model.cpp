@@ -206,7 +206,7 @@ void LiveModel::State::work() {
         if (file_stamp(path) != stamp)
             read_again(hold);
         else if (refused == version)
-            changed.wait_for(hold, live_tick);
+            changed.wait_for(hold, live_tick);  // NOLINT(bugprone-branch-clone): what is refused waits before all else
         else if (!prepared || !prepared->answers(inputs))
             analyse(hold, true);
         else if (answered != version)

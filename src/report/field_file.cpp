@@ -34,7 +34,7 @@ std::string array_element(const std::string& type, const std::string& attributes
 
 /// In XML's comments two hyphens end them.
 std::string comment(std::string words) {
-    for (std::size_t at; (at = words.find("--")) != std::string::npos;) words.replace(at, 2, "- -");
+    for (std::size_t at = 0; (at = words.find("--")) != std::string::npos;) words.replace(at, 2, "- -");
     return "<!-- " + escape_xml(words) + " -->\n";
 }
 
