@@ -59,10 +59,11 @@ double wanted_size(double v, double largest, const std::vector<SizeAlong>& sizes
     return size;
 }
 
-/// Crossings of the boundary with the line where coordinate 1 - axis is `at`, and whether the boundary stands steeply on it.
+/// A crossing of the boundary with the line where coordinate 1 - axis is `at`.
 struct Hit {
-    double v;
-    bool steep;
+    double v, lean;  ///< where, and how that changes with `at`
+
+    bool is_steep() const { return std::abs(lean) < 1; }
 };
 
 std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int axis, double at) {
@@ -72,14 +73,15 @@ std::vector<Hit> hits(const std::vector<geometry::MonotonePiece>& pieces, int ax
         if ((p.from[other] < at) == (p.to[other] < at)) continue;
         const double v = axis == 0 ? geometry::x_at(p, at) : geometry::y_at(p, at);
         const double lean = axis == 0 ? geometry::dx_dy(p, at) : geometry::dy_dx(p, at);
-        found.push_back({v, std::abs(lean) < 1});
+        found.push_back({v, lean});
     }
     std::sort(found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.v < b.v; });
     return found;
 }
 
 /// Material between two steep sides along scan lines: walls, which need cells across. Between them the part's own slots: a
-/// spline that reaches across one would tie its arms together.
+/// spline that reaches across one would tie its arms together. Where the sides meet before the next scan line they make a
+/// corner, and how far from it the line falls says nothing.
 void append_walls(std::vector<SizeFeature>& features, const Part& local, int axis, double coarseness) {
     const Box2 box = bounding_box(local);
     const auto pieces = geometry::monotone_pieces(local);
@@ -90,8 +92,8 @@ void append_walls(std::vector<SizeFeature>& features, const Part& local, int axi
         const double at = box.min[1 - axis] + (k + 0.5) / chords * box.size()[1 - axis];
         const std::vector<Hit> found = hits(pieces, axis, at);
         for (std::size_t i = 0; i + 1 < found.size(); ++i) {
-            if (!found[i].steep || !found[i + 1].steep) continue;
-            const double width = found[i + 1].v - found[i].v;
+            const double width = found[i + 1].v - found[i].v, widening = found[i + 1].lean - found[i].lean;
+            if (!found[i].is_steep() || !found[i + 1].is_steep() || std::abs(widening) * 2 * half_strip > width) continue;
             SizeFeature f;
             f.size = i % 2 == 0 ? coarseness * width / cells_across_wall : std::max(width / cells_across_slot, least);
             // only this axis is asked for: the other extent covers everything

@@ -72,6 +72,21 @@ TEST(PartGrid, OneWishThatLinesServeAsWellGetsLines) {
     EXPECT_FALSE(grid.grid.tree);
 }
 
+TEST(PartGrid, WherePartsEndInWedgesMakesNoDifference) {
+    // scan lines for walls cross the tips of this groove's lips, and its bottom, at any distance from the corner
+    for (int k = 0; k < 60; ++k) {
+        const std::string angle = std::to_string(-5 + 10.0 * k / 59), depth = std::to_string(25 + 1.5 * k);
+        const Scene scene = read_scene_text(
+            R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0.3}}, "parts": [{"name": "p", "material": "m", "geometry":
+                {"polygon": [[-60, -30], [60, -30], [60, )" +
+                depth + R"(], [0, 0], [-60, )" + depth + R"(]]}, "place": {"rotate": )" + angle +
+                R"(}}], "supports": [{"on": "p/e0", "fix": ["x", "y"]}]})",
+            "s.json");
+        const PartGrid grid = grid_of_part(scene, 0, {{{{10, 15}}, 0.4, size_growth}, {{{-12, 16}}, 0.4, size_growth}}, 2, 1);
+        EXPECT_LT(grid.grid.n_cells(), 3000) << k;
+    }
+}
+
 TEST(PartGrid, BoxesOfTheSceneHalveCells) {
     const std::string grids = R"(, "accuracy": {"grids": {"p": {"cells": [4, 4], "refine": [)";
     const Scene scene = square_scene(grids + R"({"from": [0.3, 0.3], "to": [0.4, 0.35], "levels": 3}]}}})");
