@@ -115,7 +115,7 @@ void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& me
             for (Index j = 0; j < n_loads; ++j)
                 if (const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i]; load.size() > 0)
                     measures_of_loads_(k, j) += answer.dot(load);
-            measures_of_rows_.row(k) += opening_of(rows_.rows, i, answer);
+            if (rows_.rows.n > 0) measures_of_rows_.row(k) += opening_of(rows_.rows, i, answer);
             if (part.modes.cols() > 0)
                 measures_of_modes_.row(k).segment(offset[i], part.modes.cols()) += weight.transpose() * part.modes;
         }

@@ -90,7 +90,7 @@ ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved
         c.peak = std::hypot(c.peak, penetration, pairs);
         c.length = std::hypot(c.length, pairs);
         e.contact_pressure = std::max(*e.contact_pressure, c.share * c.pressure);
-        e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
+        if (!c.at_corner) e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
     }
     return e;
 }

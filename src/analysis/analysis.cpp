@@ -167,7 +167,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
-    check_assumptions(scene, out, result);
+    check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);
     warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);

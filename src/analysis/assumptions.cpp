@@ -8,6 +8,7 @@
 
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
@@ -27,6 +28,7 @@ namespace {
 /// Rotations and strains beyond which linear kinematics and elasticity are in doubt: a warning.
 constexpr double large_rotation = 0.05, large_strain = 0.05;
 constexpr double large_motion = 0.05;  // of the part's size
+constexpr double small_region = 0.01;  // of the part's size, around a singular place
 /// Tension of a bonded pair, over its largest traction, that is more than the fit of the spline.
 constexpr double noted_tension = 1e-3;
 constexpr double rounded_tension = 1e-9;  // of the largest pressure of all
@@ -64,9 +66,15 @@ std::vector<std::pair<int, Vec2>> places_of(const PartOnGrid& g) {
     return places;
 }
 
-LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+/// Where the stress has no limit both pass any bound in some small region, which changes nothing beyond it.
+LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displacement,
+                             const std::vector<SingularPlace>& singular) {
     LargestChange largest;
     for (const auto& [element, x] : places_of(g)) {
+        const Vec2 place = g.frame.to_global(x);
+        if (std::any_of(singular.begin(), singular.end(),
+                        [&](const SingularPlace& s) { return (s.at - place).norm() < small_region * g.size; }))
+            continue;
         const auto u = solver::displacement_at(g.input, displacement, element, x);
         largest.rotation.take(0.5 * std::abs(u.gradient(1, 0) - u.gradient(0, 1)), x);
         const double hoop = g.input.axis ? solver::hoop_strain(g.input, x, u) : 0.0;
@@ -76,12 +84,13 @@ LargestChange largest_change(const PartOnGrid& g, const Eigen::VectorXd& displac
 }
 
 /// What would treat it is an effect of the plan that is off: there is no key for it.
-void check_kinematics(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+void check_kinematics(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved, Result& result) {
     std::vector<Finding> motions, rotations, strains;
     const double size = model_size(result);
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         const PartOnGrid& g = solved.grids[k];
-        const auto& [rotation, strain] = largest_change(g, solved.solution.displacement[k]);
+        const auto& [rotation, strain] =
+            largest_change(g, solved.solution.displacement[k], singular_places(scene, conditions, solved, g.part));
         const std::string& name = scene.parts[at(g.part)].name;
         const ValueAt& motion = result.parts[at(g.part)].max_displacement;
         const double degrees = rotation.value * 180 / std::numbers::pi;
@@ -290,8 +299,8 @@ void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Resul
 
 }  // namespace
 
-void check_assumptions(const Scene& scene, const Outcome& out, Result& result) {
-    check_kinematics(scene, out.solved, result);
+void check_assumptions(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result) {
+    check_kinematics(scene, conditions, out.solved, result);
     check_yield(scene, out.solved, result);
     check_bonds(result);
     check_thickness(scene, out.solved, result);

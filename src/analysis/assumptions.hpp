@@ -8,6 +8,6 @@ namespace abut {
 
 /// Warns where the answer does not bear out small displacements and strains, elasticity, bonds, rules that were to be of use,
 /// grids as fine as wanted, the balance of forces, or the theory of nearly incompressible and of rigid parts.
-void check_assumptions(const Scene& scene, const Outcome& out, Result& result);
+void check_assumptions(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result);
 
 }  // namespace abut

@@ -13,6 +13,12 @@ inline double between(double low, double high, Random& random) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
+/// Compilers differ in which argument of a call they compute first: what is random is drawn in statements of its own.
+inline Vec2 anywhere_in(const Box2& box, Random& random) {
+    const double y = between(box.min.y(), box.max.y(), random);
+    return {between(box.min.x(), box.max.x(), random), y};
+}
+
 /// n points around a center, at radii between the two; on a lattice of 1/16 if asked, so that vertices share coordinates.
 inline Polygon star(int n, double least, double most, bool lattice, Random& random) {
     Polygon points;
@@ -23,6 +29,13 @@ inline Polygon star(int n, double least, double most, bool lattice, Random& rand
         points.push_back(p);
     }
     return points;
+}
+
+/// One of `least_n` to `least_n + more - 1` points, on a lattice or not.
+inline Polygon star_of(int least_n, unsigned more, double least, double most, Random& random) {
+    const bool lattice = random() % 2 == 0;
+    const int n = least_n + static_cast<int>(random() % more);
+    return star(n, least, most, lattice, random);
 }
 
 inline std::vector<Curve> backwards(const std::vector<Curve>& curves) {
@@ -65,9 +78,9 @@ inline Curve side(int kind, const Vec2& p, const Vec2& q, Random& random) {
 
 inline Part random_polygon(Random& random) {
     Part part;
-    add_loop(part, closed(star(3 + static_cast<int>(random() % 10), 0.6, 1.4, random() % 2 == 0, random)));
+    add_loop(part, closed(star_of(3, 10, 0.6, 1.4, random)));
     if (random() % 2 == 0) {
-        Polygon hole = star(3 + static_cast<int>(random() % 4), 0.1, 0.2, random() % 2 == 0, random);
+        Polygon hole = star_of(3, 4, 0.1, 0.2, random);
         std::reverse(hole.begin(), hole.end());
         add_loop(part, closed(hole));
     }
@@ -125,7 +138,7 @@ inline Part random_spline(bool rational, Random& random) {
 }
 
 inline Part random_mixed(Random& random) {
-    const Polygon points = star(4 + static_cast<int>(random() % 5), 0.8, 1.2, random() % 2 == 0, random);
+    const Polygon points = star_of(4, 5, 0.8, 1.2, random);
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < points.size(); ++i)
         curves.push_back(side(static_cast<int>(random() % 6), points[i], points[(i + 1) % points.size()], random));

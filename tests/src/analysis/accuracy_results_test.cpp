@@ -121,6 +121,15 @@ TEST(AccuracyResults, PairsOfWherePartsWereDrawnCount) {
     EXPECT_TRUE(filled(single, {0.004}).reasons.empty());
 }
 
+TEST(AccuracyResults, PeaksAtCornersDoNotCountWhereverPartsWereDrawn) {
+    Outcome corner = outcome(0.003, 0, PathEnd::reached);
+    corner.errors.back().contacts[0]->at_corner = true;
+    corner.errors.back().contacts[0]->peak = 0.2;
+    const Result result = filled(corner, {0.001});
+    EXPECT_TRUE(result.accuracy.reached);
+    EXPECT_LT(*result.accuracy.estimate, 0.004);
+}
+
 TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
     EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
     Outcome corner = outcome(0.005, 0, PathEnd::reached);
