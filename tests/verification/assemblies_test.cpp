@@ -21,6 +21,7 @@ class LongAssemblies : public testing::TestWithParam<std::string> {};
 /// Known to differ by more than is stated.
 const std::map<std::string, std::string> differing{
     {"beam_on_stops 1", "forces differ by 0.5 %, and are stated to 0.2 %: strips of cells through the beam"},
+    {"beam_on_stops 2", "forces differ by 0.18 %, and are stated to 0.11 %: the beam bends on coarse cells"},
     {"beam_on_stops 6", "forces differ by 0.08 %, and are stated to 0.05 %: the same"},
     {"beam_on_stops 17", "forces differ by 0.04 %, and are stated to 0.03 %: the same"},
     {"beam_on_stops 20", "forces differ by 1.3 %, and are stated to 0.5 %: the same"},
