@@ -417,10 +417,13 @@ TEST(Facing, RandomPosesAreConsistentAndSymmetric) {
     const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     int n_zones = 0;
     for (int k = 0; k < 300; ++k) {
-        const Part a = turned(k % 2 ? rounded(-2, -1, 2, 1, uniform(0.1, 0.9)) : block(-2, -1, 2, 1), uniform(-3, 3), {0, 0});
-        const Part b = k % 3 == 0   ? disc({uniform(-3, 3), uniform(-3, 3)}, uniform(0.2, 2), uniform(0, 6))
-                       : k % 3 == 1 ? plate_with_hole(5, {uniform(-0.4, 0.4), uniform(-0.4, 0.4)}, uniform(2, 3), uniform(0, 6))
-                                    : turned(rounded(-1, -1, 1, 1, 0.3), uniform(-3, 3), {uniform(-3, 3), uniform(-3, 3)});
+        // in statements of their own: compilers differ in which argument of a call they compute first
+        const double rounding = uniform(0.1, 0.9), angle = uniform(-3, 3), other = uniform(-3, 3), share = uniform(0, 1);
+        const Vec2 place{uniform(-3, 3), uniform(-3, 3)};
+        const Part a = turned(k % 2 ? rounded(-2, -1, 2, 1, rounding) : block(-2, -1, 2, 1), angle, {0, 0});
+        const Part b = k % 3 == 0   ? disc(place, 0.2 + 1.8 * share, other)
+                       : k % 3 == 1 ? plate_with_hole(5, 0.13 * place, 2 + share, other)
+                                    : turned(rounded(-1, -1, 1, 1, 0.3), other, place);
         const double d = uniform(0.01, 1);
         expect_consistent(a, b, d);
         const auto there = find_facing_zones(a, b, d), back = find_facing_zones(b, a, d);
