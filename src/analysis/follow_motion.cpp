@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "geometry/brep/part.hpp"
+#include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
@@ -36,6 +37,18 @@ bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vec
     out = std::move(answer);
     rest = std::move(there);
     return true;
+}
+
+/// Is the target missed since pairs were found where the parts were?
+bool is_paired_astray(const Scene& scene, const Outcome& out) {
+    const std::vector<double> of_pairs = moved_pair_errors(scene, out.solved);
+    const std::vector<std::optional<ContactError>>& errors = out.errors.back().contacts;
+    for (std::size_t k = 0; k < of_pairs.size(); ++k) {
+        const ContactError error = k < errors.size() ? errors[k].value_or(ContactError{}) : ContactError{};
+        const double by_pairs = error.share * 2 * of_pairs[k], by_grids = error.share * error.pressure;
+        if (std::hypot(by_pairs, by_grids) > out.target && by_pairs > 0.5 * out.target) return true;
+    }
+    return false;
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -89,7 +102,9 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!beside.placements.empty()) solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
-        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
+        const bool is_known = settling.end == Settling::End::stays || settling.end == Settling::End::rests,
+                   is_astray = is_known && is_paired_astray(rest ? rest->scene : drawn, out);
+        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved, is_astray ? 0 : placed_fraction);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);

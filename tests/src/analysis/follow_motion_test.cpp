@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/results/verdict.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut::follow_motion_test {
@@ -69,6 +70,31 @@ TEST(FollowMotion, APartThatTipsOverIsAReason) {
     EXPECT_TRUE(tips(over));
     EXPECT_NEAR(back.parts.at(1).placement->rotation, std::numbers::pi / 18, 1e-6);
     EXPECT_FALSE(tips(back));
+}
+
+/// A pin with 5 % clearance moves by less than is far, but by more than pairs of where it was drawn are good for.
+TEST(FollowMotion, WhatIsPairedAstrayIsPairedAnew) {
+    const auto pin_at = [](const std::string& x, const std::string& y) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "plate", "material": "m", "geometry": {"difference": [
+                {"rectangle": {"min": [-30, -30], "max": [30, 30]}, "name": "p"}, {"circle": {"center": [0, 0], "radius": 10}}]}},
+            {"name": "pin", "material": "m", "geometry": {"circle": {"center": [)" +
+                            x + ", " + y + R"(], "radius": 9.5}}}],
+            "supports": [{"on": "plate/p/bottom", "fix": ["x", "y"]}],
+            "loads": [{"part": "pin", "force": [0, -3000]}]})");
+    };
+    const Result in_place = pin_at("0", "-0.5");
+    ASSERT_EQ(verdict_of(in_place), Verdict::reached);
+    EXPECT_FALSE(in_place.parts.at(1).placement);
+    const double peak = in_place.contacts.at(0).max_pressure.value;
+    for (const auto& [x, y] : {std::pair{"0", "0"}, {"0.45", "0"}, {"0", "0.45"}, {"-0.2", "-0.3"}}) {
+        SCOPED_TRACE(std::string(x) + ", " + y);
+        const Result r = pin_at(x, y);
+        EXPECT_EQ(verdict_of(r), Verdict::reached);
+        const ContactResult& c = r.contacts.at(0);
+        EXPECT_NEAR(c.max_pressure.value, peak, (c.errors->peak + in_place.contacts[0].errors->peak) * peak);
+    }
+    EXPECT_TRUE(pin_at("0", "0.45").parts.at(1).placement);
 }
 
 }  // namespace abut::follow_motion_test
