@@ -34,6 +34,7 @@ bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vec
         answer = solve_adaptively(there.scene, conditions, options, seconds);
     } catch (const InputError&) { return false; }  // overlaps of parts that press on each other: no better place
     if (!has_answer(answer)) return false;
+    if (!has_fits(drawn.contacts)) answer.uses.erase("interference");  // what bodies are pressed apart by is their own contact
     out = std::move(answer);
     rest = std::move(there);
     return true;
@@ -49,6 +50,20 @@ bool is_paired_astray(const Scene& scene, const Outcome& out) {
         if (std::hypot(by_pairs, by_grids) > out.target && by_pairs > 0.5 * out.target) return true;
     }
     return false;
+}
+
+/// Do the parts of a solution move as their placements say, but for half of it? What else they move by is elastic, and would
+/// have them paired astray from there as well.
+bool is_explained_by(const std::vector<Placement>& placements, const SolvedAssembly& solved) {
+    double most = 0, left = 0;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const solver::RigidMotion m = rigid_motion_of(solved, k);
+        const Placement& p = placements[at(solved.grids[k].part)];
+        const double half = 0.5 * solved.grids[k].size;
+        most = std::max({most, m.translation.norm(), half * std::abs(m.rotation)});
+        left = std::max({left, (p.of(m.center) - m.center - m.translation).norm(), half * std::abs(p.angle - m.rotation)});
+    }
+    return left <= 0.5 * most;
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -97,14 +112,13 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
                    const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     constexpr int most_placements = 5;
-    if (settling.end == Settling::End::stays && !has_answer(out)) {
+    if (settling.end == Settling::End::stays && (!has_answer(out) || is_paired_astray(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
-        if (!beside.placements.empty()) solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
+        if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
+            solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
-        const bool is_known = settling.end == Settling::End::stays || settling.end == Settling::End::rests,
-                   is_astray = is_known && is_paired_astray(rest ? rest->scene : drawn, out);
-        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved, is_astray ? 0 : placed_fraction);
+        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);

@@ -11,9 +11,9 @@ namespace abut {
 /// The place of rest that parts settle at as rigid bodies, if that is far from where they are drawn.
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling);
 
-/// Where nothing holds a part as drawn that rests a little beside, solves there. Where the solution goes far from the place
-/// that it was paired at (`rest`, or as drawn), or farther than the accuracy asked for allows, solves again from there, a few
-/// times at most.
+/// Where nothing holds a part as drawn that rests a little beside, or pairs of where parts are drawn are why the target is
+/// missed, solves where they rest as rigid bodies. Where the solution goes far from the place that it was paired at (`rest`, or
+/// as drawn), solves again from there, a few times at most.
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
                    const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest);
 

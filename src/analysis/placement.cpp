@@ -32,14 +32,14 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
     return motion;
 }
 
-std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved, double least_fraction) {
+std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved) {
     if (!why_not_followed(scene).empty()) return std::nullopt;
     std::vector<Placement> placements(scene.parts.size());
     bool any = false;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         const double size = solved.grids[k].size;
         const solver::RigidMotion motion = rigid_motion_of(solved, k);
-        if (std::max(motion.translation.norm(), 0.5 * size * std::abs(motion.rotation)) <= least_fraction * size) continue;
+        if (std::max(motion.translation.norm(), 0.5 * size * std::abs(motion.rotation)) <= placed_fraction * size) continue;
         any = true;
         placements[at(solved.grids[k].part)] =
             without_rounding(about_center(motion.center, motion.translation, motion.rotation), motion.center, size);

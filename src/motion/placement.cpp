@@ -114,6 +114,11 @@ bool is_led_far(const Scene& scene, const Support& support) {
     });
 }
 
+bool has_fits(const ContactOptions& contacts) {
+    return contacts.overlap != "report" ||
+           std::any_of(contacts.pairs.begin(), contacts.pairs.end(), [](const PairRule& r) { return r.interference != 0; });
+}
+
 bool has_friction(const ContactOptions& contacts) {
     return contacts.friction > 0 || std::any_of(contacts.pairs.begin(), contacts.pairs.end(),
                                                 [](const PairRule& r) { return r.friction.value_or(0) > 0; });

@@ -43,6 +43,8 @@ bool is_led_far(const Scene& scene, const Support& support);
 
 /// Has any pair of edges friction?
 bool has_friction(const ContactOptions& contacts);
+/// May any pair of them be pressed apart: by an interference, or since parts are drawn over each other?
+bool has_fits(const ContactOptions& contacts);
 
 /// Why parts are taken where they are drawn, however far they go; empty: they are followed. Something is given that means
 /// another thing elsewhere (a load by expressions of the place, a prescribed motion, a rule for edges near a point), bonds hold

@@ -37,11 +37,6 @@ constexpr double settled = 1e-4;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
 
-bool has_fits(const ContactOptions& contacts) {
-    return contacts.overlap != "report" ||
-           std::any_of(contacts.pairs.begin(), contacts.pairs.end(), [](const PairRule& r) { return r.interference != 0; });
-}
-
 std::string why_not_settled(const Scene& scene) {
     if (const std::string why = why_not_followed(scene); !why.empty()) return why;
     if (scene.parts.size() < 2) return "there is nothing to rest on";

@@ -148,6 +148,11 @@ std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     if (const JsonValue* at = find_member(value, "at")) {
         if (kind.kind == Load::Kind::edge_force)
             load.at = read_vector(reading, *at, dimension::length);
+        else if (kind.kind == Load::Kind::part_force)
+            report_problem(
+                reading, *at, "a force at a point of a part is not there yet: beside it stress has no limit",
+                "name the edge that it acts on (\"on\" in place of \"part\", with the same \"at\"); without \"at\" a "
+                "part's force acts on all of it, like a weight");
         else
             report_problem(reading, *at, "'at' goes with 'force' on edges ('on') alone", "take it away");
     }
