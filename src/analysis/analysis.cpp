@@ -18,6 +18,7 @@
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
 #include "src/analysis/moved_pairs.hpp"
+#include "src/analysis/needed_friction.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/turned_contacts.hpp"
@@ -177,6 +178,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
+    note_needed_friction(scene, conditions, result);
     warn_of_drawn_touches(scene, result);
 }
 
