@@ -222,7 +222,7 @@ struct PassSummary {
 
 /// Why a solved answer is less than what was asked for. One is enough for the verdict "solved, but" (src/results/verdict.hpp).
 struct Reason {
-    std::string kind;  ///< a word for programs: "accuracy", "yield", ... (src/results/README.md)
+    std::string kind;  ///< a word for programs: "accuracy", "yield", ... (data/schema/result.schema.json has them all)
     std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
 };
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/src/reference/schema_check.hpp"
+
 namespace layers_test {
 
 namespace {
@@ -203,6 +205,44 @@ TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
             EXPECT_TRUE(entry.is_directory() ? contains(names, entry.path().filename().string())
                                              : entry.path().filename() == "layers_test.cpp")
                 << entry.path();
+}
+
+struct Told {
+    std::vector<std::string> kinds;
+    std::ptrdiff_t calls = 0;
+};
+
+/// The kinds in the calls of tell(findings, kind, result), and how many calls there are.
+Told told_in(const std::string& text) {
+    static const std::regex call(R"(\btell\()"), kind(R"rx("(\w+)",\s*result\);)rx");
+    Told told;
+    const std::sregex_iterator end;
+    for (std::sregex_iterator k(text.begin(), text.end(), kind); k != end; ++k) told.kinds.push_back((*k)[1]);
+    told.calls = std::distance(std::sregex_iterator(text.begin(), text.end(), call), end);
+    return told;
+}
+
+/// Who reads reasons[].kind of result.json finds there what it means; and nothing that is never said.
+TEST(Layers, TheSchemaKnowsEveryKindOfReason) {
+    const schema_check::Json reason = schema_check::json_of(schema_check::schema_file("result"))["properties"]["reasons"];
+    const schema_check::Json& kind = reason["items"]["properties"]["kind"];
+    std::set<std::string> known, told;
+    for (const auto& word : kind["enum"]) {
+        known.insert(word.get<std::string>());
+        EXPECT_NE(kind["description"].get<std::string>().find(" " + word.get<std::string>() + ": "), std::string::npos) << word;
+    }
+    for (const std::string& file : source_files()) {
+        const std::string text = read(file);
+        if (file == "src/results/findings.cpp" || text.find("\"src/results/findings.hpp\"") == std::string::npos) continue;
+        const Told found = told_in(text);
+        EXPECT_EQ(static_cast<std::ptrdiff_t>(found.kinds.size()), found.calls)
+            << file << ": kinds are written where they are told";
+        EXPECT_EQ(text.find("reasons.push_back"), std::string::npos) << file;
+        told.insert(found.kinds.begin(), found.kinds.end());
+    }
+    EXPECT_EQ(told, known);
+    EXPECT_EQ(told_in("tell(a, \"b\", result);\ntell({{0,\n  f(x)}},\n  \"c_d\",\n  result);\ntell(e, f, result);").kinds,
+              (std::vector<std::string>{"b", "c_d"}));
 }
 
 TEST(Layers, TheCheckSeesTheFilesAndTheirIncludes) {
