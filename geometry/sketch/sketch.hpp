@@ -149,8 +149,6 @@ struct SketchParts {
 /// of their length) and crossings are problems with place, gap size and file line; everything that was mended is a repair. The
 /// numbers of the results are in the file's coordinates.
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
-/// Makes parts by layer, whatever options.parts_by says.
-SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
 
 /// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.
 double unit_factor(const std::string& from, const std::string& to);

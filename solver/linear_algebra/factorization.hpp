@@ -81,8 +81,8 @@ public:
     double condition_estimate() const;
     /// The same from products with the matrix as it was given, where they cost less than those of its factor.
     double condition_estimate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& matrix) const;
-    /// The same of A as it was given, not scaled, as in the tables of [Grishin10]; the 1-norm one costs five solutions.
-    double unscaled_condition_two() const;
+    /// 1-norm condition number of A as it was given, not scaled, as in the tables of [Grishin10], from below; costs five
+    /// solutions.
     double unscaled_condition_one() const;
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
