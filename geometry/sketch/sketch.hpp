@@ -97,7 +97,7 @@ struct Drawing {
 /// only cuts the parts of one layer by lines of another.
 enum class PartsBy { automatic, layer, block, loop, color };
 
-/// Of what does not close, a gap below this fraction of the length of what is drawn is a fault of the drawing; wider ones
+/// A gap in what does not close, below this fraction of the length of what is drawn, is a fault of the drawing; wider ones
 /// belong to leaders, threads, arrows, and axes.
 inline constexpr double nearly_closed_fraction = 0.01;
 

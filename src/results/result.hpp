@@ -109,7 +109,7 @@ struct PartField {
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
-    /// Of bonded ones and those with friction: tangential traction on the second part, along the first's normal turned left.
+    /// Bonded, or with friction: tangential traction on the second part, along the first's normal turned left.
     std::vector<double> shear;
     std::vector<double> slip;        ///< with friction: how far the second part has moved along that direction since drawn
     std::vector<std::string> state;  ///< with friction: open, stick, slip

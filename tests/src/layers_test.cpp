@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -159,6 +160,16 @@ std::string read(const std::string& file) {
     return text.str();
 }
 
+/// Does the text have it, with no letter, digit or underscore on either side?
+bool has_word(const std::string& text, const std::string& word) {
+    const auto is_part = [&](std::size_t k) {
+        return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        if (!(at > 0 && is_part(at - 1)) && !is_part(at + word.size())) return true;
+    return false;
+}
+
 TEST(Layers, NoFileIncludesWhatItMustNot) {
     for (const std::string& file : source_files()) {
         for (const std::string& line : faults_of(file, read(file))) ADD_FAILURE() << line;
@@ -183,7 +194,33 @@ TEST(Layers, OneNameIsOneType) {
               both);
 }
 
-/// Neither a folder more than the order of rooms knows nor one less, each with its README.
+/// Beginnings of comments of declarations that only whoever reads the declaration before understands; by line.
+std::vector<int> leaning_comments(const std::string& text) {
+    static const std::regex comment(R"(^\s*///.*)"), leaning(R"(^\s*/// (Of|The same|By)\b.*)");
+    std::vector<int> found;
+    std::istringstream stream(text);
+    std::string line;
+    bool goes_on = false;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (!goes_on && std::regex_match(line, leaning)) found.push_back(number);
+        goes_on = std::regex_match(line, comment);
+    }
+    return found;
+}
+
+TEST(Layers, CommentsOfHeadersStandByThemselves) {
+    for (const std::string& file : source_files()) {
+        if (!is_header(file)) continue;
+        for (const int line : leaning_comments(read(file)))
+            ADD_FAILURE() << file << ":" << line << ": a sentence with a subject, please";
+    }
+    EXPECT_EQ(
+        leaning_comments("/// Of a part.\nint a();\n    /// The same.\nint b();\n/// The sameness\n/// of a part.\nint c();\n"
+                         "/// Whatever\n/// Of old.\nint d();  ///< by part\n/// By part.\n"),
+        (std::vector<int>{1, 3, 11}));
+}
+
+/// Neither a folder more than the order of rooms knows nor one less, each with its README, which has every file.
 TEST(Layers, EveryFileStandsInARoom) {
     std::map<std::string, std::set<std::string>> found;
     for (const std::string& file : source_files()) {
@@ -196,6 +233,13 @@ TEST(Layers, EveryFileStandsInARoom) {
             EXPECT_TRUE(found[floor].contains(room)) << floor << "/" << room << " is empty";
             EXPECT_FALSE(read(floor + "/" + room + "/README.md").empty()) << floor << "/" << room << " has no README.md";
         }
+    for (const std::string& file : source_files()) {
+        if (!is_in_a_room(file)) continue;
+        const std::string readme = layer_of(file) + "/" + room_of(file) + "/README.md";
+        EXPECT_TRUE(has_word(read(readme), fs::path(file).stem().string())) << readme << " has not " << file;
+    }
+    EXPECT_TRUE(has_word("| `a_b`, `c` |", "a_b") && has_word("`a.hpp`", "a"));
+    EXPECT_FALSE(has_word("| `a_b`, `c` |", "a") || has_word("| `a_b`, `c` |", "b"));
 }
 
 TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
