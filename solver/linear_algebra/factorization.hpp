@@ -80,7 +80,7 @@ public:
     /// 2-norm condition number of S A S, from below, by Lanczos' method: typically to a few per cent. Computed anew at every
     /// call; measured: the price of 10 to 15 solutions.
     double condition_estimate() const;
-    /// That condition number from products with the matrix as it was given, where they cost less than those of its factor.
+    /// 2-norm condition number of S A S from products with A as it was given, where they cost less than the factor's.
     double condition_estimate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& matrix) const;
     /// 1-norm condition number of A as it was given, not scaled, as in the tables of [Grishin10], from below; costs five
     /// solutions.
