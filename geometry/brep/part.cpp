@@ -95,8 +95,4 @@ double edge_arc_length(const Edge& edge, double t) {
     return edge.along_source ? length(edge.curve, 0, t) : length(edge.curve, t, 1);
 }
 
-SourcePoint source_point(const Edge& edge, double t) {
-    return {edge.source, edge.source_begin + edge_arc_length(edge, t)};
-}
-
 }  // namespace abut::geometry

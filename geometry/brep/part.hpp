@@ -62,12 +62,4 @@ Part transformed(const Part& part, double c, double s, const Vec2& d);
 /// edge's curve.
 double edge_arc_length(const Edge& edge, double t);
 
-/// A point of a part's boundary as the model knows it: through Booleans, placements and trimming back to what was drawn.
-struct SourcePoint {
-    std::string name;   ///< of the primitive's or imported edge
-    double arc_length;  ///< along it from its beginning, in its own direction; in the part's unit, after scaling
-};
-/// The point at parameter t of the edge's curve as a point of its source.
-SourcePoint source_point(const Edge& edge, double t);
-
 }  // namespace abut::geometry

@@ -33,8 +33,8 @@ struct HulledPiece {
     Box2 box;  ///< of the hull
 };
 
-/// Of an arc the ends and where the tangents at its ends meet the one at its middle. Without hull where rounding hides that
-/// (an arc of a full turn, all but a bit).
+/// A piece with its hull: of an arc its ends, and where the tangents there meet the one at its middle. Without hull where
+/// rounding hides that (an arc of a full turn, all but a bit).
 HulledPiece hulled(const OutlinePiece& piece);
 
 /// The pieces of an outline, loop after loop, and a tree of their boxes.

@@ -26,8 +26,8 @@ struct OutlineFault {
 /// swept_fault besides for the rest.
 std::optional<OutlineFault> exact_fault(const Part& part);
 
-/// The same by CGAL's sweep over the whole outline, whatever is wrong with it. Cost O(n log n), some 15 microseconds for each
-/// line and 40 for each arc.
+/// What exact_fault finds, by CGAL's sweep over the whole outline, whatever is wrong with it. Cost O(n log n), some 15
+/// microseconds for each line and 40 for each arc.
 std::optional<OutlineFault> swept_fault(const Part& part);
 
 /// Is there a proof, by exact arithmetic on the pairs of edges that come near each other, that swept_fault finds nothing? Some

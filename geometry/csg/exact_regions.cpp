@@ -158,7 +158,7 @@ struct ExactCarrier {
 };
 
 /// Where one edge ends and the next begins: one point, or two with a bridge between them.
-struct Joint {
+struct ExactJoint {
     OneRoot end, begin;
     std::optional<std::pair<Rational, Rational>> bridge;
 };
@@ -242,7 +242,7 @@ Rational point_near(const ExactEdge& edge, bool at_end, double distance) {
     return {edge.center.x() + edge.radius * r.c, edge.center.y() + edge.radius * r.s};
 }
 
-Joint joint(const ExactEdge& a, const ExactEdge& b, double size) {
+ExactJoint joint(const ExactEdge& a, const ExactEdge& b, double size) {
     if (is_line(a) && is_line(b)) return {one_root(a.to), one_root(b.from), {}};  // made equal by close_line_gaps
     if (same_circle(a, b)) {
         const OneRoot p = one_root(point_near(a, true, 0));
@@ -330,7 +330,7 @@ struct ExactPrimitives::Model {
     /// Gives neighbours the same exact end where one of them is a run of arcs. A line whose neighbour was joined to another
     /// primitive's edge (equal but for rounding) gives way; a circle cannot, and gets a bridge.
     void join_carriers(std::vector<ExactEdge>& edges);
-    Joint joint_of(const ExactEdge& a, const ExactEdge& b, double size);
+    ExactJoint joint_of(const ExactEdge& a, const ExactEdge& b, double size);
     void add_closed(const ExactEdge& edge, std::vector<MonotoneCurve>& pieces);
     void add_arcs(const ExactEdge& edge, std::vector<MonotoneCurve>& pieces);
 
@@ -412,7 +412,7 @@ void ExactPrimitives::Model::join_carriers(std::vector<ExactEdge>& edges) {
     }
 }
 
-Joint ExactPrimitives::Model::joint_of(const ExactEdge& a, const ExactEdge& b, double size) {
+ExactJoint ExactPrimitives::Model::joint_of(const ExactEdge& a, const ExactEdge& b, double size) {
     if (!a.run && !b.run) return joint(a, b, size);
     const Rational end = exact_end(a, true), begin = exact_end(b, false);
     if (end == begin) return {one_root(end), one_root(begin), {}};
@@ -453,7 +453,7 @@ std::vector<MonotoneCurve> ExactPrimitives::Model::boundary(std::size_t primitiv
     }
     const double size = size_of(primitives_[primitive]);
     const std::size_t n = edges.size();
-    std::vector<Joint> joints;  // after each edge
+    std::vector<ExactJoint> joints;  // after each edge
     for (std::size_t i = 0; i < n; ++i) joints.push_back(joint_of(edges[i], edges[(i + 1) % n], size));
     for (std::size_t i = 0; i < n; ++i) {
         if (edges[i].run)

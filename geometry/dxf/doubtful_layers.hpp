@@ -9,7 +9,7 @@
 
 namespace abut::geometry::dxf {
 
-/// Of these layers, those that hold lines of drafting: no two of their lines are joined, and none is closed.
+/// Those of the layers of the entities that hold lines of drafting: no two of their lines are joined, and none is closed.
 std::set<std::string> layers_of_loose_lines(const std::vector<SketchEntity>& entities);
 
 }  // namespace abut::geometry::dxf

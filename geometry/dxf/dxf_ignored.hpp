@@ -21,6 +21,7 @@ struct Look {
 /// Entities on layer 0 of a block take the insert's layer; colours and line types may be by layer (the default) or by block.
 Look look_of(const Record& entity, const Look& block, const Structure& structure);
 
+/// Does the entity stand on a sheet instead of in the model?
 bool is_in_paper_space(const Record& entity);
 
 /// Does the record belong to the entity before it (VERTEX, ATTRIB, SEQEND), so that it is not counted by itself?

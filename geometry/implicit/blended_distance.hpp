@@ -32,8 +32,8 @@ struct BlendedDistance {
 /// of an edge becomes its closest point.
 ImplicitField blended_distance(const Part& part, const BlendedDistance& options = {});
 
-/// The same for some edges of a part: zero on them, positive elsewhere, on both sides of the boundary; flat away from them.
-/// Throws std::logic_error also if `edges` is empty or names none.
+/// Makes the blended distance of some edges of a part: zero on them, positive elsewhere, on both sides of the boundary; flat
+/// away from them. Throws std::logic_error where blended_distance does, and if `edges` is empty or names none.
 ImplicitField blended_edge_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options = {});
 
 /// Half the smallest radius of curvature, at most widest_strip_fraction of the part's diagonal: within this strip the distance

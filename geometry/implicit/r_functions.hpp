@@ -59,7 +59,7 @@ std::size_t nearest_to_zero(std::span<const T> x) {
 }
 
 /// "On x[0] or on x[1] or ...": (sum |x_i|^-m)^(-1/m), zero where one of them is, with the sign of the one nearest to zero;
-/// m >= 1. It keeps their normalisation to order m (Biswas, Shapiro 2004), is associative, and smooth for even m except where
+/// m >= 1. It keeps their normalisation to order m [Biswas04], is associative, and smooth for even m except where
 /// two vanish together; for odd m derivatives of order m jump where an argument changes sign.
 template <class T>
 T equivalence(std::span<const T> x, int m) {

@@ -3,7 +3,7 @@
 //
 // Legend: f normalised field of the untrimmed curve, positive on the edge's left; g trimming function, positive along the edge
 // and negative on the rest of the curve, 0 at the ends; a half the chord; w the result:
-//     w = sqrt(f^2 + ((sqrt(g^2 + (f^2/a)^2) - g) / 2)^2)        (Biswas, Shapiro 2004; Shapiro, Tsukanov 1999)
+//     w = sqrt(f^2 + ((sqrt(g^2 + (f^2/a)^2) - g) / 2)^2)        [Biswas04; Shapiro99]
 // Differences to the literature: f^4 is divided by a^2, so that the field does not depend on the unit of length; where g > 0
 // the root's sign is f's, which makes w smooth across the edge. Trimmed is not with the disc about the chord, which fails for
 // arcs of half a turn and more, but with the circle that meets the edge's own at right angles at both ends: the disc about the

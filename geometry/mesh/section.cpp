@@ -213,10 +213,6 @@ SectionPlane plane_of(const SectionChoice& choice, const std::vector<Mesh>& bodi
     return plane_of(choice, box, choice.axis < 0 ? wall_axes(bodies) : WallAxes{});
 }
 
-SectionPlane default_plane(const std::vector<Mesh>& bodies) {
-    return plane_of({}, bodies);
-}
-
 Section cut(const MeshFile& mesh, const SectionPlane& plane, const SectionOptions& options) {
     Section section{empty_drawing(mesh), plane, mesh.repairs};
     const std::vector<const Mesh*> bodies = sound_bodies(mesh, section.drawing.problems);

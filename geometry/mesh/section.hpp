@@ -11,10 +11,8 @@ namespace abut::geometry {
 inline constexpr double arc_fraction = 1e-5;
 inline constexpr double least_arc_fraction = 1e-6;
 
-/// The plane of a choice (section_plane.hpp) for these bodies.
+/// The plane of a choice (section_plane.hpp) for these bodies; of an empty choice the one that is cut at by default.
 SectionPlane plane_of(const SectionChoice& choice, const std::vector<Mesh>& bodies);
-/// The plane that is cut at where none is given.
-SectionPlane default_plane(const std::vector<Mesh>& bodies);
 
 /// Bodies cut by a plane, as a drawing.
 struct Section {

@@ -21,9 +21,9 @@ struct Sample {
     double opposition = 0, spread = 0;  ///< see least_opposition, least_spread
 };
 
-class Carrier {
+class ZoneCarrier {
 public:
-    Carrier(const Part& part1, const Part& part2, const CarriedZone& found, const CarryLimits& limits)
+    ZoneCarrier(const Part& part1, const Part& part2, const CarriedZone& found, const CarryLimits& limits)
         : part1_(part1), part2_(part2), found_(found), limits_(limits), same_(FacingModel::same_fraction * limits.size) {
         chains_.chain1 = found.chain1;
         chains_.chain2 = found.chain2;
@@ -275,7 +275,7 @@ private:
 
 std::vector<FacingZone> carried_over(const Part& part1, const Part& part2, const CarriedZone& found,
                                      const CarryLimits& limits) {
-    return Carrier(part1, part2, found, limits).run();
+    return ZoneCarrier(part1, part2, found, limits).run();
 }
 
 }  // namespace abut::geometry

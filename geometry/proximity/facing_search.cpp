@@ -24,7 +24,7 @@ namespace abut::geometry {
 namespace {
 
 /// A stretch by arc length along the chains.
-struct Run {
+struct ChainRun {
     int chain1 = -1, chain2 = -1;
     double begin1 = 0, end1 = 0, begin2 = 0, end2 = 0;
     double gap_begin = 0, gap_end = 0;
@@ -47,8 +47,8 @@ std::vector<Place> places(const Part& part, const std::vector<Chain>& chains) {
 struct BothChains {
     const std::vector<Chain>&first, &second;
     double joint_angle;
-    const Chain& of1(const Run& run) const { return first[static_cast<std::size_t>(run.chain1)]; }
-    const Chain& of2(const Run& run) const { return second[static_cast<std::size_t>(run.chain2)]; }
+    const Chain& of1(const ChainRun& run) const { return first[static_cast<std::size_t>(run.chain1)]; }
+    const Chain& of2(const ChainRun& run) const { return second[static_cast<std::size_t>(run.chain2)]; }
 };
 
 std::vector<FacingStretch> stretches_of(const FacingModel& model) {
@@ -63,15 +63,15 @@ std::vector<FacingStretch> stretches_of(const FacingModel& model) {
     return all;
 }
 
-std::vector<Run> runs_of(const FacingModel& model, const BothChains& chains, const std::vector<FacingStretch>& stretches) {
+std::vector<ChainRun> runs_of(const FacingModel& model, const BothChains& chains, const std::vector<FacingStretch>& stretches) {
     const std::vector<Place> places1 = places(model.part1, chains.first), places2 = places(model.part2, chains.second);
-    std::vector<Run> runs;
+    std::vector<ChainRun> runs;
     for (const FacingStretch& s : stretches) {
         const Place p1 = places1[static_cast<std::size_t>(s.edge1)], p2 = places2[static_cast<std::size_t>(s.edge2)];
         runs.push_back({p1.chain, p2.chain, p1.begin + s.begin.s1, p1.begin + s.end.s1, p2.begin + s.begin.s2,
                         p2.begin + s.end.s2, s.begin.gap, s.end.gap});
     }
-    std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) {
+    std::sort(runs.begin(), runs.end(), [](const ChainRun& a, const ChainRun& b) {
         if (a.chain1 != b.chain1) return a.chain1 < b.chain1;
         if (a.begin1 != b.begin1) return a.begin1 < b.begin1;
         return a.chain2 < b.chain2;
@@ -86,12 +86,12 @@ double difference(const Chain& chain, double a, double b) {
 
 /// How far from each other two runs that meet at a joint may end: what the joint turns by moves the partner by that times the
 /// gap.
-double joint_slack(const FacingModel& model, const Run& run, double joint_angle) {
+double joint_slack(const FacingModel& model, const ChainRun& run, double joint_angle) {
     return 100 * model.same + 2 * joint_angle * std::abs(run.gap_end);
 }
 
 /// Does `next` begin where `run` ends, on both chains?
-bool continues(const FacingModel& model, const BothChains& chains, const Run& run, const Run& next) {
+bool continues(const FacingModel& model, const BothChains& chains, const ChainRun& run, const ChainRun& next) {
     if (run.chain1 != next.chain1 || run.chain2 != next.chain2) return false;
     const double slack = joint_slack(model, run, chains.joint_angle);
     return std::abs(difference(chains.of1(run), next.begin1, run.end1)) <= slack &&
@@ -99,13 +99,13 @@ bool continues(const FacingModel& model, const BothChains& chains, const Run& ru
 }
 
 /// Runs in the order in which they continue each other.
-using Group = std::vector<Run>;
+using Group = std::vector<ChainRun>;
 
 /// Groups of runs that continue each other; runs are sorted, so that a successor stands later but for the seam of a chain.
-std::vector<Group> grouped(const FacingModel& model, const BothChains& chains, const std::vector<Run>& runs) {
+std::vector<Group> grouped(const FacingModel& model, const BothChains& chains, const std::vector<ChainRun>& runs) {
     std::vector<Group> groups;
     std::vector<std::size_t> open;  // groups that may still grow: those of the current chain of part 1
-    for (const Run& run : runs) {
+    for (const ChainRun& run : runs) {
         if (!groups.empty() && groups.back().front().chain1 != run.chain1) open.clear();
         const auto fits = [&](std::size_t g) { return continues(model, chains, groups[g].back(), run); };
         const auto found = std::find_if(open.rbegin(), open.rend(), fits);
@@ -157,7 +157,7 @@ FacingZone zone_of(const FacingModel& model, const BothChains& chains, const Gro
     zone.chain1 = chains.of1(group.front());
     zone.chain2 = chains.of2(group.front());
     zone.closed = closed;
-    const Run &first = group.front(), &last = group.back();
+    const ChainRun &first = group.front(), &last = group.back();
     const double length1 = zone.chain1.length, length2 = zone.chain2.length;
 
     zone.begin1 = first.begin1;
@@ -171,7 +171,7 @@ FacingZone zone_of(const FacingModel& model, const BothChains& chains, const Gro
     }
 
     zone.gap_min = zone.gap_max = first.gap_begin;
-    for (const Run& run : group) {
+    for (const ChainRun& run : group) {
         zone.gap_min = std::min({zone.gap_min, run.gap_begin, run.gap_end});
         zone.gap_max = std::max({zone.gap_max, run.gap_begin, run.gap_end});
     }
@@ -192,7 +192,7 @@ std::vector<FoundZone::Break> breaks_of(const FacingZone& zone, const Group& gro
         breaks.push_back({last.s1 + difference(zone.chain1, s1, last.s1), last.s2 + difference(zone.chain2, s2, last.s2)});
     };
     constexpr int steps = 4;  // a run may be all of a closed chain; a step must be less than half of it
-    for (const Run& run : group)
+    for (const ChainRun& run : group)
         for (int k = 0; k <= steps; ++k) {
             const double share = static_cast<double>(k) / steps;
             add(run.begin1 + share * (run.end1 - run.begin1), run.begin2 + share * (run.end2 - run.begin2));

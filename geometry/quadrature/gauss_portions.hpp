@@ -3,7 +3,7 @@
 //
 // Lines: the exact count. Circles: the integrand is a trigonometric polynomial; points for its degree times the angle, which
 // hold the patch test on discs to 1e-9. Ellipses and splines: Gauss's error for n points is at most
-//     (64/15) M rho^-2(n-1) / (1 - rho^-2)    [Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 19.3]
+//     (64/15) M rho^-2(n-1) / (1 - rho^-2)    [Trefethen13, theorem 19.3]
 // with M the integrand's largest value on the Bernstein ellipse of parameter rho around the portion. M has a closed bound:
 //   sigma = (rho + 1/rho) / 2, on which a polynomial with Bernstein coefficients a_i over the portion is <= max|a_i| sigma^n;
 //   weights between c - d and c + d over the portion: |w| >= c - d sigma^n, which is how the ratio of the weights limits rho;

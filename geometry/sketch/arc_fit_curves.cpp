@@ -62,7 +62,7 @@ double distance_from(const std::vector<Curve>& arcs, const Vec2& p) {
 }
 
 /// Facets first..first + n - 1, counted on around the polyline. Vertices of a run have the numbers of the facets after them.
-struct Run {
+struct PolylineRun {
     int first = 0, n = 0;
     bool is_closed = false;
     std::vector<Vec2> tangents;  ///< n + 1
@@ -92,7 +92,7 @@ public:
 
     std::vector<FacetCurve> curves() {
         std::vector<FacetCurve> found;
-        for (Run& run : runs()) found.push_back(curve(run));
+        for (PolylineRun& run : runs()) found.push_back(curve(run));
         std::sort(found.begin(), found.end(), [](const FacetCurve& a, const FacetCurve& b) { return a.first < b.first; });
         return found;
     }
@@ -136,11 +136,11 @@ private:
 
     // ---- runs ----
 
-    std::vector<Run> runs() {
+    std::vector<PolylineRun> runs() {
         if (n_ < least_facets) return {};
         int begin = 0;
         while (begin < n_ && goes_on(begin)) ++begin;
-        std::vector<Run> found;
+        std::vector<PolylineRun> found;
         if (begin == n_) {
             found.push_back({0, n_, true, {}});
         } else {
@@ -151,14 +151,14 @@ private:
                 vertex = last + 1;
             }
         }
-        for (Run& run : found) set_inner_tangents(run);
-        for (Run& run : found) set_end_tangents(run);
+        for (PolylineRun& run : found) set_inner_tangents(run);
+        for (PolylineRun& run : found) set_end_tangents(run);
         agree_where_runs_meet(found);
         return found;
     }
 
     /// Of the vertices first..last and the facets at them, those no run has taken yet.
-    void add(int first, int last, std::vector<Run>& found) {
+    void add(int first, int last, std::vector<PolylineRun>& found) {
         int begin = first - 1, end = last;  // facets
         if (first == last) return;
         if (is_taken_[index(begin)] || !is_like_others(begin, first, first, last)) ++begin;
@@ -188,7 +188,7 @@ private:
     // ---- tangents ----
 
     /// Angles between a chord and the tangent at its end are those at the third point of the circle.
-    void set_inner_tangents(Run& run) const {
+    void set_inner_tangents(PolylineRun& run) const {
         run.tangents.resize(static_cast<size_t>(run.n) + 1);
         for (int k = run.is_closed ? 0 : 1; k < run.n; ++k) {
             const int v = run.first + k;
@@ -204,7 +204,7 @@ private:
         return 2 * tangent.dot(u) * u - tangent;
     }
 
-    void set_end_tangents(Run& run) const {
+    void set_end_tangents(PolylineRun& run) const {
         if (run.is_closed) return;
         Vec2 &first = run.tangents.front(), &last = run.tangents.back();
         const Vec2 &second = run.tangents[1], &before_last = run.tangents[static_cast<size_t>(run.n) - 1];
@@ -220,9 +220,9 @@ private:
     }
 
     /// One curve whose curvature changed too fast for one run.
-    void agree_where_runs_meet(std::vector<Run>& found) const {
-        for (Run& run : found)
-            for (Run& next : found) {
+    void agree_where_runs_meet(std::vector<PolylineRun>& found) const {
+        for (PolylineRun& run : found)
+            for (PolylineRun& next : found) {
                 if (run.is_closed || next.is_closed || index(run.first + run.n) != index(next.first)) continue;
                 Vec2 &end = run.tangents.back(), &begin = next.tangents.front();
                 const double least = std::min(std::abs(angle_between(run.tangents[static_cast<size_t>(run.n) - 1], end)),
@@ -233,7 +233,7 @@ private:
 
     // ---- arcs ----
 
-    double facet_sagitta(const Run& run, int k) const {
+    double facet_sagitta(const PolylineRun& run, int k) const {
         const auto i = static_cast<size_t>(k);
         return chord(run.first + k).norm() * std::abs(angle_between(run.tangents[i], run.tangents[i + 1])) / 8;
     }
@@ -244,7 +244,7 @@ private:
         std::vector<Curve> arcs;
         double residual;
     };
-    Span span(const Run& run, int from, int to) const {
+    Span span(const PolylineRun& run, int from, int to) const {
         const Vec2 &p = at(run.first + from), &q = at(run.first + to);
         Span found{to, arcs_between(p, run.tangents[static_cast<size_t>(from)], q, run.tangents[static_cast<size_t>(to)]), 0};
         for (int k = from; k <= to; ++k)
@@ -252,7 +252,7 @@ private:
         return found;
     }
 
-    Span longest_span(const Run& run, int from) const {
+    Span longest_span(const PolylineRun& run, int from) const {
         Span best = span(run, from, from + 1);
         double least = facet_sagitta(run, from), turn_so_far = 0;
         for (int to = from + 2; to <= run.n && to - from <= most_spanned; ++to) {
@@ -267,7 +267,7 @@ private:
         return best;
     }
 
-    FacetCurve curve(const Run& run) const {
+    FacetCurve curve(const PolylineRun& run) const {
         FacetCurve found{{}, static_cast<int>(index(run.first)), static_cast<int>(index(run.first + run.n)), run.n, 0, 0};
         for (int k = 0; k < run.n; ++k) found.sagitta = std::max(found.sagitta, facet_sagitta(run, k));
         for (int from = 0; from < run.n;) {

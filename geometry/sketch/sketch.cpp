@@ -333,11 +333,14 @@ void check_exactly(SketchParts& sketch) {
                 {"part " + part.name + ": " + fault->what + " near " + place_text(fault->at), fault->at, "", 0, fault->hint});
 }
 
-SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, PartsBy way) {
+}  // namespace
+
+SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
     SketchParts before;
     const Drawing outlines = without_drafting(with_block_outlines(drawing, options, before), options, before.warnings);
-    SketchParts sketch = way == PartsBy::automatic ? automatic_parts(outlines, options)
-                                                   : with_reason(sketch_by(outlines, options, way), "asked for");
+    SketchParts sketch = options.parts_by == PartsBy::automatic
+                             ? automatic_parts(outlines, options)
+                             : with_reason(sketch_by(outlines, options, options.parts_by), "asked for");
     sketch.repairs.insert(sketch.repairs.begin(), before.repairs.begin(), before.repairs.end());
     sketch.problems.insert(sketch.problems.begin(), before.problems.begin(), before.problems.end());
     sketch.warnings.insert(sketch.warnings.begin(), before.warnings.begin(), before.warnings.end());
@@ -345,16 +348,6 @@ SketchParts sketch_of(const Drawing& drawing, const SketchOptions& options, Part
     tell_repairs(sketch);
     check_exactly(sketch);
     return sketch;
-}
-
-}  // namespace
-
-SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
-    return sketch_of(drawing, options, options.parts_by);
-}
-
-SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options) {
-    return sketch_of(drawing, options, PartsBy::layer);
 }
 
 }  // namespace abut::geometry

@@ -97,7 +97,7 @@ struct Drawing {
 /// only cuts the parts of one layer by lines of another.
 enum class PartsBy { automatic, layer, block, loop, color };
 
-/// Of what does not close, a gap below this fraction of the length of what is drawn is a fault of the drawing; wider ones
+/// A gap in what does not close, below this fraction of the length of what is drawn, is a fault of the drawing; wider ones
 /// belong to leaders, threads, arrows, and axes.
 inline constexpr double nearly_closed_fraction = 0.01;
 
@@ -149,8 +149,6 @@ struct SketchParts {
 /// of their length) and crossings are problems with place, gap size and file line; everything that was mended is a repair. The
 /// numbers of the results are in the file's coordinates.
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options);
-/// Makes parts by layer, whatever options.parts_by says.
-SketchParts parts_by_layer(const Drawing& drawing, const SketchOptions& options);
 
 /// Factor from one length unit to another ("mm", "cm", "m", "in", "ft", "um"); 0 for unknown names.
 double unit_factor(const std::string& from, const std::string& to);

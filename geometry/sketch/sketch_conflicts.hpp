@@ -7,10 +7,9 @@
 
 namespace abut::geometry {
 
-/// Of two outlines that cross,
+/// Settles what becomes of two outlines that cross:
 ///   - a circle through the middles of two other circles or more is a pitch circle, and where all belongs to one part
-///   (`is_one_part`: a layer's) any other circle is one of construction: left
-///     out, and told;
+///     (`is_one_part`: a layer's) any other circle is one of construction: left out, and told;
 ///   - another circle that crosses lines, and an outline that meets the other one only where it has corners itself, are drawn
 ///     over it: both are kept, the former `is_overlaid` (by closed chain of the result), and the overlap is told;
 ///   - all others are a problem, and both left out: which side is material cannot be told.

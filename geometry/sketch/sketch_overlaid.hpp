@@ -7,9 +7,9 @@
 
 namespace abut::geometry {
 
-/// Of closed chains of uncut entities, those that others run through from corner to corner: some other entity lies in such a
-/// chain with a piece of it, and outside with another, and meets it only where the chain has corners. So it was drawn to fit
-/// what it lies on, which was drawn without it. By chain.
+/// Tells of each closed chain of uncut entities whether others run through it from corner to corner: some other entity lies in
+/// such a chain with a piece of it, and outside with another, and meets it only where the chain has corners. So it was drawn to
+/// fit what it lies on, which was drawn without it.
 std::vector<bool> overlaid_chains(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                   double tolerance);
 

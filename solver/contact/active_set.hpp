@@ -62,14 +62,14 @@ enum class SetSearch { found, repeated, singular };
 SetSearch primal_dual(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& active, ClosedFactor& factor,
                       ContactState& state, int& iterations);
 
-/// The same with a proximal term that leaves no motion free, which always ends [Judice94]: all rows change that want to as long
-/// as these become fewer, and for a few steps besides; then one row alone, from the set that had the fewest, or, without
-/// `one_by_one`, `repeated` is answered.
+/// Active sets by block pivoting, with a proximal term that leaves no motion free, which always ends [Judice94]: all rows
+/// change that want to as long as these become fewer, and for a few steps besides; then one row alone, from the set that had
+/// the fewest, or, without `one_by_one`, `repeated` is answered.
 SetSearch pivot_by_blocks(const ShiftedQp& shifted, const Proximal& proximal, bool one_by_one, ActiveSet& active,
                           ClosedFactor& factor, ContactState& state, int& iterations);
 
-/// The same without a proximal term. Motions that a set leaves free stay where they are, or clear the open rows that would
-/// penetrate there. singular: C is on a set.
+/// Primal-dual active set, as primal_dual, without a proximal term. Motions that a set leaves free stay where they are, or
+/// clear the open rows that would penetrate there. singular: C is on a set.
 SetSearch primal_dual_or_least_motion(const ShiftedQp& shifted, ActiveSet& active, ClosedFactor& factor, ContactState& state,
                                       int& iterations);
 

@@ -65,7 +65,8 @@ struct AssemblySolution {
     std::vector<Eigen::VectorXd> contact_load;  ///< (2n) by part, contact alone
     std::vector<Eigen::VectorXd> pressure;      ///< by interface
     std::vector<double> constraint_force;       ///< by constraint
-    /// By part, of its free motions, where pressures balance in neutral motions, too, only with these; empty elsewhere.
+    /// The amplitudes of each part's free motions, where pressures balance in neutral motions, too, only with these; empty
+    /// elsewhere.
     std::vector<Eigen::VectorXd> amplitudes;
     std::vector<PartMotion> neutral;    ///< motions left out: nothing resists and nothing drives them
     std::vector<PartMotion> mechanism;  ///< not empty: the loads drive these motions, nothing else is filled in

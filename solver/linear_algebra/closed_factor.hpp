@@ -32,12 +32,12 @@ public:
     /// C^-1 (b + G a) of the closed rows, in their order; columns: those of the last form, whose b it is.
     Eigen::VectorXd solve(const Eigen::MatrixXd& columns, const Eigen::VectorXd& a) const;
 
-    /// Of a dense C: L^-1 G of the rows of some columns G (m x n), which must be the same ones in every call.
+    /// L^-1 G of the rows of some columns G (m x n), which must be the same ones in every call; C must be dense.
     auto solved(const Eigen::MatrixXd& columns) {
         solve_new_rows(columns);
         return solved_.topRows(static_cast<Eigen::Index>(rows_.size()));
     }
-    /// Of a dense C: x = L^-1 x, x = L'^-1 x; rows as in rows().
+    /// Solve in place, x = L^-1 x and x = L'^-1 x, with rows as in rows(); C must be dense.
     void solve_lower(Eigen::VectorXd& x) const;
     void solve_transposed(Eigen::VectorXd& x) const;
 

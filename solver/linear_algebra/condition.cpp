@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/linear_algebra/condition.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
 #include "solver/linear_algebra/blas.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -26,9 +28,7 @@ VectorXd start_vector(int n) {
 double largest_ritz_value(const std::vector<double>& diagonal, const std::vector<double>& side) {
     const auto n = static_cast<Index>(diagonal.size());
     const VectorXd d = VectorXd::Map(diagonal.data(), n), s = VectorXd::Map(side.data(), n - 1);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
-    eigen.computeFromTridiagonal(d, s, Eigen::EigenvaluesOnly);
-    return eigen.eigenvalues()[n - 1];
+    return tridiagonal_eigenvalues(d, s)[n - 1];
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ VectorXd symmetric_eigenvalues(const MatrixXd& a) {
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(a, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
+VectorXd tridiagonal_eigenvalues(const VectorXd& diagonal, const VectorXd& side) {
+    Eigen::SelfAdjointEigenSolver<MatrixXd> eigen;
+    eigen.computeFromTridiagonal(diagonal, side, Eigen::EigenvaluesOnly);
+    return eigen.eigenvalues();
+}
+
 SingularVectors left_singular_vectors(const MatrixXd& a) {
     const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeThinU);
     return {svd.singularValues(), svd.matrixU()};

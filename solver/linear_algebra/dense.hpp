@@ -14,12 +14,14 @@ struct SymmetricEigen {
 /// Reads the lower triangle.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& a);
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& a);  ///< ascending
+/// The eigenvalues, ascending, of the tridiagonal matrix with these entries on the diagonal (n) and beside it (n - 1).
+Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& side);
 
 struct SingularVectors {
     Eigen::VectorXd values;   ///< descending, min(rows, columns) of them
     Eigen::MatrixXd vectors;  ///< orthonormal columns, in the order of the values
 };
-/// By Jacobi's rotations, which leave apart what nothing couples.
+/// The singular vectors of A, by Jacobi's rotations, which leave apart what nothing couples.
 SingularVectors left_singular_vectors(const Eigen::MatrixXd& a);   ///< (rows x number of values)
 SingularVectors right_singular_vectors(const Eigen::MatrixXd& a);  ///< (columns x columns): those of the null space come last
 

@@ -251,16 +251,6 @@ double Factorization::condition_estimate(const LinearMap& matrix) const {
         [&](const VectorXd& b) { return d.solved(b); });
 }
 
-double Factorization::unscaled_condition_two() const {
-    const Data& d = *data_;
-    const auto inverse = [&](const VectorXd& b) { return solve(b); };
-    if (d.schur) return condition_by_lanczos(d.schur->n(), d.schur_product(), inverse);
-    const auto product = [&](const VectorXd& x) -> VectorXd {
-        return d.product(x.cwiseQuotient(d.scale)).cwiseQuotient(d.scale);
-    };
-    return condition_by_lanczos(d.n(), product, inverse);
-}
-
 double Factorization::unscaled_condition_one() const {
     const Data& d = *data_;
     if (d.n() == 0) return 1;

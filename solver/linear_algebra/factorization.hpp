@@ -61,8 +61,9 @@ public:
     /// The matrix is scaled in place: moved in, it costs no copy. A frontal factor is made on `threads` threads at most, the
     /// same for any number.
     explicit Factorization(SparseSymmetric matrix, const RowHints& hints = {}, int threads = 1);
-    /// Of K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are those of
-    /// M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there is none.
+    /// Factorises K = A + B' M^-1 B, which is full, given by the sparse matrix [A B'; B -M] whose last n_eliminated rows are
+    /// those of M, which has to be positive definite like A. What follows is of K, its rows, its condition; solve_lower() there
+    /// is none.
     Factorization(SparseSymmetric matrix, int n_eliminated);
 
     /// False: the matrix is not positive definite to working precision; failed_at() tells the row, nothing else may be called.
@@ -79,10 +80,10 @@ public:
     /// 2-norm condition number of S A S, from below, by Lanczos' method: typically to a few per cent. Computed anew at every
     /// call; measured: the price of 10 to 15 solutions.
     double condition_estimate() const;
-    /// The same from products with the matrix as it was given, where they cost less than those of its factor.
+    /// 2-norm condition number of S A S from products with A as it was given, where they cost less than the factor's.
     double condition_estimate(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& matrix) const;
-    /// The same of A as it was given, not scaled, as in the tables of [Grishin10]; the 1-norm one costs five solutions.
-    double unscaled_condition_two() const;
+    /// 1-norm condition number of A as it was given, not scaled, as in the tables of [Grishin10], from below; costs five
+    /// solutions.
     double unscaled_condition_one() const;
 
     Eigen::VectorXd solve(const Eigen::VectorXd& b) const;

@@ -10,8 +10,8 @@
 
 namespace abut::solver {
 
-/// Of a row's own compliance: what is left of it once the rows before are closed is rounding, or (the splines' own coupling) a
-/// hundredth and more. Rows that keep less are redundant.
+/// Rows that keep less than this of their own compliance, once the rows before are closed, are redundant: what is left is
+/// rounding, or (the splines' own coupling) a hundredth and more.
 inline constexpr double redundant_fraction = 1e-11;
 
 /// The factor of C among the closed rows, made anew for every set: in the plane it costs little more than what changes where

@@ -89,7 +89,7 @@ struct PartSystem {
 PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, Eigen::VectorXd applied, const Vec2& center,
                             double size, std::vector<SpringSet> springs = {}, const Eigen::VectorXd& weighted = {});
 
-/// The same part under other external loads (as make_part_system takes them); both share the factor. Its free strain stays.
+/// A part under other external loads (as make_part_system takes them); it shares the factor, and its free strain stays.
 PartSystem with_loads(const PartSystem& system, Eigen::VectorXd applied, const Eigen::VectorXd& weighted = {});
 
 /// Shortens the part across its cuts, by pull, in place of what it was shortened by before.

@@ -26,26 +26,4 @@ ElementGraph::ElementGraph(int columns, int rows, const std::vector<double>& fra
             n_cells + static_cast<int>(k);
 }
 
-int count_connected(const ElementGraph& graph) {
-    std::vector<char> seen(static_cast<std::size_t>(graph.n_elements()), 0);
-    std::vector<int> front;
-    int pieces = 0;
-    for (int e = 0; e < graph.n_elements(); ++e) {
-        if (!graph.has_material(e) || seen[static_cast<std::size_t>(e)]) continue;
-        ++pieces;
-        seen[static_cast<std::size_t>(e)] = 1;
-        front.push_back(e);
-        while (!front.empty()) {
-            const int from = front.back();
-            front.pop_back();
-            graph.for_neighbours(from, [&](int other) {
-                if (seen[static_cast<std::size_t>(other)]) return;
-                seen[static_cast<std::size_t>(other)] = 1;
-                front.push_back(other);
-            });
-        }
-    }
-    return pieces;
-}
-
 }  // namespace abut::solver

@@ -65,7 +65,4 @@ private:
     std::vector<char> special_;             // by cell: split, or with neighbours of its own; empty without any
 };
 
-/// The number of connected regions of the part as the grid sees them: 1 for a part that hangs together.
-int count_connected(const ElementGraph& graph);
-
 }  // namespace abut::solver

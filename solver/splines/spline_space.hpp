@@ -99,9 +99,6 @@ struct SplineSpace {
     /// tell the element.
     int cell_at(const Vec2& p) const;
     int taken_apart() const { return tree ? n_apart : static_cast<int>(tensor_of_extra.size()); }
-    bool has_row(int branch) const {
-        return first[static_cast<std::size_t>(branch)] < first[static_cast<std::size_t>(branch) + 1];
-    }
 };
 
 /// Is a cell full of material?

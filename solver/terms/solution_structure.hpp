@@ -27,7 +27,7 @@ using ScalarField = std::function<ScalarAt(const Vec2&)>;
 struct SolutionStructure {
     std::array<ScalarField, 2> weight;  ///< w by component, between 0 and 1 on the part; empty: 1, the component is not held
     std::array<ScalarField, 2> data;    ///< phi by component; empty: 0
-    /// By component and function what w N is multiplied by, as 1 / w_h [Grishin10, eq 4.1]; empty: 1.
+    /// What w N is multiplied by, by component and function, as 1 / w_h [Grishin10, eq 4.1]; empty: 1.
     std::array<Eigen::VectorXd, 2> scale;
     /// The rules of every element that holds material, full cells too. Weights are no polynomials: points inside the part and
     /// positive weights, more than the space's degree asks for.

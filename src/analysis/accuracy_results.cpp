@@ -204,7 +204,7 @@ void fill_missed(const Outcome& out, Result& result) {
                                 pair + " overlap where no contact was found"});
         }
     if (!findings.empty()) result.accuracy.reached = false;
-    tell(std::move(findings), "missed contact", result);
+    tell(std::move(findings), "missed_contact", result);
 }
 
 void fill_displacement_errors(const Outcome& out, Result& result) {

@@ -119,7 +119,7 @@ void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Resu
         const std::string text = motion_text(scene, solved, m);
         findings[text] = {0, text, "nothing holds a motion that no load drives (the answer of least motion is given): " + text};
     }
-    tell(values_of(findings), "neutral", result);
+    remark(values_of(findings), result);
 }
 
 /// Parts that CHOLMOD was asked for and has no factor of.

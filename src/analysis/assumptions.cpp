@@ -159,7 +159,7 @@ void check_bonds(Result& result) {
                                 " at " + place_text({c.profile.x[k], c.profile.y[k]}, model_size(result)) +
                                 "; a contact (kind \"contact\" in contacts.pairs) would open there"});
     }
-    tell(std::move(findings), "bond", result);
+    remark(std::move(findings), result);
 }
 
 /// A plane model spreads what a thin part presses a thick one with over the whole thickness of that, which yields less for it:
@@ -185,7 +185,7 @@ void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& r
                                 "largest pressure comes out too high, and its length too short, by up to " +
                                 percent_text(too_high)});
     }
-    tell(std::move(findings), "thickness", result);
+    remark(std::move(findings), result);
 }
 
 /// Parts whose contact reaches the end of what was searched: "a and b".
@@ -213,7 +213,7 @@ void check_rules(const Scene& scene, const Outcome& out, Result& result) {
             findings.push_back(
                 {0, rule, rule + " has no effect: these edges face each other nowhere within the search distance"});
     }
-    tell(std::move(findings), "rule", result);
+    remark(std::move(findings), result);
 }
 
 /// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are
@@ -229,7 +229,7 @@ void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& r
                  "part " + part.name + " is nearly incompressible (nu = " + number_text(material.nu, 6) +
                      ") and held by a solution structure: its stresses converge slowly; take dirichlet \"nitsche\""});
     }
-    tell(std::move(findings), "locking", result);
+    remark(std::move(findings), result);
 }
 
 /// More than this out of balance is the rounding of a badly conditioned system.
@@ -293,8 +293,8 @@ void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Resul
                 {0, part.name,
                  "part " + part.name + " is rigid and weightless, gravity and spin do nothing to it: give it a force"});
     }
-    tell(std::move(stiff), "rigid", result);
-    tell(std::move(weightless), "weightless", result);
+    remark(std::move(stiff), result);
+    remark(std::move(weightless), result);
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Ca
 /// they are expected.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs, std::vector<Candidate>& candidates);
 
-/// The same of some contacts alone, as they were found: the others keep their pressure's knots.
+/// Gives the candidates of some contacts alone the free ends of their runs, as they were found: the others keep their
+/// pressure's knots.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<std::size_t>& contacts,
                  std::vector<Candidate>& candidates);
 

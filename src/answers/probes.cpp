@@ -46,7 +46,7 @@ void fill_probes(const Scene& scene, const SolvedAssembly& solved, const std::ve
             const FieldSample s = sample_field(g, solved.solution.displacement[k], stress[k], element, local);
             result.probes.push_back({probe.part, probe.at, s.displacement, s.stress});
         }
-    tell(values_of(idle), "probe", result);
+    remark(values_of(idle), result);
 }
 
 }  // namespace abut

@@ -6,6 +6,7 @@
 
 namespace abut {
 
+/// What ENSURE does where its condition does not hold.
 [[noreturn]] inline void report_broken(const std::string& sentence, const char* condition, const char* file, int line) {
     throw std::logic_error(sentence + " (" + condition + ", " + file + ":" + std::to_string(line) + ")");
 }

@@ -24,8 +24,10 @@ struct BatchFile {
     std::vector<Job> jobs;  ///< of all shards, in their order
 };
 
+/// What the batch.json of a batch of these jobs says; source: as it was given.
 BatchFile batch_file(const std::string& source, const BatchRequest& request, const std::vector<BatchJob>& jobs);
 
+/// The text of a batch.json.
 std::string batch_json(const BatchFile& batch);
 /// Reads the batch.json of an output folder. Throws InputError where there is none, where it is wrong, or where it is of an
 /// older version that did not say what was asked of the jobs.

@@ -21,7 +21,6 @@ struct InputFile {
 /// `any_file` of templates left out. What cannot be parsed names nothing.
 std::vector<InputFile> input_files(const std::string& file);
 
-/// Are they still what they were when `input_files` read them? Cost: a look-up each; those that had just been
 /// Are the files still what they were when `input_files` read them? Cost: a look-up each; those that had just been written then
 /// are read again.
 bool are_unchanged(const std::vector<InputFile>& inputs);

@@ -47,6 +47,7 @@ bool ended_well(const JobRecord& record);
 /// Is there nothing left to do for the job?
 bool is_finished(const JobRecord& record);
 
+/// The text of a job.json.
 std::string job_json(const JobRecord& record);
 /// Reads a job.json; nothing where the text is none, as after a power failure.
 std::optional<JobRecord> parse_job_json(const std::string& text);

@@ -42,6 +42,7 @@ struct Detection {
 /// first, or up to `distance` where that is more.
 Detection detect_contacts(const Scene& scene, std::optional<double> distance);
 
+/// What was detected as the text of a contacts.json, and as a table for a terminal.
 std::string detection_json(const Scene& scene, const Detection& detection);
 std::string detection_table(const Scene& scene, const Detection& detection);
 /// Differences from an expectation file, one line each; empty: as expected. Throws InputError if the file cannot be read.

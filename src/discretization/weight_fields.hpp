@@ -41,6 +41,7 @@ std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vect
 std::optional<int> edge_that_holds_more(const geometry::Part& part, const std::vector<int>& edges, double size);
 inline constexpr int whole_samples = 32;  ///< of circles against splines; one would do between lines
 
+/// The weight of held points: zero at each of them.
 WeightField point_weight(const std::vector<geometry::Vec2>& points, double size);
 
 /// The R-conjunction (alpha = 0) of fields, neighbours first; linear only if it is one field.

@@ -33,7 +33,8 @@ std::string inspection_json(const Inspection& inspection);
 std::string inspection_table(const Inspection& inspection);
 /// A picture of all parts with the names and directions of their edges, a scale, and numbered marks at repairs and problems.
 std::string inspection_svg(const Inspection& inspection);
-/// The same picture as a page: an edge under the pointer is named with its length, a click copies its selector ("jaw/left").
+/// The picture of inspection_svg as a page: an edge under the pointer is named with its length, a click copies its selector
+/// ("jaw/left").
 std::string inspection_html(const Inspection& inspection);
 
 /// A picture and the name of its file.

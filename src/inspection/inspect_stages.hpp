@@ -29,6 +29,7 @@ struct Stages {
 /// here. Throws InputError where the scene asks for an impossible grid.
 Stages first_stages(const Scene& scene);
 
+/// Pictures of the cells, of the pieces of the boundary that they clip, and of the candidates for contact.
 std::string cells_svg(const Inspection& inspection, const Stages& stages);
 std::string pieces_svg(const Inspection& inspection, const Stages& stages);
 std::string candidates_svg(const Inspection& inspection, const Stages& stages);

@@ -5,6 +5,7 @@
 
 namespace abut {
 
+/// The name of this computer, as the names of files and messages have it; "host" where it does not tell.
 std::string host_name();
 
 /// A name to write a file of this name under, in the same folder; hosts and processes that write there at the same time have

@@ -23,6 +23,7 @@ struct LiveControls {
     bool remembers = false;  ///< the scene has steps, which are answered here each by itself
 };
 
+/// What can be moved in a scene: parameters with a range, loads, settings.
 std::string controls_json(const Scene& scene, const LiveControls& controls);
 /// client: who moved them; empty: the scene's file.
 std::string inputs_json(const LiveInputs& inputs, const std::string& client, long version);

@@ -14,8 +14,8 @@ namespace abut {
 /// The numbers that are moved.
 struct LiveInputs {
     std::map<std::string, double> parameters;  ///< those with a range, by name
-    /// By load of the scene: its factor, or the two components of a force. A force that was not turned goes with the parameters
-    /// that it is made of.
+    /// How each load of the scene was moved: its factor, or the two components of a force. A force that was not turned goes
+    /// with the parameters that it is made of.
     std::vector<std::vector<double>> loads;
     LiveSettings settings{};  ///< those that were moved
     bool operator==(const LiveInputs&) const = default;

@@ -14,7 +14,7 @@ struct LiveOptions {
     int threads = 0;                                ///< at most; 0: one for each processor
     std::function<void(Accuracy&)> set_accuracy{};  ///< what is asked for instead of the scene's; may be empty
     std::chrono::milliseconds rest{300};            ///< after the last move the accuracy asked for is computed
-    /// Of a scene that was begun for a drawing, in a file that is nobody else's: the drawing. Its supports and loads are
+    /// The drawing of a scene that was begun for one, in a file that is nobody else's. The scene's supports and loads are
     /// pointed at in the page, and it is saved beside the drawing. Empty: the scene's file is the user's, and only read.
     std::string drawing{};
 };

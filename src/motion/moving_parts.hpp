@@ -44,7 +44,7 @@ struct MovingParts {
 /// Finds what may move in a scene; sizes: by part, diagonals of boxes as drawn.
 MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes);
 
-/// Of a part's size: how far it may go in a step.
+/// How far a part may go in a step, as a fraction of its size.
 inline constexpr double step_fraction = 0.1;
 /// How a step is resisted: closing: of the smallest part's size, how far the loads press the springs along the gaps together;
 /// drag: of the parts' loads over a step's length, on every motion.
@@ -59,7 +59,7 @@ struct Resisted {
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by);
 
-/// By moving part: the number of its group. Parts that no gap joins do not know of each other.
+/// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);
 /// A step, and the moment over a turn that the forces in its gaps resist a turn of each part by: those that stretch it turn it
 /// back, as a link between its pins, which its gaps alone would let go. 0 where they do not.

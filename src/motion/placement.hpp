@@ -21,7 +21,7 @@ struct Placement {
 /// The motion along a screw: that of a body whose point at the centre goes along `translation` while it turns evenly. What
 /// turns about a point stays on its circles.
 Placement along_screw(const Vec2& center, const Vec2& translation, double rotation);
-/// The same motion with the point at the centre moved by `translation` in the end.
+/// The motion that turns a part and moves its point at the centre by `translation` in the end.
 Placement about_center(const Vec2& center, const Vec2& translation, double rotation);
 /// One motion after the other.
 Placement followed_by(const Placement& first, const Placement& then);

@@ -13,7 +13,7 @@ struct RigidLoad {
     double moment = 0;  ///< about the part's centroid
 };
 
-/// By part. Loads that vary by the place are not resolved (why_not_followed).
+/// The resultant of the loads on each part. Loads that vary by the place are not resolved (why_not_followed).
 std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions& conditions);
 
 }  // namespace abut

@@ -9,6 +9,7 @@
 
 namespace abut {
 
+/// Does the load act on edges: pressure, traction, bearing, or a force or moment on some?
 bool is_edge_load(const Load& load);
 /// The name in the plan of the effect that a load belongs to.
 std::string effect_of(const Load& load);

@@ -11,7 +11,7 @@ namespace abut {
 /// Where moments of a scene's wrenches are measured: about the middle of all parts, in their size.
 geometry::ScrewScale screw_scale(const Scene& scene);
 
-/// By part: the wrenches of each support that holds it, springs among them, reduced to a basis; about the origin.
+/// The wrenches, by part, of each support that holds it, springs among them, reduced to a basis; about the origin.
 std::vector<std::vector<geometry::Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions);
 
 }  // namespace abut

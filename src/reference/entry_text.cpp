@@ -65,7 +65,8 @@ std::string entry_text(const ReferencePage& page, const ReferenceEntry& entry) {
                        "\n" + wrapped(entry.meaning, "");
     const ReferenceEntry* item = item_of(page, entry);
     if (item && item->meaning != entry.meaning) text += "\n" + item->path + "\n" + wrapped(item->meaning, "");
-    const std::string& example = entry.example.empty() && item ? item->example : entry.example;
+    const std::string& own = entry.example.empty() && item ? item->example : entry.example;
+    const std::string& example = own.empty() ? entry.example_around : own;
     if (!example.empty()) text += "\nexample\n" + indented(example);
     if (!entry.same_as.empty()) text += "\nIts keys are those of " + page.name + "." + entry.same_as + ".\n";
     return text + keys_text(page, entry);

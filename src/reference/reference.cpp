@@ -116,6 +116,17 @@ private:
         return type == "text" || type == "number" || type == "whole number" || type == "object";
     }
 
+    /// Of the examples of the object around a key the first that has it; else the key with its default; else the last.
+    std::string example_around(const std::string& key, const Json* standard) const {
+        if (!around_) return "";
+        for (const Json& example : *around_)
+            if (example.is_object() && example.contains(key)) return example_text(example);
+        if (!standard) return example_text(around_->back());
+        Json by_default;
+        by_default[key] = *standard;
+        return example_text(by_default);
+    }
+
     void visit(const Json& node, const std::string& path, const std::string& parent, bool required, bool is_key) {
         ReferenceEntry entry;
         entry.path = path;
@@ -132,9 +143,14 @@ private:
         }
         if (const Json* standard = word(node, "default")) entry.standard = spaced(*standard);
         if (const Json* examples = examples_of(node)) entry.example = example_text(examples->back());
+        if (is_key && entry.example.empty())
+            entry.example_around = example_around(path.substr(path.rfind('.') + 1), word(node, "default"));
         const std::size_t place = entries_.size();
         entries_.push_back(std::move(entry));
+        const Json* const outside = around_;
+        if (const Json* examples = examples_of(node)) around_ = examples;
         const std::string same_as = visit_below(node, path, path);
+        around_ = outside;
         entries_[place].same_as = same_as;
     }
 
@@ -196,6 +212,7 @@ private:
 
     const Json& schema_;
     std::vector<ReferenceEntry> entries_;
+    const Json* around_ = nullptr;                 ///< examples of the object whose keys are visited, or of one around it
     std::map<const Json*, std::string> place_of_;  ///< where an object's keys are listed
 };
 

@@ -9,15 +9,16 @@ namespace abut {
 
 /// A key, or (is_key false) an object that is an item of a list or of an object with free names.
 struct ReferenceEntry {
-    std::string path;      ///< "loads[].force", "materials.*.E"; empty: the file itself
-    std::string parent;    ///< the path of the object that has it as a key, of the list that has it as an item
-    std::string title;     ///< what it is called, where that is not its path: "contact_<k>.csv"
-    std::string type;      ///< in words: "number or expression"
-    std::string meaning;   ///< whole sentences, without the unit
-    std::string unit;      ///< "force per length^2", "1" of ratios; empty: it has none
-    std::string standard;  ///< the default as it would be written; empty: there is none
-    std::string example;   ///< as it would be written, in lines; empty: there is none
-    std::string same_as;   ///< the path of an entry that has the same keys, which are listed there alone; may be empty
+    std::string path;            ///< "loads[].force", "materials.*.E"; empty: the file itself
+    std::string parent;          ///< the path of the object that has it as a key, of the list that has it as an item
+    std::string title;           ///< what it is called, where that is not its path: "contact_<k>.csv"
+    std::string type;            ///< in words: "number or expression"
+    std::string meaning;         ///< whole sentences, without the unit
+    std::string unit;            ///< "force per length^2", "1" of ratios; empty: it has none
+    std::string standard;        ///< the default as it would be written; empty: there is none
+    std::string example;         ///< as it would be written, in lines; empty: there is none
+    std::string example_around;  ///< of a key without an example: one of the object that has it; empty: there is none
+    std::string same_as;         ///< the path of an entry that has the same keys, which are listed there alone; may be empty
     bool required = false;
     bool is_key = true;
 };

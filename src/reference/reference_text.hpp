@@ -11,7 +11,8 @@ namespace abut {
 /// "The material." of "The material. It may be rigid."
 std::string first_sentence(const std::string& meaning);
 
-/// What `abut help KEY` prints: name, type, unit, default, meaning, example, and the keys below it.
+/// What `abut help KEY` prints: name, type, unit, default, meaning, example (its own, else one of the object that has
+/// it), and the keys below it.
 std::string entry_text(const ReferencePage& page, const ReferenceEntry& entry);
 
 /// data/schema/README.md: a table of keys for each object.

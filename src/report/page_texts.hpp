@@ -9,7 +9,7 @@ const char* page_style_text();
 /// What the report's script needs besides, and the script: src/report/web/bundle/, made by src/report/web/build.mjs.
 const char* instrument_style_text();
 const char* instrument_script_text();
-/// The same of the page of `abut live`.
+/// What the page of `abut live` needs besides, and its script: src/report/web/bundle/, too.
 const char* live_style_text();
 const char* live_script_text();
 

@@ -18,8 +18,11 @@ struct Finding {
 };
 
 /// Says findings of one kind: one warning and, where any has a reason, one reason, however many findings there are; nothing for
-/// none. The worst is that of those with a reason, where any has one.
+/// none. The worst is that of those with a reason, where any has one. The schema of result.json says what each kind means.
 void tell(std::vector<Finding> findings, const std::string& kind, Result& result);
+
+/// Says findings that are never reasons against an answer: one warning, however many there are.
+void remark(std::vector<Finding> findings, Result& result);
 
 /// The findings of a map that holds each subject once.
 std::vector<Finding> values_of(const std::map<std::string, Finding>& findings);

@@ -109,7 +109,7 @@ struct PartField {
 struct ContactProfile {
     std::vector<std::string> edge;  ///< "part/edge" on the first part
     std::vector<double> s, x, y, pressure, gap;
-    /// Of bonded ones and those with friction: tangential traction on the second part, along the first's normal turned left.
+    /// Bonded, or with friction: tangential traction on the second part, along the first's normal turned left.
     std::vector<double> shear;
     std::vector<double> slip;        ///< with friction: how far the second part has moved along that direction since drawn
     std::vector<std::string> state;  ///< with friction: open, stick, slip
@@ -222,7 +222,7 @@ struct PassSummary {
 
 /// Why a solved answer is less than what was asked for. One is enough for the verdict "solved, but" (src/results/verdict.hpp).
 struct Reason {
-    std::string kind;  ///< a word for programs: "accuracy", "yield", ... (src/results/README.md)
+    std::string kind;  ///< a word for programs: "accuracy", "yield", ... (data/schema/result.schema.json has them all)
     std::string text;  ///< a clause of the verdict: "strap at 2.75 times its yield"
 };
 

@@ -356,14 +356,4 @@ ExpressionWithUnit parse_expression_with_unit(const std::string& text, const std
     return parsed;
 }
 
-Expression parse_expression(const std::string& text, const std::map<std::string, double>& parameters, bool field) {
-    ExpressionWithUnit parsed = parse_expression_with_unit(text, parameters, field);
-    if (parsed.unit.empty()) return std::move(parsed.value);
-    const std::string column = std::to_string(text.size() - parsed.unit.size() + 1);
-    throw InputError("",
-                     "in the expression '" + shortened(text) + "', column " + column + ": expected an operator, found '" +
-                         parsed.unit[0] + "'",
-                     "multiplication is written 2*x, powers x^2");
-}
-
 }  // namespace abut

@@ -27,10 +27,6 @@ private:
     double constant_ = 0;
 };
 
-/// Reads an expression. Throws InputError (where left empty) naming the column and what was expected. `^` is right-associative
-/// and binds tighter than unary minus. field: x and y are allowed.
-Expression parse_expression(const std::string& text, const std::map<std::string, double>& parameters, bool field);
-
 /// An expression, and what it ends in.
 struct ExpressionWithUnit {
     Expression value;  ///< without the unit
@@ -39,7 +35,9 @@ struct ExpressionWithUnit {
     bool is_name = false;            ///< is it one parameter and nothing else but a sign?
 };
 
-/// Reads an expression that may end in a unit: "2*R mm", "1.2e-5 1/K". Names of parameters are no units. Throws as above.
+/// Reads an expression that may end in a unit: "2*R mm", "1.2e-5 1/K". Names of parameters are no units. `^` is
+/// right-associative and binds tighter than unary minus. field: x and y are allowed. Throws InputError (where left empty)
+/// naming the column and what was expected.
 ExpressionWithUnit parse_expression_with_unit(const std::string& text, const std::map<std::string, double>& parameters,
                                               bool field);
 

@@ -109,9 +109,9 @@ std::string key_of(const std::string& name, const ImportOptions& options) {
 
 /// {"axis": "z", "at": 0}; both may be left out.
 void read_section(SceneReading& reading, const JsonValue& section, ImportOptions& options) {
-    if (!check_object(reading, section, {{"axis", "at"}, {}})) return;
+    if (!check_object(reading, section, {"axis", "at"})) return;
     if (const JsonValue* axis = find_member(section, "axis")) {
-        const auto word = read_word(reading, *axis, {{"x", "y", "z"}, {}});
+        const auto word = read_word(reading, *axis, {"x", "y", "z"});
         if (word) options.section.axis = static_cast<int>(std::string("xyz").find(*word));
     }
     if (const JsonValue* at = find_member(section, "at"))
@@ -214,7 +214,7 @@ ImportOptions read_import_options(SceneReading& reading, const JsonValue& object
     ImportOptions options;
     options.tolerance = member_or(reading, object, "tolerance", 0.0, read_positive, dimension::length);
     if (const JsonValue* parts_by = find_member(object, "parts_by")) {
-        const auto word = read_word(reading, *parts_by, {parts_by_words(), {}});
+        const auto word = read_word(reading, *parts_by, parts_by_words());
         if (word) options.parts_by = parts_by_of(*word).value_or(options.parts_by);
     }
     options.recognise_arcs = member_or(reading, object, "recognise_arcs", true, read_flag);
@@ -243,7 +243,7 @@ std::optional<geometry::SketchParts> import_parts(SceneReading& reading, Imports
 }
 
 std::optional<geometry::Part> import_part(SceneReading& reading, Imports& imports, const JsonValue& node) {
-    if (!check_object(reading, node, {{"file", "layer", "block", "tolerance", "recognise_arcs"}, {}})) return std::nullopt;
+    if (!check_object(reading, node, {"file", "layer", "block", "tolerance", "recognise_arcs"})) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);
     const ImportedDrawing* import = file ? import_drawing(reading, imports, *file, options) : nullptr;
@@ -259,8 +259,8 @@ std::optional<geometry::Part> import_part(SceneReading& reading, Imports& import
 }
 
 std::optional<geometry::Part> import_body(SceneReading& reading, Imports& imports, const JsonValue& node, BodiesOf bodies) {
-    Words keys{{"file", "node", "section", "tolerance"}, {}};
-    if (bodies == BodiesOf::mesh) keys.known.emplace_back("recognise_arcs");
+    Words keys{"file", "node", "section", "tolerance"};
+    if (bodies == BodiesOf::mesh) keys.emplace_back("recognise_arcs");
     if (!check_object(reading, node, keys)) return std::nullopt;
     const JsonValue* file = required(reading, node, "file");
     const ImportOptions options = read_import_options(reading, node);

@@ -10,7 +10,7 @@ namespace abut {
 namespace {
 
 std::optional<Refinement> read_refinement(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"near", "radius", "cell_size"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"near", "radius", "cell_size"})) return std::nullopt;
     const auto near = required_member(reading, value, "near", read_vector, dimension::length);
     const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
     const auto cell_size = required_member(reading, value, "cell_size", read_positive, dimension::length);
@@ -74,11 +74,10 @@ void refuse_beside_method(SceneReading& reading, const JsonValue& accuracy, cons
 
 Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     Accuracy result;
-    const Words keys{{"level", "target", "degree", "cell_size", "refine", "method", "basis", "dirichlet", "weights", "grids",
-                      "adapt", "solver", "budget"},
-                     {}};
+    const Words keys{"level",     "target",  "degree", "cell_size", "refine", "method", "basis",
+                     "dirichlet", "weights", "grids",  "adapt",     "solver", "budget"};
     if (!check_object(reading, accuracy, keys)) return result;
-    result.level = word_or(reading, accuracy, "level", result.level, {accuracy_levels(), {}});
+    result.level = word_or(reading, accuracy, "level", result.level, accuracy_levels());
     if (find_member(accuracy, "level") && find_member(accuracy, "target"))
         report_problem(reading, *find_member(accuracy, "target"), "'target' stands for a level of its own",
                        "take 'level' away");
@@ -89,13 +88,13 @@ Accuracy read_accuracy(SceneReading& reading, const JsonValue& accuracy) {
     if (const JsonValue* size = find_member(accuracy, "cell_size"))
         result.cell_size = read_positive(reading, *size, dimension::length);
     if (const JsonValue* refine = find_member(accuracy, "refine")) result.refine = read_refinements(reading, *refine);
-    result.basis = word_or(reading, accuracy, "basis", result.basis, {{"auto", "plain", "normalized", "web"}, {}});
+    result.basis = word_or(reading, accuracy, "basis", result.basis, {"auto", "plain", "normalized", "web"});
     result.dirichlet =
-        word_or(reading, accuracy, "dirichlet", result.dirichlet, {{"auto", "aligned", "nitsche", "solution_structure"}, {}});
-    result.method = word_or(reading, accuracy, "method", result.method, {{"auto", "dissertation"}, {}});
-    result.weights = word_or(reading, accuracy, "weights", result.weights, {{"auto", "joined", "r_function", "blended"}, {}});
+        word_or(reading, accuracy, "dirichlet", result.dirichlet, {"auto", "aligned", "nitsche", "solution_structure"});
+    result.method = word_or(reading, accuracy, "method", result.method, {"auto", "dissertation"});
+    result.weights = word_or(reading, accuracy, "weights", result.weights, {"auto", "joined", "r_function", "blended"});
     refuse_beside_method(reading, accuracy, result);
-    result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {{"auto", "cholmod"}, {}}) == "cholmod";
+    result.by_cholmod = word_or(reading, accuracy, "solver", "auto", {"auto", "cholmod"}) == "cholmod";
     if (const JsonValue* grids = find_member(accuracy, "grids")) {
         result.grids = read_grids(reading, *grids);
         for (const auto& [part, grid] : result.grids)

@@ -12,7 +12,7 @@ constexpr double whole_circle = 360;  // degrees
 
 std::vector<geometry::Placed> read_array(SceneReading& reading, const JsonValue& array) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, array, {{"count", "step", "about", "angle"}, {}})) return {};
+    if (!check_object(reading, array, {"count", "step", "about", "angle"})) return {};
     const auto count = required_member(reading, array, "count", read_integer, 1, most_copies);
     const JsonValue *way = exactly_one(reading, array, {"step", "about"}), *angle = find_member(array, "angle");
     const auto at = way ? read_vector(reading, *way, dimension::length) : std::nullopt;

@@ -28,10 +28,10 @@ PartRule read_rule(SceneReading& reading, const JsonValue& value, Scene& scene) 
     PartRule rule;
     rule.at = &value;
     if (value.kind == JsonValue::Kind::string) {
-        rule.ignore = read_word(reading, value, {{"ignore"}, {}}).has_value();
+        rule.ignore = read_word(reading, value, {"ignore"}).has_value();
         return rule;
     }
-    if (!check_object(reading, value, {{"name", "material", "thickness", "level"}, {}})) return rule;
+    if (!check_object(reading, value, {"name", "material", "thickness", "level"})) return rule;
     if (const JsonValue* name = find_member(value, "name")) rule.name = read_new_part_name(reading, *name);
     if (const JsonValue* material = find_member(value, "material"))
         rule.material = read_material_name(reading, *material, scene);
@@ -147,9 +147,8 @@ void read_assembly(SceneReading& reading, Imports& imports, const JsonValue& ass
     const std::size_t before = reading.problems.size();
     const bool is_object =
         check_object(reading, assembly,
-                     {{"file", "parts_by", "tolerance", "section", "recognise_arcs", "only_layers", "ignore_layers",
-                       "leave_open", "keep_drafting", "block_outline", "regions", "material", "parts"},
-                      {}});
+                     {"file", "parts_by", "tolerance", "section", "recognise_arcs", "only_layers", "ignore_layers",
+                      "leave_open", "keep_drafting", "block_outline", "regions", "material", "parts"});
     const JsonValue* file = is_object ? required(reading, assembly, "file") : nullptr;
     const ImportOptions options = is_object ? read_import_options(reading, assembly) : ImportOptions{};
     const int material = default_material(reading, assembly, scene);

@@ -43,7 +43,7 @@ void read_factor(SceneReading& reading, const JsonValue& value, const Scene& sce
 }
 
 std::optional<LoadCase> read_case(SceneReading& reading, const JsonValue& value, const Scene& scene) {
-    if (!check_object(reading, value, {{"name", "loads"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"name", "loads"})) return std::nullopt;
     LoadCase c;
     c.where = value.pointer;
     const auto name = required_member(reading, value, "name", read_text);

@@ -30,7 +30,7 @@ std::optional<double> read_friction(SceneReading& reading, const JsonValue& valu
 
 std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value, std::vector<std::string>& warnings) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, value, {{"between", "kind", "interference", "friction"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"between", "kind", "interference", "friction"})) return std::nullopt;
     PairRule rule;
     rule.where = value.pointer;
     const JsonValue* between = required(reading, value, "between");
@@ -40,7 +40,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value,
         for (std::size_t i : {0u, 1u}) rule.between[i] = read_selector(reading, between->items[i]).value_or(Selector{});
     }
     const JsonValue* kind = find_member(value, "kind");
-    const auto word = kind ? read_word(reading, *kind, {{"contact", "bonded", "ignore"}, {}}) : std::nullopt;
+    const auto word = kind ? read_word(reading, *kind, {"contact", "bonded", "ignore"}) : std::nullopt;
     if (word == "ignore") rule.kind = PairRule::Kind::ignore;
     if (word == "bonded") rule.kind = PairRule::Kind::bonded;
     rule.interference = member_or(reading, value, "interference", 0.0, read_number, dimension::length);
@@ -61,7 +61,7 @@ std::optional<PairRule> read_pair(SceneReading& reading, const JsonValue& value,
 /// "penalty": the formulation's options; "auto", "mortar": none, and its keys do not belong there.
 std::optional<PenaltyOptions> read_penalty(SceneReading& reading, const JsonValue& contacts) {
     const JsonValue* formulation = find_member(contacts, "formulation");
-    const bool is_penalty = formulation && read_word(reading, *formulation, {{"auto", "mortar", "penalty"}, {}}) == "penalty";
+    const bool is_penalty = formulation && read_word(reading, *formulation, {"auto", "mortar", "penalty"}) == "penalty";
     PenaltyOptions options;
     options.factor = member_or(reading, contacts, "penalty", options.factor, read_positive, dimension::none);
     if (const JsonValue* length = find_member(contacts, "penalty_length"))
@@ -78,8 +78,7 @@ std::optional<PenaltyOptions> read_penalty(SceneReading& reading, const JsonValu
 
 ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts, std::vector<std::string>& warnings) {
     ContactOptions options;
-    const Words keys{{"detect", "search_distance", "formulation", "penalty", "penalty_length", "friction", "overlap", "pairs"},
-                     {}};
+    const Words keys{"detect", "search_distance", "formulation", "penalty", "penalty_length", "friction", "overlap", "pairs"};
     if (!check_object(reading, contacts, keys)) return options;
     options.detect = member_or(reading, contacts, "detect", options.detect, read_flag);
     const JsonValue* distance = find_member(contacts, "search_distance");
@@ -89,7 +88,7 @@ ContactOptions read_contacts(SceneReading& reading, const JsonValue& contacts, s
     if (const JsonValue* friction = find_member(contacts, "friction"))
         options.friction = read_friction(reading, *friction, warnings).value_or(0);
     options.overlap = member_or(reading, contacts, "overlap", options.overlap, [](SceneReading& r, const JsonValue& v) {
-        return read_word(r, v, {{"report", "press_fit", "ignore"}, {}});
+        return read_word(r, v, {"report", "press_fit", "ignore"});
     });
     const JsonValue* pairs = find_member(contacts, "pairs");
     if (pairs && check_list(reading, *pairs, 0, "pairs"))

@@ -75,7 +75,7 @@ std::optional<Vec2> read_radii(SceneReading& reading, const JsonValue& value) {
 }
 
 std::vector<Curve> read_elliptic_arc(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"center", "radii", "angle", "start", "end"}, {}})) return {};
+    if (!check_object(reading, value, {"center", "radii", "angle", "start", "end"})) return {};
     const auto center = required_member(reading, value, "center", read_vector, dimension::length),
                radii = required_member(reading, value, "radii", read_radii);
     const double angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle);
@@ -89,7 +89,7 @@ std::vector<Curve> read_elliptic_arc(SceneReading& reading, const JsonValue& val
 }
 
 std::vector<Curve> read_bezier(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"points", "weights"}, {}})) return {};
+    if (!check_object(reading, value, {"points", "weights"})) return {};
     const auto points = required_member(reading, value, "points", read_points);
     const auto weights = read_weights(reading, value);
     if (!points || !weights) return {};
@@ -100,7 +100,7 @@ std::vector<Curve> read_bezier(SceneReading& reading, const JsonValue& value) {
 }
 
 std::vector<Curve> read_nurbs(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"degree", "knots", "points", "weights"}, {}})) return {};
+    if (!check_object(reading, value, {"degree", "knots", "points", "weights"})) return {};
     const auto degree = required_member(reading, value, "degree", read_degree);
     const auto knots = required_member(reading, value, "knots", read_numbers);
     const auto points = required_member(reading, value, "points", read_points);

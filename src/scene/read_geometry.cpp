@@ -15,7 +15,7 @@ using Shape = decltype(CsgNode::shape);
 using Reader = std::optional<Shape> (*)(SceneReading&, Imports&, const JsonValue&);
 
 std::optional<Shape> read_rectangle(SceneReading& reading, Imports&, const JsonValue& value) {
-    if (!check_object(reading, value, {{"min", "max"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"min", "max"})) return std::nullopt;
     const auto min = required_member(reading, value, "min", read_vector, dimension::length),
                max = required_member(reading, value, "max", read_vector, dimension::length);
     if (!min || !max) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Shape> read_rectangle(SceneReading& reading, Imports&, const JsonV
 }
 
 std::optional<Shape> read_circle(SceneReading& reading, Imports&, const JsonValue& value) {
-    if (!check_object(reading, value, {{"center", "radius"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"center", "radius"})) return std::nullopt;
     const auto center = required_member(reading, value, "center", read_vector, dimension::length);
     const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
     if (!center || !radius) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<Shape> read_circle(SceneReading& reading, Imports&, const JsonValu
 }
 
 std::optional<Shape> read_ellipse(SceneReading& reading, Imports&, const JsonValue& value) {
-    if (!check_object(reading, value, {{"center", "radii", "angle"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"center", "radii", "angle"})) return std::nullopt;
     const auto center = required_member(reading, value, "center", read_vector, dimension::length),
                radii = required_member(reading, value, "radii", read_radii);
     const double angle = member_or(reading, value, "angle", 0.0, read_number, dimension::angle);
@@ -43,7 +43,7 @@ std::optional<Shape> read_ellipse(SceneReading& reading, Imports&, const JsonVal
 }
 
 std::optional<Shape> read_slot(SceneReading& reading, Imports&, const JsonValue& value) {
-    if (!check_object(reading, value, {{"from", "to", "radius"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"from", "to", "radius"})) return std::nullopt;
     const auto from = required_member(reading, value, "from", read_vector, dimension::length),
                to = required_member(reading, value, "to", read_vector, dimension::length);
     const auto radius = required_member(reading, value, "radius", read_positive, dimension::length);
@@ -64,7 +64,7 @@ std::optional<Shape> read_polygon(SceneReading& reading, Imports&, const JsonVal
 }
 
 std::optional<Shape> read_half_plane(SceneReading& reading, Imports&, const JsonValue& value) {
-    if (!check_object(reading, value, {{"point", "normal"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"point", "normal"})) return std::nullopt;
     const auto point = required_member(reading, value, "point", read_vector, dimension::length);
     const auto normal = required_member(reading, value, "normal", read_direction);
     if (!point || !normal) return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<Shape> read_operation(SceneReading& reading, Imports& imports, con
 
 std::optional<Shape> read_placed(SceneReading& reading, Imports& imports, const JsonValue& value) {
     Words keys = place_keys();
-    keys.known.insert(keys.known.begin(), "of");
+    keys.insert(keys.begin(), "of");
     if (!check_object(reading, value, keys)) return std::nullopt;
     const JsonValue* of = required(reading, value, "of");
     std::optional<CsgNode> child = of ? read_geometry(reading, imports, *of) : std::nullopt;
@@ -136,7 +136,7 @@ constexpr NodeKind node_kinds[] = {
 };
 
 std::optional<geometry::Mirror> read_mirror(SceneReading& reading, const JsonValue& value) {
-    const auto axis = read_word(reading, value, {{"x", "y"}, {}});
+    const auto axis = read_word(reading, value, {"x", "y"});
     if (!axis) return std::nullopt;
     return *axis == "x" ? geometry::Mirror::x : geometry::Mirror::y;
 }
@@ -150,7 +150,7 @@ std::vector<std::string> node_keys() {
 }  // namespace
 
 const Words& place_keys() {
-    static const Words keys{{"scale", "mirror", "rotate", "translate", "about"}, {}};
+    static const Words keys{"scale", "mirror", "rotate", "translate", "about"};
     return keys;
 }
 
@@ -169,8 +169,8 @@ std::optional<CsgNode> read_place(SceneReading& reading, const JsonValue& place,
 
 std::optional<CsgNode> read_geometry(SceneReading& reading, Imports& imports, const JsonValue& node) {
     static const std::vector<std::string> keys = node_keys();
-    Words words{keys, {}};
-    words.known.emplace_back("name");
+    Words words = keys;
+    words.emplace_back("name");
     const std::size_t before = reading.problems.size();
     if (!check_object(reading, node, words)) return std::nullopt;
     if (reading.problems.size() > before)

@@ -53,7 +53,7 @@ void check_combination(SceneReading& reading, const JsonValue& value) {
 }
 
 std::optional<GridOptions::Halved> read_halved(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"from", "to", "levels"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"from", "to", "levels"})) return std::nullopt;
     const auto a = required_member(reading, value, "from", read_vector, dimension::length),
                b = required_member(reading, value, "to", read_vector, dimension::length);
     const JsonValue* levels = find_member(value, "levels");
@@ -65,7 +65,7 @@ std::optional<GridOptions::Halved> read_halved(SceneReading& reading, const Json
 GridOptions read_grid(SceneReading& reading, const JsonValue& value) {
     GridOptions grid;
     grid.where = value.pointer;
-    if (!check_object(reading, value, {{"x", "y", "cells", "offset", "angle", "degree", "refine"}, {}})) return grid;
+    if (!check_object(reading, value, {"x", "y", "cells", "offset", "angle", "degree", "refine"})) return grid;
     check_combination(reading, value);
     if (const JsonValue* x = find_member(value, "x")) grid.x = read_knots(reading, *x);
     if (const JsonValue* y = find_member(value, "y")) grid.y = read_knots(reading, *y);

@@ -32,7 +32,7 @@ std::optional<std::array<Expression, 2>> read_one(SceneReading& reading, const J
 
 /// A spin: checked here, its numbers are read by read_spin_numbers.
 std::optional<std::array<Expression, 2>> read_spin(SceneReading& reading, const JsonValue& value, const Dimension&) {
-    if (!check_object(reading, value, {{"about", "omega"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"about", "omega"})) return std::nullopt;
     return std::array<Expression, 2>{};
 }
 
@@ -44,7 +44,7 @@ void read_spin_numbers(SceneReading& reading, const JsonValue& value, Load& load
 
 /// A preload: checked here, its numbers are read by read_preload_numbers.
 std::optional<std::array<Expression, 2>> read_preload(SceneReading& reading, const JsonValue& value, const Dimension&) {
-    if (!check_object(reading, value, {{"across", "force"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"across", "force"})) return std::nullopt;
     return std::array<Expression, 2>{};
 }
 
@@ -128,9 +128,8 @@ void read_target(SceneReading& reading, const JsonValue& value, const LoadKind& 
 
 std::optional<Load> read_load(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    const Words keys{{"on", "pressure", "traction", "force", "at", "moment", "bearing", "part", "body_force", "gravity", "spin",
-                      "temperature", "preload", "name"},
-                     {}};
+    const Words keys{"on",   "pressure",   "traction", "force", "at",          "moment",  "bearing",
+                     "part", "body_force", "gravity",  "spin",  "temperature", "preload", "name"};
     if (!check_object(reading, value, keys) || reading.problems.size() > before) return std::nullopt;
     const JsonValue* what = exactly_one(
         reading, value,

@@ -38,7 +38,7 @@ double turn(double a, double b, bool ccw) {
 }
 
 Curves read_line(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"from", "to"}, {}})) return {};
+    if (!check_object(reading, value, {"from", "to"})) return {};
     const auto from = required_member(reading, value, "from", read_vector, dimension::length),
                to = required_member(reading, value, "to", read_vector, dimension::length);
     if (!from || !to) return {};
@@ -87,9 +87,7 @@ Curves arc_through(SceneReading& reading, const JsonValue& value, const Vec2& fr
 
 Curves read_arc(SceneReading& reading, const JsonValue& value) {
     const bool through = find_member(value, "via") != nullptr;
-    const Words keys{through ? std::vector<std::string>{"from", "via", "to"}
-                             : std::vector<std::string>{"from", "to", "center", "ccw", "via"},
-                     {}};
+    const Words keys = through ? Words{"from", "via", "to"} : Words{"from", "to", "center", "ccw", "via"};
     if (!check_object(reading, value, keys)) return {};
     const auto from = required_member(reading, value, "from", read_vector, dimension::length),
                to = required_member(reading, value, "to", read_vector, dimension::length);
@@ -112,8 +110,8 @@ Curves read_curves(SceneReading& reading, const JsonValue& edge) {
         for (const EdgeKind& kind : edge_kinds) keys.emplace_back(kind.key);
         return keys;
     }();
-    Words words{kinds, {}};
-    words.known.emplace_back("name");
+    Words words = kinds;
+    words.emplace_back("name");
     const std::size_t before = reading.problems.size();
     if (!check_object(reading, edge, words) || reading.problems.size() > before) return {};
     const JsonValue* value = exactly_one(reading, edge, kinds);

@@ -57,7 +57,7 @@ Material material_of(SceneReading& reading, const JsonValue& value, Analysis ana
 }
 
 Material read_material(SceneReading& reading, const JsonValue& value, Analysis analysis) {
-    if (check_object(reading, value, {{"E", "nu", "density", "expansion", "yield"}, {}}))
+    if (check_object(reading, value, {"E", "nu", "density", "expansion", "yield"}))
         return material_of(reading, value, analysis);
     Material wrong;
     wrong.name = value.key;
@@ -104,7 +104,7 @@ std::optional<int> take_from_library(SceneReading& reading, const JsonValue& at,
 /// A parameter's value: a number, or what an object with a range calls so.
 std::optional<double> read_with_range(SceneReading& reading, const JsonValue& item) {
     if (item.kind != JsonValue::Kind::object) return read_parameter(reading, item);
-    if (!check_object(reading, item, {{"value", "min", "max"}, {}})) return std::nullopt;
+    if (!check_object(reading, item, {"value", "min", "max"})) return std::nullopt;
     const JsonValue* given = required(reading, item, "value");
     if (!given) return std::nullopt;
     JsonValue value = *given;

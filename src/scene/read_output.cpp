@@ -8,7 +8,7 @@ namespace abut {
 namespace {
 
 std::optional<Probe> read_probe(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"part", "at"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"part", "at"})) return std::nullopt;
     const auto part = required_member(reading, value, "part", read_part_name);
     const auto at = required_member(reading, value, "at", read_vector, dimension::length);
     if (!part || !at) return std::nullopt;
@@ -19,14 +19,14 @@ std::vector<std::string> read_formats(SceneReading& reading, const JsonValue& va
     std::vector<std::string> formats;
     if (!check_list(reading, value, 1, "formats")) return formats;
     for (const JsonValue& item : value.items) {
-        const auto format = read_word(reading, item, {{"json", "csv", "html", "vtu", "svg", "png"}, {}});
+        const auto format = read_word(reading, item, {"json", "csv", "html", "vtu", "svg", "png"});
         if (format && std::find(formats.begin(), formats.end(), *format) == formats.end()) formats.push_back(*format);
     }
     return formats;
 }
 
 std::optional<Expectation> read_expectation(SceneReading& reading, const JsonValue& value) {
-    if (!check_object(reading, value, {{"quantity", "value", "tolerance", "source", "case"}, {}})) return std::nullopt;
+    if (!check_object(reading, value, {"quantity", "value", "tolerance", "source", "case"})) return std::nullopt;
     const auto quantity = required_member(reading, value, "quantity", read_text);
     const auto known = required_member(reading, value, "value", read_of_any_dimension);
     const auto tolerance = required_member(reading, value, "tolerance", read_positive, dimension::none);
@@ -40,7 +40,7 @@ std::optional<Expectation> read_expectation(SceneReading& reading, const JsonVal
 
 Output read_output(SceneReading& reading, const JsonValue& output) {
     Output result;
-    if (!check_object(reading, output, {{"probes", "formats"}, {}})) return result;
+    if (!check_object(reading, output, {"probes", "formats"})) return result;
     if (const JsonValue* formats = find_member(output, "formats")) result.formats = read_formats(reading, *formats);
     const JsonValue* probes = find_member(output, "probes");
     if (!probes || !check_list(reading, *probes, 0, "probes")) return result;

@@ -80,7 +80,7 @@ std::vector<NamedCopy> read_copies(SceneReading& reading, const JsonValue& part)
 }
 
 void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, double thickness, Scene& scene) {
-    if (!check_object(reading, value, {{"name", "material", "thickness", "level", "geometry", "place", "array"}, {}})) {
+    if (!check_object(reading, value, {"name", "material", "thickness", "level", "geometry", "place", "array"})) {
         reading.all_parts_named = false;
         return;
     }

@@ -37,7 +37,7 @@ void read_version(SceneReading& reading) {
 }
 
 void read_units(SceneReading& reading, const JsonValue& units, Scene& scene) {
-    if (!check_object(reading, units, {{"length", "force"}, {}})) return;
+    if (!check_object(reading, units, {"length", "force"})) return;
     scene.length_unit = reading.units.length = member_or(reading, units, "length", std::string(), read_text);
     scene.force_unit = reading.units.force = member_or(reading, units, "force", std::string(), read_text);
 }
@@ -50,12 +50,12 @@ void read_general(SceneReading& reading, Scene& scene) {
         report_problem(reading, *title, "expected a text, found " + described(*title));
     if (title) scene.title = title->text;
     if (const JsonValue* analysis = find_member(root, "analysis")) {
-        const auto word = read_word(reading, *analysis, {{"plane_stress", "plane_strain", "axisymmetric"}, {}});
+        const auto word = read_word(reading, *analysis, {"plane_stress", "plane_strain", "axisymmetric"});
         if (word == "plane_strain") scene.analysis = Analysis::plane_strain;
         if (word == "axisymmetric") scene.analysis = Analysis::axisymmetric;
     }
     if (const JsonValue* motion = find_member(root, "motion"))
-        scene.follows_motion = read_word(reading, *motion, {{"auto", "off"}, {}}) != "off";
+        scene.follows_motion = read_word(reading, *motion, {"auto", "off"}) != "off";
 }
 
 void read_all_parts(SceneReading& reading, Scene& scene) {
@@ -221,9 +221,9 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     Scene scene;
     scene.file = document.file;
     refuse_symmetry(reading);
-    const Words keys{{"$schema", "abut", "title", "units", "analysis", "thickness", "parameters", "materials", "parts",
-                      "assembly", "supports", "loads", "cases", "steps", "contacts", "motion", "accuracy", "output", "expect"},
-                     {}};
+    const Words keys{"$schema",   "abut",   "title",    "units",    "analysis", "thickness", "parameters",
+                     "materials", "parts",  "assembly", "supports", "loads",    "cases",     "steps",
+                     "contacts",  "motion", "accuracy", "output",   "expect"};
     if (!check_object(reading, reading.root, keys)) throw_problems(std::move(reading.problems));
     read_version(reading);
     if (const JsonValue* units = find_member(reading.root, "units")) read_units(reading, *units, scene);

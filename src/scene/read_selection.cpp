@@ -68,7 +68,7 @@ std::optional<Selector> read_selector(SceneReading& reading, const JsonValue& va
         return std::nullopt;
     }
     const std::size_t before = reading.problems.size();
-    check_object(reading, value, {{"part", "near", "box", "facing", "within"}, {}});
+    check_object(reading, value, {"part", "near", "box", "facing", "within"});
     const auto part = required_member(reading, value, "part", read_part_name);
     const JsonValue* way = exactly_one(reading, value, {"near", "box", "facing"});
     if (part) selector.part = *part;

@@ -15,7 +15,7 @@ void read_fix(SceneReading& reading, const JsonValue& value, Support& support) {
     support.kind = Support::Kind::fix;
     if (!check_list(reading, value, 1, "\"x\" and \"y\"")) return;
     for (const JsonValue& item : value.items) {
-        const auto word = read_word(reading, item, {{"x", "y"}, {}});
+        const auto word = read_word(reading, item, {"x", "y"});
         support.x |= word == "x";
         support.y |= word == "y";
     }
@@ -23,7 +23,7 @@ void read_fix(SceneReading& reading, const JsonValue& value, Support& support) {
 
 void read_displacement(SceneReading& reading, const JsonValue& value, Support& support) {
     support.kind = Support::Kind::displacement;
-    if (!check_object(reading, value, {{"x", "y"}, {}})) return;
+    if (!check_object(reading, value, {"x", "y"})) return;
     const JsonValue* x = find_member(value, "x");
     const JsonValue* y = find_member(value, "y");
     support.x = x != nullptr;
@@ -46,7 +46,7 @@ std::optional<double> read_rigid_component(SceneReading& reading, const JsonValu
 
 void read_rigid(SceneReading& reading, const JsonValue& value, Support& support) {
     support.kind = Support::Kind::rigid;
-    if (!check_object(reading, value, {{"translation", "rotation"}, {}})) return;
+    if (!check_object(reading, value, {"translation", "rotation"})) return;
     const std::size_t before = reading.problems.size();
     const JsonValue* translation = find_member(value, "translation");
     if (translation && translation->kind == Kind::array && translation->items.size() == 2) {
@@ -72,7 +72,7 @@ std::optional<double> read_stiffness(SceneReading& reading, const JsonValue& val
 
 void read_spring(SceneReading& reading, const JsonValue& value, Support& support) {
     support.kind = Support::Kind::spring;
-    if (!check_object(reading, value, {{"normal", "tangential"}, {}})) return;
+    if (!check_object(reading, value, {"normal", "tangential"})) return;
     const std::size_t before = reading.problems.size();
     support.spring_normal = member_or(reading, value, "normal", 0.0, read_stiffness);
     support.spring_tangential = member_or(reading, value, "tangential", 0.0, read_stiffness);
@@ -108,8 +108,7 @@ void read_place(SceneReading& reading, const JsonValue& value, const JsonValue& 
 
 std::optional<Support> read_support(SceneReading& reading, const JsonValue& value) {
     const std::size_t before = reading.problems.size();
-    if (!check_object(reading, value,
-                      {{"on", "fix", "displacement", "symmetry", "roller", "part", "rigid", "at", "spring"}, {}}))
+    if (!check_object(reading, value, {"on", "fix", "displacement", "symmetry", "roller", "part", "rigid", "at", "spring"}))
         return std::nullopt;
     if (reading.problems.size() > before) return std::nullopt;
     const JsonValue* what = exactly_one(reading, value, {"fix", "displacement", "symmetry", "roller", "rigid", "spring"});

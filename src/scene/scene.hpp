@@ -233,7 +233,7 @@ struct Scene {
     std::vector<LoadCase> cases;  ///< empty: all loads act
     bool in_steps = false;        ///< the cases follow each other, and friction remembers
     bool follows_motion = true;   ///< parts are analysed where the loads take them
-    /// Of one case among others: the loads of all, since what is made of a part has to do for every case.
+    /// The loads of all cases, where the scene is one of them, since what is made of a part has to do for every case.
     std::vector<Load> loads_of_all_cases{};
     ContactOptions contacts;
     Accuracy accuracy;

@@ -83,16 +83,12 @@ void report_problem(SceneReading& reading, const JsonValue& at, const std::strin
 
 bool check_object(SceneReading& reading, const JsonValue& value, const Words& keys) {
     if (value.kind != Kind::object) {
-        report_problem(reading, value, "expected an object, found " + described(value), "its keys are " + listed(keys.known));
+        report_problem(reading, value, "expected an object, found " + described(value), "its keys are " + listed(keys));
         return false;
     }
     for (const JsonValue& item : value.items) {
-        if (has(keys.known, item.key)) continue;
-        if (has(keys.later, item.key)) {
-            report_problem(reading, item, "'" + item.key + "' is not supported yet");
-        } else {
-            report_problem(reading, item, "unknown key '" + shortened(item.key) + "'", nearest_name_hint(item.key, keys.known));
-        }
+        if (has(keys, item.key)) continue;
+        report_problem(reading, item, "unknown key '" + shortened(item.key) + "'", nearest_name_hint(item.key, keys));
     }
     return true;
 }
@@ -190,13 +186,9 @@ std::optional<std::string> read_text(SceneReading& reading, const JsonValue& val
 
 std::optional<std::string> read_word(SceneReading& reading, const JsonValue& value, const Words& words) {
     const std::string word = value.kind == Kind::string ? value.text : "";
-    if (has(words.known, word)) return word;
-    if (has(words.later, word)) {
-        report_problem(reading, value, "'" + word + "' is not supported yet", "one of " + quoted_list(words.known));
-    } else {
-        report_problem(reading, value, "expected one of " + quoted_list(words.known) + ", found " + described(value),
-                       word.empty() ? "" : "did you mean \"" + nearest_name(word, words.known) + "\"?");
-    }
+    if (has(words, word)) return word;
+    report_problem(reading, value, "expected one of " + quoted_list(words) + ", found " + described(value),
+                   word.empty() ? "" : "did you mean \"" + nearest_name(word, words) + "\"?");
     return std::nullopt;
 }
 

@@ -38,13 +38,10 @@ struct SceneReading {
 /// Notes a problem at the place of a value.
 void report_problem(SceneReading& reading, const JsonValue& at, const std::string& what, const std::string& hint = {});
 
-/// Keys or words of the format: those that are supported, and those that the format reserves for later versions.
-struct Words {
-    std::vector<std::string> known;
-    std::vector<std::string> later;
-};
+/// Keys or words of the format.
+using Words = std::vector<std::string>;
 
-/// Is it an object? Reports where not, and reports every key in it that is unknown or not supported yet.
+/// Is it an object? Reports where not, and reports every key in it that is unknown.
 bool check_object(SceneReading& reading, const JsonValue& value, const Words& keys);
 /// Is it a list with at least `least` items? Reports where not.
 bool check_list(SceneReading& reading, const JsonValue& value, std::size_t least, const std::string& of_what);

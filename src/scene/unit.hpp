@@ -49,7 +49,7 @@ struct SceneUnits {
 /// another dimension, or the scene does not name the units that it takes.
 double unit_factor(const std::string& text, const Dimension& wanted, const SceneUnits& scene);
 
-/// The same for a quantity of whatever dimension, which is set.
+/// What unit_factor gives, for a quantity of whatever dimension, which is set.
 double unit_factor_of_any(const std::string& text, const SceneUnits& scene, Dimension& dimension);
 
 /// A dimension in words, with units that fit: "a length (mm, m, in)".

@@ -19,8 +19,8 @@ struct ContactForce {
     double moment = 0;
 };
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact);
-/// The same of every coefficient of an interface's pressure by itself, by column: force x, force y, moment. first: the grid of
-/// its first part.
+/// The resultant of every coefficient of an interface's pressure by itself, by column: force x, force y, moment about the
+/// origin. first: the grid of its first part.
 Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face);
 
 /// The compliance 1 / E' of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per

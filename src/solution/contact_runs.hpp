@@ -41,7 +41,8 @@ std::vector<ContactRun> contact_runs(
     const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients,
     const std::function<double(double)>& cell_ratio = [](double) { return 1.0; });
 
-/// The same along a contact, of a spline over its pressure's knots, with the cells that the contact has.
+/// The stretches of a contact where the pressure is positive, of a spline over its pressure's knots, with the cells that the
+/// contact has.
 std::vector<ContactRun> contact_runs(const ContactInterface& contact, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

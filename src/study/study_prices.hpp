@@ -18,7 +18,7 @@ struct StudyFamily {
 std::vector<StudyFamily> families_of(const Study& study);
 std::string family_name(const StudySetting& setting);
 
-/// By run the largest error of it and of the runs of its family with more unknowns. An error may pass through zero by chance;
+/// The largest error of each run and of the runs of its family with more unknowns. An error may pass through zero by chance;
 /// this one does not. NaN where the run has no error.
 std::vector<double> kept_errors(const Study& study, std::size_t measure);
 

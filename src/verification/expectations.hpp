@@ -14,7 +14,8 @@ namespace abut {
 /// not have, or that is no number there, and an analysis that failed give rows that do not pass.
 std::vector<VerifyRow> compared_with_expectations(const Scene& scene, const Result& result);
 
-/// The same of a scene with load cases, their answers in its order; quantities begin with the case's name.
+/// Every expectation of a scene with load cases, compared with the answers, which are in the scene's order; quantities begin
+/// with the case's name.
 std::vector<VerifyRow> compared_with_cases(const Scene& scene, const std::vector<CaseResult>& cases);
 
 /// Solves the scene of a file and compares. Throws InputError where the scene cannot be read.

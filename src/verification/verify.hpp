@@ -39,7 +39,7 @@ Scene scene_of_run(const VerifyRun& run, const std::string& data_folder);
 /// Runs one analysis; its status may be "failed". Throws InputError where the scene cannot be read.
 Result answer_of(const VerifyRun& run, const std::string& data_folder);
 
-/// The same of a scene with cases or steps: an answer of each.
+/// Runs one analysis of a scene with cases or steps: an answer of each. Throws InputError where the scene cannot be read.
 Answers answers_of(const VerifyRun& run, const std::string& data_folder);
 
 /// The verdict on one value; name, unknowns and seconds are left to be filled in.

@@ -39,7 +39,7 @@ inline std::string fault_of_section(const std::string& bytes) {
         const bool is_split = input.is_split;
         const geometry::MeshFile file = mesh_file_of(input);
         if (const std::string fault = is_split ? fault_of_bodies(file) : ""; !fault.empty()) return fault;
-        const geometry::SectionPlane plane = input.plane.value_or(geometry::default_plane(file.bodies));
+        const geometry::SectionPlane plane = input.plane.value_or(geometry::plane_of({}, file.bodies));
         const geometry::Drawing drawing = geometry::section(file, plane, input.tolerance);
         if (const std::string fault = fault_of_drawing(drawing); !fault.empty()) return fault;
         geometry::SketchOptions options;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,8 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/src/reference/schema_check.hpp"
 
 namespace layers_test {
 
@@ -157,6 +160,16 @@ std::string read(const std::string& file) {
     return text.str();
 }
 
+/// Does the text have it, with no letter, digit or underscore on either side?
+bool has_word(const std::string& text, const std::string& word) {
+    const auto is_part = [&](std::size_t k) {
+        return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) != 0 || text[k] == '_');
+    };
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        if (!(at > 0 && is_part(at - 1)) && !is_part(at + word.size())) return true;
+    return false;
+}
+
 TEST(Layers, NoFileIncludesWhatItMustNot) {
     for (const std::string& file : source_files()) {
         for (const std::string& line : faults_of(file, read(file))) ADD_FAILURE() << line;
@@ -181,7 +194,33 @@ TEST(Layers, OneNameIsOneType) {
               both);
 }
 
-/// Neither a folder more than the order of rooms knows nor one less, each with its README.
+/// Beginnings of comments of declarations that only whoever reads the declaration before understands; by line.
+std::vector<int> leaning_comments(const std::string& text) {
+    static const std::regex comment(R"(^\s*///.*)"), leaning(R"(^\s*/// (Of|The same|By)\b.*)");
+    std::vector<int> found;
+    std::istringstream stream(text);
+    std::string line;
+    bool goes_on = false;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        if (!goes_on && std::regex_match(line, leaning)) found.push_back(number);
+        goes_on = std::regex_match(line, comment);
+    }
+    return found;
+}
+
+TEST(Layers, CommentsOfHeadersStandByThemselves) {
+    for (const std::string& file : source_files()) {
+        if (!is_header(file)) continue;
+        for (const int line : leaning_comments(read(file)))
+            ADD_FAILURE() << file << ":" << line << ": a sentence with a subject, please";
+    }
+    EXPECT_EQ(
+        leaning_comments("/// Of a part.\nint a();\n    /// The same.\nint b();\n/// The sameness\n/// of a part.\nint c();\n"
+                         "/// Whatever\n/// Of old.\nint d();  ///< by part\n/// By part.\n"),
+        (std::vector<int>{1, 3, 11}));
+}
+
+/// Neither a folder more than the order of rooms knows nor one less, each with its README, which has every file.
 TEST(Layers, EveryFileStandsInARoom) {
     std::map<std::string, std::set<std::string>> found;
     for (const std::string& file : source_files()) {
@@ -194,6 +233,13 @@ TEST(Layers, EveryFileStandsInARoom) {
             EXPECT_TRUE(found[floor].contains(room)) << floor << "/" << room << " is empty";
             EXPECT_FALSE(read(floor + "/" + room + "/README.md").empty()) << floor << "/" << room << " has no README.md";
         }
+    for (const std::string& file : source_files()) {
+        if (!is_in_a_room(file)) continue;
+        const std::string readme = layer_of(file) + "/" + room_of(file) + "/README.md";
+        EXPECT_TRUE(has_word(read(readme), fs::path(file).stem().string())) << readme << " has not " << file;
+    }
+    EXPECT_TRUE(has_word("| `a_b`, `c` |", "a_b") && has_word("`a.hpp`", "a"));
+    EXPECT_FALSE(has_word("| `a_b`, `c` |", "a") || has_word("| `a_b`, `c` |", "b"));
 }
 
 TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
@@ -203,6 +249,44 @@ TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
             EXPECT_TRUE(entry.is_directory() ? contains(names, entry.path().filename().string())
                                              : entry.path().filename() == "layers_test.cpp")
                 << entry.path();
+}
+
+struct Told {
+    std::vector<std::string> kinds;
+    std::ptrdiff_t calls = 0;
+};
+
+/// The kinds in the calls of tell(findings, kind, result), and how many calls there are.
+Told told_in(const std::string& text) {
+    static const std::regex call(R"(\btell\()"), kind(R"rx("(\w+)",\s*result\);)rx");
+    Told told;
+    const std::sregex_iterator end;
+    for (std::sregex_iterator k(text.begin(), text.end(), kind); k != end; ++k) told.kinds.push_back((*k)[1]);
+    told.calls = std::distance(std::sregex_iterator(text.begin(), text.end(), call), end);
+    return told;
+}
+
+/// Who reads reasons[].kind of result.json finds there what it means; and nothing that is never said.
+TEST(Layers, TheSchemaKnowsEveryKindOfReason) {
+    const schema_check::Json reason = schema_check::json_of(schema_check::schema_file("result"))["properties"]["reasons"];
+    const schema_check::Json& kind = reason["items"]["properties"]["kind"];
+    std::set<std::string> known, told;
+    for (const auto& word : kind["enum"]) {
+        known.insert(word.get<std::string>());
+        EXPECT_NE(kind["description"].get<std::string>().find(" " + word.get<std::string>() + ": "), std::string::npos) << word;
+    }
+    for (const std::string& file : source_files()) {
+        const std::string text = read(file);
+        if (file == "src/results/findings.cpp" || text.find("\"src/results/findings.hpp\"") == std::string::npos) continue;
+        const Told found = told_in(text);
+        EXPECT_EQ(static_cast<std::ptrdiff_t>(found.kinds.size()), found.calls)
+            << file << ": kinds are written where they are told";
+        EXPECT_EQ(text.find("reasons.push_back"), std::string::npos) << file;
+        told.insert(found.kinds.begin(), found.kinds.end());
+    }
+    EXPECT_EQ(told, known);
+    EXPECT_EQ(told_in("tell(a, \"b\", result);\ntell({{0,\n  f(x)}},\n  \"c_d\",\n  result);\ntell(e, f, result);").kinds,
+              (std::vector<std::string>{"b", "c_d"}));
 }
 
 TEST(Layers, TheCheckSeesTheFilesAndTheirIncludes) {

@@ -58,7 +58,7 @@ geometry::Part square(double side) {
 geometry::SketchParts parts_of_section(const std::string& seed) {
     SectionInput input = section_input_of(bytes_of(seeds / "section" / seed));
     const geometry::MeshFile file = mesh_file_of(input);
-    const geometry::SectionPlane plane = input.plane.value_or(geometry::default_plane(file.bodies));
+    const geometry::SectionPlane plane = input.plane.value_or(geometry::plane_of({}, file.bodies));
     return geometry::parts_of(geometry::section(file, plane, input.tolerance), {});
 }
 

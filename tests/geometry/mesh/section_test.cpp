@@ -60,13 +60,13 @@ TEST(Section, DefaultPlaneIsTheMiddleOfTheThinnestDirection) {
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 high(10, 20, 30);
         high[axis] = 4;
-        const SectionPlane plane = default_plane({box({0, 0, 0}, high)});
+        const SectionPlane plane = plane_of({}, {box({0, 0, 0}, high)});
         EXPECT_EQ(plane.axis, axis);
         EXPECT_EQ(plane.at, 2);
     }
-    EXPECT_EQ(default_plane({box({0, 0, 0}, {1, 1, 1})}).axis, 2);
-    EXPECT_EQ(default_plane({box({0, 0, 0}, {1, 1, 4}), box({0, 0, 4}, {1, 5, 5})}).axis, 0) << "all bodies together";
-    EXPECT_EQ(default_plane({}).at, 0);
+    EXPECT_EQ(plane_of({}, {box({0, 0, 0}, {1, 1, 1})}).axis, 2);
+    EXPECT_EQ(plane_of({}, {box({0, 0, 0}, {1, 1, 4}), box({0, 0, 4}, {1, 5, 5})}).axis, 0) << "all bodies together";
+    EXPECT_EQ(plane_of({}, {}).at, 0);
 }
 
 TEST(Section, DefaultPlaneIsAcrossTheWalls) {
@@ -88,8 +88,8 @@ TEST(Section, DefaultPlaneIsAcrossTheWalls) {
             if (k >= 1 && k <= 4) prism.triangles.push_back({0, k + 1, k});
             if (k >= 1 && k <= 4) prism.triangles.push_back({6, 6 + k, 6 + k + 1});
         }
-        EXPECT_EQ(default_plane({prism}).axis, axis);
-        EXPECT_EQ(default_plane({prism}).at, 15);
+        EXPECT_EQ(plane_of({}, {prism}).axis, axis);
+        EXPECT_EQ(plane_of({}, {prism}).at, 15);
     }
 }
 
@@ -273,7 +273,7 @@ const std::filesystem::path inputs = std::filesystem::path(ABUT_SOURCE_DIR) / ".
 std::vector<double> areas(const Drawing& drawing) {
     EXPECT_TRUE(drawing.problems.empty());
     std::vector<double> found;
-    for (const Part& part : parts_by_layer(drawing, {}).parts) found.push_back(area(part));
+    for (const Part& part : parts_of(drawing, {.parts_by = PartsBy::layer}).parts) found.push_back(area(part));
     return found;
 }
 
@@ -286,7 +286,7 @@ TEST(Section, MeshesOfAnAssemblyGiveTheAreasOfItsDrawing) {
         const std::vector<double> truth = areas(read_dxf((inputs / "generated" / drawing).string()));
         for (const std::string& name : meshes) {
             const MeshFile mesh = read_mesh_file((inputs / "generated" / name).string());
-            const std::vector<double> found = areas(section(mesh, default_plane(mesh.bodies), 0));
+            const std::vector<double> found = areas(section(mesh, plane_of({}, mesh.bodies), 0));
             ASSERT_EQ(found.size(), truth.size()) << name;
             for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_NEAR(found[k], truth[k], 1e-6 * truth[k]) << name;
         }
@@ -298,7 +298,7 @@ TEST(Section, GearsOfOneSoupAreToldApart) {
     const MeshFile mesh = read_mesh_file((inputs / "generated/gear_pair.3mf").string());
     EXPECT_EQ(mesh.bodies.size(), 4u);
     const std::vector<double> truth = areas(read_dxf((inputs / "generated/gear_pair_r14.dxf").string()));
-    const std::vector<double> found = areas(section(mesh, default_plane(mesh.bodies), 0));
+    const std::vector<double> found = areas(section(mesh, plane_of({}, mesh.bodies), 0));
     ASSERT_EQ(found.size(), truth.size());
     // Facets of the involutes, of 0.01 of a tooth, are chords.
     for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_NEAR(found[k], truth[k], 5e-4 * truth[k]);

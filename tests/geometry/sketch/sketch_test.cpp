@@ -24,9 +24,13 @@ Drawing pin_bracket() {
     return read_dxf(std::string(ABUT_SOURCE_DIR) + "/data/sketches/pin_bracket_r14.dxf");
 }
 
+SketchParts parts_by_layer(const Drawing& drawing, double tolerance = 0) {
+    return parts_of(drawing, {.tolerance = tolerance, .parts_by = PartsBy::layer});
+}
+
 SketchParts parts_of(const std::string& entities, double tolerance = 0) {
     const TemporaryFolder folder;
-    return parts_by_layer(read_dxf(folder.write("test.dxf", dxf_file(entities))), {tolerance});
+    return parts_by_layer(read_dxf(folder.write("test.dxf", dxf_file(entities))), tolerance);
 }
 
 bool has(const std::string& text, const std::string& piece) {
@@ -34,7 +38,7 @@ bool has(const std::string& text, const std::string& piece) {
 }
 
 TEST(Sketch, FindsThePartsOfAnAssembly) {
-    const SketchParts sketch = parts_by_layer(pin_bracket(), {});
+    const SketchParts sketch = parts_by_layer(pin_bracket());
     ASSERT_EQ(sketch.parts.size(), 3u);
     EXPECT_TRUE(sketch.repairs.empty());
     EXPECT_TRUE(sketch.problems.empty());
@@ -51,7 +55,7 @@ TEST(Sketch, FindsThePartsOfAnAssembly) {
 
 TEST(Sketch, NamesEdgesAfterEntitiesAndKnowsTheirDirection) {
     const Drawing drawing = pin_bracket();
-    for (const Part& part : parts_by_layer(drawing, {}).parts)
+    for (const Part& part : parts_by_layer(drawing).parts)
         for (const Edge& edge : part.edges) {
             const auto entity = std::find_if(drawing.entities.begin(), drawing.entities.end(),
                                              [&](const auto& e) { return e.name == edge.name; });
@@ -83,7 +87,7 @@ TEST(Sketch, DoesNotDependOnOrderAndDirectionOfEntities) {
         std::shuffle(shuffled.entities.begin(), shuffled.entities.end(), random);
         for (SketchEntity& entity : shuffled.entities)
             if (random() % 2 == 0) entity.curve = reversed(entity.curve);
-        const SketchParts sketch = parts_by_layer(shuffled, {});
+        const SketchParts sketch = parts_by_layer(shuffled);
         ASSERT_EQ(sketch.parts.size(), 3u);
         double sum = 0;
         for (const Part& part : sketch.parts) {
@@ -267,7 +271,7 @@ TEST(Sketch, WorksFarFromTheOrigin) {
     const Vec2 far(1e6, -3e6);
     Drawing drawing = pin_bracket();
     for (SketchEntity& entity : drawing.entities) entity.curve = transformed(entity.curve, 1, 0, far);
-    const SketchParts sketch = parts_by_layer(drawing, {});
+    const SketchParts sketch = parts_by_layer(drawing);
     ASSERT_EQ(sketch.parts.size(), 3u);
     EXPECT_TRUE(sketch.repairs.empty());
     EXPECT_NEAR(area(sketch.parts[0]), bracket_area, 1e-6);  // ulp of 3e6 is 5e-10, times the perimeter of 460

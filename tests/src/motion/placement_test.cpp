@@ -81,7 +81,7 @@ TEST(Placement, SaysWhyPartsAreNotFollowed) {
     scene.follows_motion = false;
     EXPECT_NE(why_not_followed(scene).find("off"), std::string::npos);
     scene.follows_motion = true;
-    scene.loads.at(0).value[1] = parse_expression("-x", {}, true);
+    scene.loads.at(0).value[1] = parse_expression_with_unit("-x", {}, true).value;
     EXPECT_NE(why_not_followed(scene).find("expressions"), std::string::npos);
 }
 

@@ -54,6 +54,29 @@ TEST(Schemas, MeaningsAreSentencesNumbersHaveUnitsAndObjectsExamples) {
         }
 }
 
+/// "type, unit, default and an example: `abut help loads.force`" says the README.
+TEST(Schemas, KeysHaveExamplesOfTheirOwnOrOfTheObjectAroundThem) {
+    for (const ReferencePage& page : reference())
+        for (const ReferenceEntry& entry : page.entries) {
+            if (!entry.is_key || entry.parent.empty()) continue;
+            EXPECT_FALSE(entry.example.empty() && entry.example_around.empty()) << full_name(page, entry);
+            if (page.name == "scene" && entry.parent == "loads[]" && entry.example.empty()) {
+                EXPECT_NE(entry.example_around.find('"' + entry.path.substr(8) + "\": "), std::string::npos) << entry.path;
+            }
+        }
+}
+
+TEST(Schemas, ExamplesHaveNoOtherKeys) {
+    for (const std::string& name : reference_names()) {
+        const Json schema = json_of(schema_file(name));
+        for_each_object(schema, "", [&](const std::string& place, const Json& object) {
+            SchemaCheck check(schema);
+            for (const Json& example : object.value("examples", Json::array()))
+                EXPECT_EQ(in_lines(check.faults(example, place)), "") << name << place << " " << example;
+        });
+    }
+}
+
 TEST(Schemas, ScenesOfTheProjectHaveNoOtherKeys) {
     const Json schema = json_of(schema_file("scene"));
     SchemaCheck check(schema);

@@ -27,7 +27,7 @@ TEST(Findings, OfOneAreToldAsTheyAre) {
     tell({{1, "a", "part a yields", "a beyond its yield"}}, "yield", r);
     EXPECT_EQ(r.warnings.back(), "part a yields");
     EXPECT_EQ(r.reasons.back().text, "a beyond its yield");
-    tell({{1, "a", "part a is rigid"}, {1, "b", "part b is rigid"}}, "rigid", r);
+    remark({{1, "a", "part a is rigid"}, {1, "b", "part b is rigid", "no reason"}}, r);
     EXPECT_EQ(r.warnings.back(), "part a is rigid; the same of 1 other: b");
     EXPECT_EQ(r.reasons.size(), 1u) << "a remark is no reason";
 }

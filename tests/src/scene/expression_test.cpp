@@ -15,6 +15,10 @@ namespace {
 
 const std::map<std::string, double> parameters{{"R", 20}, {"gap", 0.01}};
 
+Expression parse_expression(const std::string& text, const std::map<std::string, double>& names, bool field) {
+    return parse_expression_with_unit(text, names, field).value;
+}
+
 double value(const std::string& text) {
     return parse_expression(text, parameters, false).constant();
 }
