@@ -18,6 +18,7 @@
 #include "src/analysis/singular_errors.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/analysis/stress_raisers.hpp"
+#include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/accuracy_goal.hpp"
@@ -62,6 +63,20 @@ std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<doub
     return energy;
 }
 
+/// Bonded parts are one body: the cells that are wanted at a place of one of them are wanted around it in all.
+WantedSizes with_bonded(const WantedSizes& wanted, const std::vector<Candidate>& candidates) {
+    std::vector<std::size_t> body(wanted.size());
+    std::iota(body.begin(), body.end(), std::size_t{0});
+    for (const Candidate& c : candidates)
+        if (c.bonded && body[at(c.first)] != body[at(c.second)])
+            std::replace(body.begin(), body.end(), std::size_t{body[at(c.second)]}, std::size_t{body[at(c.first)]});
+    WantedSizes all(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        for (std::size_t j = 0; j < wanted.size(); ++j)
+            if (body[i] == body[j]) all[i].insert(all[i].end(), wanted[j].begin(), wanted[j].end());
+    return all;
+}
+
 }  // namespace
 
 std::vector<Candidate> search_scene(const Scene& scene, double factor, Stopwatches& seconds, EffectUses& uses) {
@@ -89,7 +104,7 @@ public:
         std::vector<bool> parts =
             parts_to_solve(scene_, conditions_, touching_pairs(out_.candidates), closing_pairs(scene_, out_.candidates));
         for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = parts[i] && group_[i];
-        return {std::move(parts), wanted_, next_.next_coarseness(), out_.next};
+        return {std::move(parts), with_bonded(wanted_, out_.candidates), next_.next_coarseness(), out_.next};
     }
     const std::vector<Candidate>& candidates() const { return out_.candidates; }
     bool meets_others() const { return meets_others_; }

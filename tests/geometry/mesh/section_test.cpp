@@ -66,7 +66,7 @@ TEST(Section, DefaultPlaneIsTheMiddleOfTheThinnestDirection) {
     }
     EXPECT_EQ(plane_of({}, {box({0, 0, 0}, {1, 1, 1})}).axis, 2);
     EXPECT_EQ(plane_of({}, {box({0, 0, 0}, {1, 1, 4}), box({0, 0, 4}, {1, 5, 5})}).axis, 0) << "all bodies together";
-    EXPECT_EQ(plane_of({}, {}).at, 0);
+    EXPECT_EQ(plane_of({}, std::vector<Mesh>{}).at, 0);
 }
 
 TEST(Section, DefaultPlaneIsAcrossTheWalls) {
