@@ -134,7 +134,8 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     e.contacts.resize(now.contacts.size());
     if (passes.size() < 2) return e;
     const PassRecord& before = passes[passes.size() - 2];
-    double worst = 0, strongest = 0, worst_peak = 0, largest_peak = 0;
+    double worst = 0, strongest = 0, worst_peak = 0, largest_peak = 0;  // of all, but for the errors: bonds have their own
+    double strongest_contact = 0, largest_at_contact = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         if (now.contacts[k].runs.empty()) continue;  // open, but for rounding
         const std::optional<ContactError> known =
@@ -146,10 +147,13 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         e.contacts[k] = error;
         e.contacts[k]->share = c.norm;
         e.contacts[k]->share_of_peak = c.peak;
-        worst = std::max(worst, error.pressure * c.norm);
         strongest = std::max(strongest, c.norm);
-        if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * c.peak);
         largest_peak = std::max(largest_peak, c.peak);
+        if (now.contacts[k].is_bond) continue;
+        worst = std::max(worst, error.pressure * c.norm);
+        strongest_contact = std::max(strongest_contact, c.norm);
+        if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * c.peak);
+        largest_at_contact = std::max(largest_at_contact, c.peak);
     }
     for (auto& c : e.contacts) {
         if (!c) continue;
@@ -157,8 +161,8 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
         c->share_of_peak /= largest_peak;
         if (c->share <= rounding_of_pressure) c.reset();  // a bond that carries nothing
     }
-    if (strongest > 0) e.contact_pressure = worst / strongest;
-    if (strongest > 0) e.peak = worst_peak / largest_peak;
+    if (strongest_contact > 0) e.contact_pressure = worst / strongest_contact;
+    if (strongest_contact > 0) e.peak = worst_peak / largest_at_contact;
     return e;
 }
 

@@ -34,8 +34,8 @@ struct ContactError {
 /// The estimated errors of a solution; unset: nothing to compare with.
 struct ErrorEstimate {
     std::vector<std::optional<ContactError>> contacts;  ///< by candidate; unset too where the contact is open
-    std::optional<double> contact_pressure;             ///< the largest L2 error, relative to the strongest contact's pressure
-    std::optional<double> peak;                         ///< largest error of the largest pressures, but for those at corners
+    std::optional<double> contact_pressure;             ///< largest L2 error of contacts, relative to the strongest; no bond's
+    std::optional<double> peak;                         ///< largest error of their largest pressures, but for those at corners
     std::optional<double> smoothing;                    ///< energy of what smoothed stresses differ by; not by estimate_errors
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's

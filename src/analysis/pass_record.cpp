@@ -111,7 +111,8 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
                                   solved.runs[k],
                                   c.face.thickness,
                                   contact_force(solved, k).force,
-                                  shear_record(solved, k)};
+                                  shear_record(solved, k),
+                                  c.face.bilateral};
     }
     return record;
 }

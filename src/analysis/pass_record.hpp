@@ -26,6 +26,7 @@ struct ContactRecord {
     double thickness = 1;
     std::optional<Vec2> resultant{};  ///< force on the first part
     std::optional<ShearRecord> shear{};
+    bool is_bond = false;
 };
 
 /// What is kept of one pass.

@@ -89,7 +89,9 @@ double penetration_share(const SolvedAssembly& solved, std::size_t contact) {
 }
 
 bool any_run(const SolvedAssembly& s) {
-    return std::any_of(s.runs.begin(), s.runs.end(), [](const auto& r) { return !r.empty(); });
+    for (std::size_t k = 0; k < s.runs.size(); ++k)
+        if (!s.runs[k].empty() && !s.contacts[k].face.bilateral) return true;
+    return false;
 }
 
 }  // namespace abut

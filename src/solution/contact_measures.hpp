@@ -34,7 +34,7 @@ double compliance_of(const SolvedAssembly& solved, std::size_t contact);
 /// contact of half width a, whose middle closes by p a / E* more than its ends. 0 without penalty.
 double penetration_share(const SolvedAssembly& solved, std::size_t contact);
 
-/// Is any contact under pressure?
+/// Is any contact under pressure? A bond is none.
 bool any_run(const SolvedAssembly& solved);
 
 }  // namespace abut
