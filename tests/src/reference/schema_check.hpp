@@ -5,6 +5,7 @@
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -120,6 +121,8 @@ private:
             if (node.contains("properties") && node["properties"].contains(key)) {
                 met_.insert(&node["properties"][key]);
                 for (std::string& fault : faults_of(node["properties"][key], member, place)) all.push_back(std::move(fault));
+            } else if (const Json* named = by_pattern(node, key)) {
+                for (std::string& fault : faults_of(*named, member, place)) all.push_back(std::move(fault));
             } else if (node.contains("additionalProperties") && node["additionalProperties"].is_object()) {
                 for (std::string& fault : faults_of(node["additionalProperties"], member, place))
                     all.push_back(std::move(fault));
@@ -130,6 +133,14 @@ private:
         for (const Json& key : node.value("required", Json::array()))
             if (!value.contains(key.get<std::string>())) all.push_back(at + "/" + key.get<std::string>() + " is missing");
         return all;
+    }
+
+    /// The schema of a key that one of an object's patterns names; nullptr: none does.
+    static const Json* by_pattern(const Json& node, const std::string& key) {
+        if (!node.contains("patternProperties")) return nullptr;
+        for (const auto& [pattern, named] : node["patternProperties"].items())
+            if (std::regex_search(key, std::regex(pattern))) return &named;
+        return nullptr;
     }
 
     const Json& schema_;
