@@ -10,6 +10,11 @@ namespace abut {
 
 namespace {
 
+std::string names_of(const Scene& scene, const Meeting& m) {
+    return scene.parts[static_cast<std::size_t>(m.first)].name + " and " +
+           scene.parts[static_cast<std::size_t>(m.second)].name + " ";
+}
+
 bool is_unpaired(const Scene& scene, const Meeting& m) {
     const geometry::Part &a = scene.parts[static_cast<std::size_t>(m.first)].part,
                          &b = scene.parts[static_cast<std::size_t>(m.second)].part;
@@ -18,21 +23,30 @@ bool is_unpaired(const Scene& scene, const Meeting& m) {
     return !is_convex_corner(a, c.edge1, c.t1) || !is_convex_corner(b, c.edge2, c.t2);
 }
 
+std::string unpaired_of(const Scene& scene, const std::vector<Meeting>& meetings) {
+    std::vector<std::string> unpaired;
+    for (const Meeting& m : meetings)
+        if (is_unpaired(scene, m)) unpaired.push_back(names_of(scene, m) + "at " + pair_text(m.closest->x1, 4));
+    return joined(unpaired, "; ");
+}
+
 }  // namespace
 
+std::string unpaired_touches(const Scene& scene) {
+    return unpaired_of(scene, find_meetings(scene, 1));
+}
+
 void warn_of_drawn_touches(const Scene& scene, Result& result) {
-    std::vector<std::string> unpaired, overlapping;
-    for (const Meeting& m : find_meetings(scene, 1)) {
-        const std::string names = scene.parts[static_cast<std::size_t>(m.first)].name + " and " +
-                                  scene.parts[static_cast<std::size_t>(m.second)].name + " ";
-        if (is_unpaired(scene, m)) unpaired.push_back(names + "at " + pair_text(m.closest->x1, 4));
-        if (m.overlap && m.counts_as_touching) overlapping.push_back(names + overlap_text(scene, m));
-    }
+    const std::vector<Meeting> meetings = find_meetings(scene, 1);
+    const std::string unpaired = unpaired_of(scene, meetings);
+    std::vector<std::string> overlapping;
+    for (const Meeting& m : meetings)
+        if (m.overlap && m.counts_as_touching) overlapping.push_back(names_of(scene, m) + overlap_text(scene, m));
     if (!unpaired.empty())
         result.warnings.push_back(
             "parts touch where no faces oppose each other, and nothing keeps them from pressing into each "
             "other there: " +
-            joined(unpaired, "; ") + "; round the corner, or support the part");
+            unpaired + "; round the corner, or support the part");
     if (!overlapping.empty())
         result.warnings.push_back("parts overlap by no more than a drawing is precise to, and are taken as touching there: " +
                                   joined(overlapping, "; ") +
