@@ -27,7 +27,7 @@ std::string unpaired_of(const Scene& scene, const std::vector<Meeting>& meetings
     std::vector<std::string> unpaired;
     for (const Meeting& m : meetings)
         if (is_unpaired(scene, m)) unpaired.push_back(names_of(scene, m) + "at " + pair_text(m.closest->x1, 4));
-    return joined(unpaired, "; ");
+    return abut::joined(unpaired, "; ");
 }
 
 }  // namespace
