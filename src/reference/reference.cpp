@@ -116,15 +116,29 @@ private:
         return type == "text" || type == "number" || type == "whole number" || type == "object";
     }
 
-    /// Of the examples of the object around a key the first that has it; else the key with its default; else the last.
-    std::string example_around(const std::string& key, const Json* standard) const {
-        if (!around_) return "";
-        for (const Json& example : *around_)
-            if (example.is_object() && example.contains(key)) return example_text(example);
-        if (!standard) return example_text(around_->back());
-        Json by_default;
-        by_default[key] = *standard;
-        return example_text(by_default);
+    /// What a key may be: its default, its only value, or the first of its words.
+    const Json* value_of(const Json& node) const {
+        if (const Json* standard = word(node, "default")) return standard;
+        const Json& n = resolved(node);
+        if (n.contains("const")) return &n["const"];
+        return n.contains("enum") ? &n["enum"].front() : nullptr;
+    }
+
+    /// The first example of the object around a key that has it; else the key with a value that it may have; else an
+    /// example of the list's items; else the last one of the object around.
+    std::string example_around(const std::string& key, const Json& node) const {
+        if (around_)
+            for (const Json& example : *around_)
+                if (example.is_object() && example.contains(key)) return example_text(example);
+        if (const Json* value = value_of(node)) {
+            Json with_value;
+            with_value[key] = *value;
+            return example_text(with_value);
+        }
+        const Json& n = resolved(node);
+        const Json* items = n.contains("items") ? examples_of(n["items"]) : nullptr;
+        if (!items && !around_) return "";
+        return example_text(items ? items->back() : around_->back());
     }
 
     void visit(const Json& node, const std::string& path, const std::string& parent, bool required, bool is_key) {
@@ -143,8 +157,7 @@ private:
         }
         if (const Json* standard = word(node, "default")) entry.standard = spaced(*standard);
         if (const Json* examples = examples_of(node)) entry.example = example_text(examples->back());
-        if (is_key && entry.example.empty())
-            entry.example_around = example_around(path.substr(path.rfind('.') + 1), word(node, "default"));
+        if (is_key && entry.example.empty()) entry.example_around = example_around(path.substr(path.rfind('.') + 1), node);
         const std::size_t place = entries_.size();
         entries_.push_back(std::move(entry));
         const Json* const outside = around_;

@@ -17,7 +17,7 @@ struct ReferenceEntry {
     std::string unit;            ///< "force per length^2", "1" of ratios; empty: it has none
     std::string standard;        ///< the default as it would be written; empty: there is none
     std::string example;         ///< as it would be written, in lines; empty: there is none
-    std::string example_around;  ///< of a key without an example: one of the object that has it; empty: there is none
+    std::string example_around;  ///< of a key without an example: one of the object that has it, or of what it may be
     std::string same_as;         ///< the path of an entry that has the same keys, which are listed there alone; may be empty
     bool required = false;
     bool is_key = true;
