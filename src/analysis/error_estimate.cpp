@@ -134,8 +134,8 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     e.contacts.resize(now.contacts.size());
     if (passes.size() < 2) return e;
     const PassRecord& before = passes[passes.size() - 2];
-    double worst = 0, strongest = 0, worst_peak = 0, largest_peak = 0;  // of all, but for the errors: bonds have their own
-    double strongest_contact = 0, largest_at_contact = 0;
+    double strongest = 0, largest_peak = 0;  // of all, bonds among them
+    double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         if (now.contacts[k].runs.empty()) continue;  // open, but for rounding
         const std::optional<ContactError> known =

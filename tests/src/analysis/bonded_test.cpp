@@ -2,6 +2,7 @@
 // Bonded edges: two parts that hold together as one, in tension and in shear.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -127,6 +128,50 @@ TEST(Bonded, HasNoInterference) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_NE(std::string(error.what()).find("/contacts/pairs/0/interference"), std::string::npos) << error.what();
+    }
+}
+
+/// A block whose top layer of that depth is a part of its own, bonded to it; 0: in one piece. more: parts, beginning with a
+/// comma.
+Result layered(double depth, const std::string& more, const std::string& rest) {
+    const std::string y = std::to_string(-depth), joint = R"({"between": ["coat/bottom", "base/top"], "kind": "bonded"})";
+    const bool is_whole = depth == 0;
+    return analyzed(block("coat", is_whole ? "[-20, -20]" : "[-20, " + y + "]", "[20, 0]") +
+                        (is_whole ? "" : "," + block("base", "[-20, -20]", "[20, " + y + "]")) + more,
+                    R"("supports": [{"on": ")" + std::string(is_whole ? "coat" : "base") +
+                        R"(/bottom", "fix": ["x", "y"]}], "contacts": {"pairs": [)" + (is_whole ? "" : joint) + "]}, " + rest);
+}
+
+TEST(Bonded, UnderSmoothPressureALayerIsPartOfTheBlock) {
+    const std::string load = R"_("loads": [{"on": "coat/top", "pressure": "exp(-(x/2)^2)"}],
+        "output": {"probes": [{"part": "coat", "at": [0, 0]}]})_";
+    const Result whole = layered(0, "", load), thin = layered(0.1, "", load), thick = layered(1, "", load);
+    for (const Result* r : {&thin, &thick}) {
+        ASSERT_EQ(r->status, "ok") << r->message;
+        EXPECT_NEAR(r->probes[0].displacement.y() / whole.probes[0].displacement.y(), 1, 0.01);
+        EXPECT_NEAR(r->strain_energy / whole.strain_energy, 1, 0.01);
+        EXPECT_NE(r->accuracy.of, "contact pressure");
+    }
+}
+
+TEST(Bonded, UnderADiscALayerIsPartOfTheBlock) {
+    const auto pressed = [](double depth) {
+        return layered(depth,
+                       R"(, {"name": "disc", "material": "m", "geometry": {"circle": {"center": [0, 10], "radius": 10}}})",
+                       R"("loads": [{"part": "disc", "force": [0, -0.5]}])");
+    };
+    const auto contact = [](const Result& r) {
+        return *std::find_if(r.contacts.begin(), r.contacts.end(),
+                             [](const ContactResult& c) { return c.kind == "contact" && c.status != "open"; });
+    };
+    const ContactResult whole = contact(pressed(0));
+    for (const double depth : {0.05, 0.1, 0.5}) {
+        SCOPED_TRACE(depth);
+        const Result r = pressed(depth);
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_TRUE(r.accuracy.reached) << r.accuracy.why;
+        EXPECT_NEAR(contact(r).max_pressure.value / whole.max_pressure.value, 1, 0.01);
+        EXPECT_NEAR(contact(r).contact_length / whole.contact_length, 1, 0.01);
     }
 }
 

@@ -42,6 +42,19 @@ TEST(ErrorEstimate, GrowsWithTheChange) {
     EXPECT_NEAR(large.contacts[0]->force / small.contacts[0]->force, 2, 0.1);
 }
 
+TEST(ErrorEstimate, BondsDoNotDecideWhatContactsAreKnownTo) {
+    ContactRecord before = scaled(20, 0.9), now = scaled(20, 1);
+    before.is_bond = now.is_bond = true;
+    const ErrorEstimate alone = estimate({pass({before}), pass({now})});
+    EXPECT_TRUE(alone.contacts[0]);
+    EXPECT_FALSE(alone.contact_pressure || alone.peak);
+    const ErrorEstimate contact = estimate({pass({scaled(20, 0.99)}), pass({scaled(20, 1)})}),
+                        both = estimate({pass({before, scaled(20, 0.99)}), pass({now, scaled(20, 1)})});
+    EXPECT_EQ(*both.contact_pressure, *contact.contact_pressure);
+    EXPECT_EQ(*both.peak, *contact.peak);
+    EXPECT_GT(both.contacts[0]->pressure, *both.contact_pressure);
+}
+
 TEST(ErrorEstimate, ErrorsOfFreeEndsCountFromOneSolution) {
     ContactRecord now = scaled(10, 1);
     now.runs[0].at_end = {RunEnd::Kind::free, 0.1, 0.03};
