@@ -43,6 +43,15 @@ double mean_stress(const PartOnGrid& g, const Eigen::VectorXd& displacement, dou
     return s[0] * e.x() * e.x() + s[1] * e.y() * e.y() + 2 * s[2] * e.x() * e.y();
 }
 
+/// Is a part bonded to others along as much of its boundary as half of a length? Its sides do not give way then.
+bool is_bonded_along(const SolvedAssembly& solved, std::size_t grid, double along) {
+    double bonded = 0;
+    for (const ContactInterface& c : solved.contacts)
+        if (c.face.bilateral && !c.s.empty() && (at(c.face.part[0]) == grid || at(c.face.part[1]) == grid))
+            bonded += c.s.back() - c.s.front();
+    return bonded >= 0.5 * along;
+}
+
 }  // namespace
 
 void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
@@ -56,6 +65,7 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         const double euler = std::pow(std::numbers::pi * column.slenderness, 2) / 12 * g.input.elasticity.d11;
         const double one_end = 0.25 * euler, both_ends = 4 * euler;
         if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
+        if (is_bonded_along(out.solved, k, column.along.norm())) continue;
         const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part), column.along);
         if (pressed <= one_end) continue;
         const std::string pressed_by =

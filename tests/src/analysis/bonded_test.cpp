@@ -151,6 +151,7 @@ TEST(Bonded, UnderSmoothPressureALayerIsPartOfTheBlock) {
         EXPECT_NEAR(r->probes[0].displacement.y() / whole.probes[0].displacement.y(), 1, 0.01);
         EXPECT_NEAR(r->strain_energy / whole.strain_energy, 1, 0.01);
         EXPECT_NE(r->accuracy.of, "contact pressure");
+        for (const std::string& warning : r->warnings) EXPECT_EQ(warning.find("slender"), std::string::npos) << warning;
     }
 }
 
