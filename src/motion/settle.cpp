@@ -9,6 +9,7 @@
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "src/base/index.hpp"
+#include "src/contact/part_reach.hpp"
 #include "src/motion/closing_rows.hpp"
 #include "src/motion/moving_parts.hpp"
 
@@ -91,7 +92,8 @@ public:
             return end;
         }
         look();
-        if (closing_.deepest > 0 && is_as_drawn()) return {Settling::End::not_asked, "parts overlap where they are drawn"};
+        if (closing_.deepest > precision_fraction && is_as_drawn())
+            return {Settling::End::not_asked, "parts overlap where they are drawn"};
         Settling end = to_the_end || !is_where_led() || goes_far(step_under(least_drag)) ? walk() : rest();
         const bool is_at_rest = end.end == Settling::End::rests || end.end == Settling::End::stays;
         return is_at_rest ? pushed(std::move(end)) : end;

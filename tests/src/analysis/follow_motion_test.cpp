@@ -97,4 +97,22 @@ TEST(FollowMotion, WhatIsPairedAstrayIsPairedAnew) {
     EXPECT_TRUE(pin_at("0", "0.45").parts.at(1).placement);
 }
 
+/// A disc that is drawn into its flat by less than drawings are precise to keeps no pin from its place of rest.
+TEST(FollowMotion, OverlapsByRoundingAreNone) {
+    const auto drawn_at = [](const std::string& y) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "plate", "material": "m", "geometry": {"difference": [
+                {"rectangle": {"min": [-30, -30], "max": [30, 30]}, "name": "p"}, {"circle": {"center": [0, 0], "radius": 10}}]}},
+            {"name": "pin", "material": "m", "geometry": {"circle": {"center": [0, )" +
+                            y + R"(], "radius": 9.7}}},
+            {"name": "disc", "material": "m", "geometry": {"circle": {"center": [10, 37.9999], "radius": 8}}}],
+            "supports": [{"on": "plate/p/bottom", "fix": ["x", "y"]}],
+            "loads": [{"part": "pin", "force": [0, -1500]}, {"part": "disc", "force": [0, -300]}]})");
+    };
+    const Result in_place = drawn_at("-0.3"), beside = drawn_at("0.25");
+    EXPECT_EQ(verdict_of(beside), Verdict::reached);
+    EXPECT_TRUE(beside.parts.at(1).placement);
+    EXPECT_NEAR(beside.contacts.at(0).max_pressure.value / in_place.contacts.at(0).max_pressure.value, 1, 0.01);
+}
+
 }  // namespace abut::follow_motion_test
