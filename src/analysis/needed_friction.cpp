@@ -9,6 +9,7 @@
 
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
+#include "src/results/result_units.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {
@@ -57,7 +58,7 @@ std::optional<double> pressed_across(const Result& result, int part, int axis, d
 void note_needed_friction(const Scene& scene, const ResolvedConditions& conditions, Result& result) {
     struct Held {
         double force = 0;
-        std::string supports;
+        std::set<std::string> supports;
     };
     std::map<std::pair<int, int>, Held> held;  // by part and axis
     for (const Reaction& r : result.reactions) {
@@ -67,14 +68,14 @@ void note_needed_friction(const Scene& scene, const ResolvedConditions& conditio
         if (!axis || !part) continue;
         Held& h = held[{*part, *axis}];
         h.force += r.force[*axis];
-        h.supports += (h.supports.empty() ? "" : ", ") + r.label;
+        h.supports.insert(r.label);
     }
     for (const auto& [of, h] : held) {
         const std::optional<double> pressed = pressed_across(result, of.first, of.second, h.force);
         if (!pressed || std::abs(h.force) < least_noted * *pressed || *pressed == 0) continue;
-        result.notes.push_back(h.supports + ": in place of this, friction would have to hold " +
-                               scene.parts[at(of.first)].name + " along " + (of.second == 0 ? "x" : "y") +
-                               ": its contacts would need a coefficient of at least " +
+        result.notes.push_back(joined({h.supports.begin(), h.supports.end()}, ", ") +
+                               ": in place of this, friction would have to hold " + scene.parts[at(of.first)].name + " along " +
+                               (of.second == 0 ? "x" : "y") + ": its contacts would need a coefficient of at least " +
                                number_text(std::abs(h.force) / *pressed, 2) + " (" + number_text(std::abs(h.force), 4) +
                                " over the " + number_text(*pressed, 4) + " that press on it)");
     }
