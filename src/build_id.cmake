@@ -6,9 +6,10 @@ foreach(floor geometry solver src apps)
        ${SOURCE_DIR}/${floor}/CMakeLists.txt)
   list(APPEND sources ${of_floor})
 endforeach()
-file(GLOB tables ${SOURCE_DIR}/data/materials/*.json ${SOURCE_DIR}/data/drafting_layers.csv
+file(GLOB tables ${SOURCE_DIR}/CMakeLists.txt  # the compiler's options
+     ${SOURCE_DIR}/data/materials/*.json ${SOURCE_DIR}/data/drafting_layers.csv
      ${SOURCE_DIR}/src/report/web/page.css ${SOURCE_DIR}/src/report/web/bundle/report.css ${SOURCE_DIR}/src/report/web/bundle/report.js)  # compiled in
-list(APPEND sources ${tables} ${SOURCE_DIR}/CMakeLists.txt)  # the compiler's options, too
+list(APPEND sources ${tables})
 set(all)
 foreach(source IN LISTS sources)
   file(SHA1 ${source} hash)
