@@ -44,7 +44,7 @@ double pressure_of(const ContactRecord& c, double s) {
     return solver::pressure_at(c.pressure, c.coefficients, s);
 }
 double spacing_of(const ContactRecord& c, double s, double /*now*/) {
-    return cell_ratio_at(c.s, c.cell_ratio, s) * spacing_at(c.pressure, s);
+    return spacing_at(c.pressure, s);
 }
 
 bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
@@ -105,7 +105,6 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
         const ContactInterface& c = solved.contacts[k];
         record.contacts.back() = {c.s1,
                                   c.s,
-                                  c.cell_ratio,
                                   c.face.pressure,
                                   pressure_of(solved, k),
                                   solved.runs[k],

@@ -18,9 +18,8 @@ struct ShearRecord {
 
 /// A contact's pressure in one pass.
 struct ContactRecord {
-    std::vector<double> s1, s;       ///< table of the middle curve's length against that of the zone's first chain
-    std::vector<double> cell_ratio;  ///< by interval of the table, as in ContactInterface
-    solver::KnotVector pressure;     ///< over s; no intervals: no interface
+    std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
+    solver::KnotVector pressure;  ///< over s; no intervals: no interface
     Eigen::VectorXd coefficients;
     std::vector<ContactRun> runs;
     double thickness = 1;

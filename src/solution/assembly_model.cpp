@@ -391,7 +391,7 @@ std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contac
     const solver::Interface& face = solved.contacts[contact].face;
     if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
     if (is_rounding(face, pressure, load_scale)) return {};
-    const std::vector<ContactRun> runs = contact_runs(solved.contacts[contact], pressure);
+    const std::vector<ContactRun> runs = contact_runs(solved.contacts[contact].face.pressure, pressure);
     if (face.penalty.empty()) return runs;
     const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
     return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);

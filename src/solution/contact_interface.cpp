@@ -29,7 +29,6 @@ struct Piece {
     double begin2, end2;  // their partners
     double length;        // on the middle curve
     double size;          // wanted knot spacing
-    double cell_ratio;    // ContactInterface's
 };
 
 /// A pair found by the sum of the lengths run along both chains, m = s1 - s2: neither body is preferred, so that swapping them
@@ -56,9 +55,9 @@ MiddlePair pair_in_middle(const Scene& scene, const ContactInterface& c, double 
     return found;
 }
 
-/// The size of a cell along the boundary, of the splines that are this face's alone.
-double own_size_along(const PartOnGrid& g, const geometry::ChainPoint& p, const FacesByCell& faces) {
-    return size_along(g, p) * faces_sharing(g, p, faces);
+/// The size of a cell, of the splines that are this face's alone.
+double own_size(const PartOnGrid& g, const geometry::ChainPoint& p, const FacesByCell& faces) {
+    return cell_size(g, p) * faces_sharing(g, p, faces);
 }
 
 std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const PartOnGrid& first, const PartOnGrid& second,
@@ -73,7 +72,7 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
     };
     double begin2 = partner_of(b.front(), c.zone.begin2);
     for (std::size_t k = 0; k + 1 < b.size(); ++k) {
-        Piece piece{b[k], b[k + 1], begin2, partner_of(b[k + 1], begin2 + b[k] - b[k + 1]), 0, 0, 1};
+        Piece piece{b[k], b[k + 1], begin2, partner_of(b[k + 1], begin2 + b[k] - b[k + 1]), 0, 0};
         begin2 = piece.end2;
         const double m = piece.begin1 - piece.begin2, whole = piece.end1 - piece.end2 - m;
         for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -84,17 +83,11 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
             if (!pair.found) continue;
             piece.length += rule.weights[q] * whole * length_rate;
             if (q != rule.points.size() / 2) continue;
-            double size = std::numeric_limits<double>::infinity(), weights = 0, sizes = 0;
-            const auto count = [&](double own_size, double compliance) {
-                size = std::min(size, own_size);
-                weights += compliance;
-                sizes += compliance * own_size;
-            };
-            if (c1 >= compliance_share * (c1 + c2)) count(own_size_along(first, pair.on1, faces1), c1);
-            if (c2 >= compliance_share * (c1 + c2)) count(own_size_along(second, pair.on2, faces2), c2);
-            piece.cell_ratio = sizes / (weights * size);
+            double sizes = 0;
+            if (c1 > 0) sizes += c1 * own_size(first, pair.on1, faces1);
+            if (c2 > 0) sizes += c2 * own_size(second, pair.on2, faces2);
             const bool halved = first.cells.grid.tree || second.cells.grid.tree;
-            piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * size;
+            piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * sizes / (c1 + c2);
         }
         if (piece.length > 0 && piece.size > 0) pieces.push_back(piece);
     }
@@ -105,13 +98,11 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
 std::vector<double> make_table(const std::vector<Piece>& pieces, ContactInterface& c) {
     std::vector<double> count{0};
     c.s = {0};
-    c.cell_ratio.clear();
     c.s1 = {pieces.front().begin1};
     c.s2 = {pieces.front().begin2};
     for (const Piece& p : pieces) {
         count.push_back(count.back() + p.length / p.size);
         c.s.push_back(c.s.back() + p.length);
-        c.cell_ratio.push_back(p.cell_ratio);
         c.s1.push_back(p.end1);
         c.s2.push_back(p.end2);
     }
@@ -193,12 +184,6 @@ std::vector<double> expected_coefficients(const ContactInterface& c, const Expec
 }
 
 }  // namespace
-
-double cell_ratio_at(const std::vector<double>& table, const std::vector<double>& cell_ratio, double s) {
-    if (cell_ratio.empty()) return 1;
-    const auto after = std::upper_bound(table.begin() + 1, table.end() - 1, s);
-    return cell_ratio[static_cast<std::size_t>(after - table.begin()) - 1];
-}
 
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p) {
     const geometry::BoundaryPiece& piece = piece_at(on_grid.cells, p.edge, p.t);

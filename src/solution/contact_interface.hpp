@@ -13,8 +13,9 @@
 
 namespace abut {
 
-/// The pressure's knot spacing in units of the local cell size: stable for every grid angle, shift and ratio of sizes
-/// (measured: smallest scaled eigenvalue of C at least 0.29), while knots at the grid's own crossings are not.
+/// The pressure's knot spacing in units of the local cell size, the mean of both bodies' weighted by their compliances 1/E
+/// (what one body's cells do not follow, fine ones of the other resist as so much gap): stable for every grid angle, shift and
+/// ratio of sizes (measured: smallest scaled eigenvalue of C at least 0.29), while knots at the grid's own crossings are not.
 inline constexpr double multiplier_spacing = 1.25;
 /// Likewise where a part has halved cells: where their size changes, by a factor of two, splines follow no better than on the
 /// larger ones, and a pressure with closer knots oscillates (measured on rings with 1 to 40 contacts: 1 does, 1.5 does not).
@@ -23,8 +24,6 @@ inline constexpr double multiplier_spacing_of_halved = 1.5;
 /// with a slope. Measured on Hertz' problem (degree 2, cells h at the end of a half width a): relative L2 error 0.12 h / a
 /// whatever the rest of the grid; 0.25 h / a with the knot at the end itself; with simple knots 0.2 to 1.2 h / a, by chance.
 inline constexpr double end_overhang = 0.16;
-/// A body that holds less than this share of the compliance 1/E1 + 1/E2 does not limit the pressure's resolution.
-inline constexpr double compliance_share = 0.2;
 
 /// How a candidate's drawn gap counts.
 struct GapRule {
@@ -44,10 +43,6 @@ struct ContactInterface {
     /// ascending.
     std::vector<double> s1, s;
     std::vector<double> s2;  ///< partners on chain 2 of the table's entries
-    /// Between entries of the table: the mean of both sides' cells, weighted by their compliances, over the finer side's, whose
-    /// knots the pressure has. Where the walls of one side are thin its cells are small, and the pressure is known no better
-    /// than the other's. Penalty: empty.
-    std::vector<double> cell_ratio{};
     double foundation = 0;
     GapRule drawn{};
     Pairing pairing = Pairing::middle;
@@ -83,9 +78,6 @@ struct KnownInterfaces {
 ContactInterface make_interface(const Scene& scene, const Candidate& candidate, const PartOnGrid& first,
                                 const PartOnGrid& second, std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces,
                                 KnownInterfaces* known = nullptr);
-
-/// The cell_ratio at arc length s of the middle curve, by its table.
-double cell_ratio_at(const std::vector<double>& table, const std::vector<double>& cell_ratio, double s);
 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);

@@ -60,13 +60,12 @@ double misfit(const Pressure& pressure, const Root& root, double to) {
     return std::sqrt(sum);
 }
 
-/// How far inside of the last coefficient's support the contact ends. h: knot spacing there; resolved: what the cells of both
-/// sides resolve, by which the end's error counts.
+/// How far inside of the last coefficient's support the contact ends. h: knot spacing there.
 template <class Pressure>
-double free_end(const Pressure& pressure, double h, double resolved, RunEnd& end) {
-    const auto fitted = [&](double spacing) { return fitted_root(pressure, fit_from * spacing, fit_to * spacing); };
-    end = {RunEnd::Kind::free, error_reach * resolved, misfit(pressure, fitted(resolved), error_reach * resolved)};
-    return fitted(h).zero;
+double free_end(const Pressure& pressure, double h, RunEnd& end) {
+    const Root root = fitted_root(pressure, fit_from * h, fit_to * h);
+    end = {RunEnd::Kind::free, error_reach * h, misfit(pressure, root, error_reach * h)};
+    return root.zero;
 }
 
 template <class Pressure>
@@ -77,8 +76,7 @@ RunEnd fixed_end(const Pressure& pressure, double length) {
 
 }  // namespace
 
-std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients,
-                                     const std::function<double(double)>& cell_ratio) {
+std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients) {
     std::vector<ContactRun> runs;
     const int n = static_cast<int>(coefficients.size()), p = pressure.degree;
     const double limit = open_fraction * std::max(0.0, coefficients.maxCoeff());
@@ -103,22 +101,16 @@ std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const E
         const auto from_end = [&, s = run.end](double x) { return solver::pressure_at(pressure, coefficients, s - x); };
         const double most = length / (2 * fit_to), inside = std::nextafter(run.end, run.begin);
         const auto knots_at = [&](double s) { return std::min(spacing_at(pressure, s), most); };
-        const auto resolved_at = [&](double s) { return std::min(cell_ratio(s) * spacing_at(pressure, s), most); };
         if (run.from_start)
             run.at_begin = fixed_end(from_begin, length);
         else
-            run.begin += free_end(from_begin, knots_at(run.begin), resolved_at(run.begin), run.at_begin);
+            run.begin += free_end(from_begin, knots_at(run.begin), run.at_begin);
         if (run.to_end)
             run.at_end = fixed_end(from_end, length);
         else
-            run.end -= free_end(from_end, knots_at(inside), resolved_at(inside), run.at_end);
+            run.end -= free_end(from_end, knots_at(inside), run.at_end);
     }
     return runs;
-}
-
-std::vector<ContactRun> contact_runs(const ContactInterface& contact, const Eigen::VectorXd& coefficients) {
-    return contact_runs(contact.face.pressure, coefficients,
-                        [&](double s) { return cell_ratio_at(contact.s, contact.cell_ratio, s); });
 }
 
 }  // namespace abut

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include <Eigen/Core>
-#include <functional>
 #include <vector>
 
 #include "solver/splines/bspline.hpp"
@@ -21,7 +20,7 @@ struct RunEnd {
     double error = 0;  ///< free ends: L2 distance within the reach between the spline and the root that is fitted to the force
 };
 
-/// Knot spacings, times the ratio of cells, beside a free end in which its error counts.
+/// Knot spacings beside a free end in which its error counts.
 inline constexpr double error_reach = 3;
 
 /// A stretch of an interface's middle curve under pressure.
@@ -36,13 +35,6 @@ using ContactRuns = std::vector<std::vector<ContactRun>>;
 
 /// The stretches where the pressure spline is positive. Ends inside the interface are found by fitting the force near them:
 /// pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
-/// cell_ratio: by arc length, what the cells of both sides resolve over the knot spacing (ContactInterface).
-std::vector<ContactRun> contact_runs(
-    const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients,
-    const std::function<double(double)>& cell_ratio = [](double) { return 1.0; });
-
-/// The stretches of a contact where the pressure is positive, of a spline over its pressure's knots, with the cells that the
-/// contact has.
-std::vector<ContactRun> contact_runs(const ContactInterface& contact, const Eigen::VectorXd& coefficients);
+std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

@@ -120,7 +120,7 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
     const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
     for (const double way : {1.0, -1.0})
-        for (const ContactRun& run : contact_runs(solved.contacts[contact], bound + way * traction)) {
+        for (const ContactRun& run : contact_runs(solved.contacts[contact].face.pressure, bound + way * traction)) {
             if (!run.from_start && is_within(run.begin)) borders.push_back({run.begin, -1, run.at_begin});
             if (!run.to_end && is_within(run.end)) borders.push_back({run.end, 1, run.at_end});
         }

@@ -63,9 +63,8 @@ std::vector<double> without_short_pieces(std::vector<double> places, double whol
     return kept;
 }
 
-double size_along(const PartOnGrid& g, const geometry::ChainPoint& p) {
-    const Vec2 size = g.cells.grid.box(piece_at(g.cells, p.edge, p.t).cell).size();
-    return 1 / Vec2(g.frame.vector_to_local(p.tangent).cwiseQuotient(size)).norm();
+double cell_size(const PartOnGrid& g, const geometry::ChainPoint& p) {
+    return g.cells.grid.box(piece_at(g.cells, p.edge, p.t).cell).size().maxCoeff();
 }
 
 double compliance(const Scene& scene, const PartOnGrid& g) {

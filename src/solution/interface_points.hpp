@@ -23,8 +23,9 @@ std::vector<double> crossings_of_both(const Scene& scene, const geometry::Facing
 /// The places in ascending order, those closer together than the shortest piece as one. The last stays.
 std::vector<double> without_short_pieces(std::vector<double> places, double whole);
 
-/// The size of the cell around a boundary point, along the boundary.
-double size_along(const PartOnGrid& g, const geometry::ChainPoint& p);
+/// The larger side of the cell around a boundary point. What a pressure of short waves does to a body decays away from the face
+/// as fast as it changes along it, so that it changes along both sides of a cell alike, however the face lies.
+double cell_size(const PartOnGrid& g, const geometry::ChainPoint& p);
 
 /// The compliance 1/E of a part on its grid.
 double compliance(const Scene& scene, const PartOnGrid& g);

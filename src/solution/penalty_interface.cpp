@@ -18,7 +18,7 @@ double stiffness_at(const Scene& scene, const PartOnGrid& first, const PartOnGri
     const double stiffer = 1 / (first.is_rigid || second.is_rigid ? std::max(c1, c2) : std::min(c1, c2));
     if (penalty.length) return penalty.factor * stiffer / *penalty.length;
     // a rigid part has no cells to take the length from
-    const double length = first.is_rigid ? size_along(second, pair.on2) : size_along(first, pair.on1);
+    const double length = first.is_rigid ? cell_size(second, pair.on2) : cell_size(first, pair.on1);
     return penalty.factor * stiffer / length;
 }
 

@@ -118,7 +118,7 @@ void solve_again(SolvedAssembly& solved) {
     solved.runs.assign(solved.contacts.size(), {});
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         if (solved.interface_of[k] >= 0 && solved.solution.mechanism.empty())
-            solved.runs[k] = contact_runs(solved.contacts[k], pressure_of(solved, k));
+            solved.runs[k] = contact_runs(solved.contacts[k].face.pressure, pressure_of(solved, k));
 }
 
 ContactForce force_on_first(const SolvedAssembly& solved, std::size_t contact) {

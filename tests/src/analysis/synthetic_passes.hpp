@@ -11,7 +11,7 @@ namespace abut::synthetic {
 inline ContactRecord record(int cells, const std::function<double(double)>& pressure) {
     std::vector<double> lines;
     for (int i = 0; i <= cells; ++i) lines.push_back(static_cast<double>(i) / cells);
-    ContactRecord r{{0, 1}, {0, 1}, {}, solver::clamped_knots(lines, 2), {}, {}, 1};
+    ContactRecord r{{0, 1}, {0, 1}, solver::clamped_knots(lines, 2), {}, {}, 1};
     r.coefficients.resize(r.pressure.n_functions());
     for (int i = 0; i < r.pressure.n_functions(); ++i) r.coefficients[i] = pressure(solver::greville(r.pressure, i));
     r.runs = {{0, 1, true, true, {}, {}}};

@@ -97,23 +97,6 @@ TEST(ContactRuns, TheErrorOfAFreeEndIsTheDistanceToTheRoot) {
         }
 }
 
-/// Where the pressure's knots are closer than what the cells of both sides resolve, the end's error counts as far as these do:
-/// a wave beside it that knots follow is none of the root.
-TEST(ContactRuns, TheErrorOfAFreeEndCountsAsFarAsBothSidesCellsReach) {
-    constexpr int cells = 160, ratio = 8;
-    const solver::KnotVector knots = uniform(cells);
-    const auto wave = [](double s) { return s > 0.5 && s < 0.66 ? 0.1 * std::sin(std::numbers::pi * (s - 0.5) / 0.08) : 0.0; };
-    const auto end_of = [&](const Pressure& pressure, double its_ratio) {
-        return contact_runs(knots, coefficients_of(knots, pressure), [=](double) { return its_ratio; }).at(0);
-    };
-    const Pressure exact = half_ellipse(0.7), waved = [&](double s) { return exact(s) + wave(s); };
-    EXPECT_EQ(end_of(waved, ratio).end, end_of(waved, 1).end);
-    EXPECT_NEAR(end_of(waved, ratio).at_end.reach, ratio * end_of(waved, 1).at_end.reach, 1e-12);
-    EXPECT_LT(end_of(waved, 1).at_end.error, 1.1 * end_of(exact, 1).at_end.error);
-    // of the wave's norm, 0.1 sqrt(0.16 / 2); a part of it goes into the root that is fitted
-    EXPECT_GT(end_of(waved, ratio).at_end.error, 0.5 * 0.028);
-}
-
 TEST(ContactRuns, APressureThatRisesToTheEndStandsAtACorner) {
     const auto corner = [](double s) { return 1 / std::sqrt(s + 1e-3); };
     const std::vector<ContactRun> runs = runs_of(60, [&](double s) { return corner(s) + corner(1 - s); });
