@@ -29,7 +29,7 @@ namespace {
 using test::EstimateCase;
 
 constexpr double dishonest = 2;
-constexpr double closer = 0.05;  // what is taken for the truth: than the finest solution
+constexpr double closer = 0.02;  // what is taken for the truth: than the finest solution
 const std::vector<double> all_targets{0.05, 0.02, 0.01, 0.005, 0.002};
 
 std::string name_of(const EstimateCase& c, double target) {
