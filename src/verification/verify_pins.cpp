@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/io/number_text.hpp"
 #include "src/verification/verify_contact_answers.hpp"
 
 namespace abut {
@@ -49,6 +50,14 @@ VerifyProblem shrink_fit(const std::string& name, const std::string& about, Veri
              {"least pressure", [](const Answers& a) { return least_pressure(contact_of(a)); }, p, 0.01}}};
 }
 
+/// A ring of this wall on a shaft of radius 2 and the same material, interference 0.002.
+VerifyProblem thin_ring(const std::string& name, double wall) {
+    constexpr double delta = 0.002, E = 1e5, b = 2;
+    const double c = b + wall;
+    return shrink_fit(name, "a ring with a wall of " + number_text(wall, 2) + " on a solid shaft of radius 2",
+                      {"verification/shrink_fit_solid.json", {{"t", wall}}}, delta * E / b * (c * c - b * b) / (2 * c * c));
+}
+
 /// Radii 1, 2, 3; interference 0.002.
 std::vector<VerifyProblem> shrink_fits() {
     constexpr double p = 23.4375, delta = 0.002, eps = 5 * 1e5;
@@ -56,6 +65,8 @@ std::vector<VerifyProblem> shrink_fits() {
     return {shrink_fit("C7-shrink-fit", "two rings with an interference of 0.002", {rings}, p),
             shrink_fit("C7-strain", "the same in plane strain", {rings, {}, Analysis::plane_strain}, 25.755495),
             shrink_fit("C7-shaft", "a ring on a solid shaft", {"verification/shrink_fit_solid.json"}, 27.777778),
+            thin_ring("C7-thin", 0.1),
+            thin_ring("C7-thinner", 0.02),
             shrink_fit("C7-stiffer", "the inner ring ten times as stiff", {rings, {{"E1", 1e6}}}, 32.930845),
             shrink_fit("C7-penalty", "by penalty, which takes p / eps off the interference",
                        {rings, {}, {}, PenaltyOptions{5, 1}}, p / (1 + p / delta / eps))};
