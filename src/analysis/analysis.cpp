@@ -17,6 +17,7 @@
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
+#include "src/analysis/idle_holds.hpp"
 #include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/self_contact.hpp"
@@ -172,6 +173,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
+    note_idle_holds(scene, solved, result);
     check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);
     warn_of_buckling(scene, out, result);
