@@ -207,6 +207,9 @@ void fill_missed(const Outcome& out, Result& result) {
     tell(std::move(findings), "missed_contact", result);
 }
 
+/// What is still missing of displacements after a change from the grids before, of that change.
+constexpr double missing_of_displacement = 0.33;
+
 void fill_displacement_errors(const Outcome& out, Result& result) {
     const ErrorEstimate& error = out.errors.back();
     if (!error.energy) return;
@@ -223,6 +226,11 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
                 if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name))
                     own = std::max(own, std::min(c.errors->force, c.errors->pressure));
         }
+        // what lifts off goes by where its contacts end, of which energies know little
+        const std::size_t n = out.passes.size();
+        if (n > 1)
+            own = std::max(own, missing_of_displacement * change_of_displacement(out.passes[n - 1], out.passes[n - 2], k) /
+                                    p.max_displacement.value);
         p.max_displacement_error = std::min(1.0, own);
     }
     if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;

@@ -21,7 +21,7 @@ constexpr double missing_of_peak = 0.75;
 constexpr double most_fall = 0.25;
 /// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
 /// 0.1 to 0.6 (150 contacts of generated assemblies, seeds 1 and 2): of use where the change from the grid before is small by
-/// chance.
+/// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved.
 constexpr double ends_in_peak = 0.3, ends_in_length = 0.6;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
@@ -82,7 +82,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak);
     e.force = missing * c.force_change;
     if (now.resultant && c.force != 0) e.of_integral = std::min(1.0, now.resultant->norm() / std::abs(c.force));
-    e.length = ends_in_length * e.ends;
+    e.length = std::max(ends_in_length * e.ends, c.ends_left);
     if (theory && are_of_one_zone(now, *theory)) {
         const PressureChange away = change_from(now, *theory);
         const double distance = std::hypot(away.inside / away.norm, e.force, theory->doubt);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
+#include "solver/terms/solution_structure.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
 #include "src/solution/table.hpp"
@@ -93,8 +94,35 @@ std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_
 
 }  // namespace
 
+namespace {
+
+std::vector<Vec2> moved_edges(const PartOnGrid& g, const Eigen::VectorXd& displacement) {
+    std::vector<Vec2> moved;
+    for (std::size_t e = 0; e < g.local.edges.size(); ++e)
+        for (const double t : {0.0, 0.5}) {
+            const geometry::BoundaryPiece& piece = piece_at(g.cells, static_cast<int>(e), t);
+            const int element = g.elements.of_piece[static_cast<std::size_t>(&piece - g.cells.pieces.data())];
+            const Vec2 x = point(g.local.edges[e].curve, t);
+            moved.push_back(g.frame.vector_to_global(solver::displacement_at(g.input, displacement, element, x).value));
+        }
+    return moved;
+}
+
+}  // namespace
+
+double change_of_displacement(const PassRecord& now, const PassRecord& before, std::size_t grid) {
+    if (grid >= now.moved.size() || grid >= before.moved.size() || now.moved[grid].size() != before.moved[grid].size())
+        return 0;
+    double most = 0;
+    for (std::size_t k = 0; k < now.moved[grid].size(); ++k)
+        most = std::max(most, (now.moved[grid][k] - before.moved[grid][k]).norm());
+    return most;
+}
+
 PassRecord record_of(const SolvedAssembly& solved, double seconds) {
     PassRecord record;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k)
+        record.moved.push_back(moved_edges(solved.grids[k], solved.solution.displacement[k]));
     record.energy = energy_of(solved);
     record.multipliers = solved.solution.n_multipliers;
     record.seconds = seconds;
@@ -169,11 +197,49 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
     return change;
 }
 
+/// A contact's ends where it has begun or ends inside its zone.
+struct FreeEnd {
+    bool is_end;
+    double s, spacing;  ///< of the knots beside it
+};
+std::vector<FreeEnd> free_ends(const ContactRecord& c) {
+    std::vector<FreeEnd> ends;
+    for (const ContactRun& run : c.runs) {
+        if (run.at_begin.kind == RunEnd::Kind::free) ends.push_back({false, run.begin, spacing_at(c.pressure, run.begin)});
+        if (run.at_end.kind == RunEnd::Kind::free)
+            ends.push_back({true, run.end, spacing_at(c.pressure, std::nextafter(run.end, run.begin))});
+    }
+    return ends;
+}
+
+/// A free end comes nearer to its place as the knots beside it do, in proportion: of what it moved under a refinement r there
+/// is r / (1 - r) left. Knots that came little closer say less: no more than three times of it is expected.
+double left_of_ends(const ContactRecord& now, const ContactRecord& before) {
+    constexpr double least_known = 0.75;
+    const std::vector<FreeEnd> ends_before = free_ends(before);
+    const double whole = before.s.back() - before.s.front();
+    double sum = 0, length = 0;
+    for (const ContactRun& run : now.runs) length += run.end - run.begin;
+    for (const FreeEnd& end : free_ends(now)) {
+        const double s0 = place_in(before, interpolate(now.s, now.s1, end.s));
+        double nearest = std::numeric_limits<double>::infinity(), refinement = 1;
+        for (const FreeEnd& other : ends_before) {
+            const double away = std::abs(other.s - s0), shift = std::min(away, std::abs(whole - away));
+            if (other.is_end != end.is_end || shift >= nearest) continue;
+            nearest = shift;
+            refinement = std::min(least_known, end.spacing / other.spacing);
+        }
+        if (std::isfinite(nearest)) sum += nearest * refinement / (1 - refinement);
+    }
+    return length > 0 ? sum / length : 0;
+}
+
 }  // namespace
 
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before, const std::vector<double>& error_before) {
     PressureChange change = pressure_change(now, before, error_before);
     if (now.s.empty() || before.s.empty()) return change;
+    change.ends_left = left_of_ends(now, before);
     change.force = force_of(now);
     change.force_before = force_of(before);
     change.force_change = std::abs(change.force - change.force_before) / std::abs(change.force);

@@ -34,10 +34,15 @@ struct PassRecord {
     double energy = 0;
     int unknowns = 0, multipliers = 0;
     double seconds = 0;  ///< since the first grid was begun
+    /// By part of the grids the displacements where its edges begin and in their middles, in assembly coordinates.
+    std::vector<std::vector<Vec2>> moved{};
 };
 
 /// Records a solution; seconds: since the first grid was begun.
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
+
+/// By how much the displacements along a part's edges differ in two passes, at most.
+double change_of_displacement(const PassRecord& now, const PassRecord& before, std::size_t grid);
 
 /// A change in one interval of a pressure's knots, without the neighbourhoods of corners and of free ends.
 struct LocalChange {
@@ -56,6 +61,7 @@ struct PressureChange {
     double around_peak = 0;              ///< largest difference inside where it could have made, or hidden, the peak
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
     double force_change = 0;         ///< of the resultant, relative to it; of the integral where that is unknown or rounding
+    double ends_left = 0;            ///< what its free ends still have to move, of the contact's length
     std::vector<LocalChange> local;  ///< by interval
     int peak_interval = 0;           ///< where the pressure is largest
     bool peak_stayed = false;        ///< the knots there stand no closer than before

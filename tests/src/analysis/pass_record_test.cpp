@@ -57,6 +57,30 @@ TEST(PassRecord, AScaledPressureChangesByTheScale) {
     EXPECT_NEAR(c.force_before / c.force, 0.9, 1e-13);
 }
 
+/// A contact over part of the zone, with a free end at `end`.
+ContactRecord ending_at(double end, int cells) {
+    ContactRecord r = record(cells, smooth);
+    r.runs = {{0, end, true, false, {}, {RunEnd::Kind::free, 0, 0}}};
+    return r;
+}
+
+TEST(PassRecord, FreeEndsHaveLeftToGoWhatTheirKnotsTell) {
+    // knots a quarter as far apart: the end was off by four times as much, and moved by three quarters of that
+    EXPECT_NEAR(change_of(ending_at(0.5, 40), ending_at(0.53, 10)).ends_left, 0.03 / 3 / 0.5, 1e-12);
+    // no closer: no more than three times what it moved
+    EXPECT_NEAR(change_of(ending_at(0.5, 40), ending_at(0.53, 40)).ends_left, 3 * 0.03 / 0.5, 1e-12);
+    EXPECT_EQ(change_of(ending_at(0.5, 40), ending_at(0.5, 10)).ends_left, 0);
+    EXPECT_EQ(change_of(record(40, smooth), ending_at(0.5, 10)).ends_left, 0) << "no free end";
+}
+
+TEST(PassRecord, DisplacementsChangeByTheLargestAlongTheEdges) {
+    PassRecord now = synthetic::pass({}), before = now;
+    now.moved = {{{0, 0}, {1, 1}}, {{2, 0}}};
+    before.moved = {{{0, 0}, {1, 1}}, {{2, 0.5}}};
+    EXPECT_EQ(change_of_displacement(now, before, 0), 0);
+    EXPECT_EQ(change_of_displacement(now, before, 1), 0.5);
+}
+
 TEST(PassRecord, OtherKnotsOfTheSameFunctionAreNoChange) {
     const PressureChange c = change_of(record(22, slope), record(11, slope));
     EXPECT_LT(c.difference, 1e-13);
