@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/solution/contact_runs.hpp"
+#include "src/solution/pressed_stretches.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "solver/contact/interface.hpp"
 
-namespace abut::contact_runs_test {
+namespace abut::pressed_stretches_test {
 namespace {
 
 using Pressure = std::function<double(double)>;
@@ -27,9 +27,9 @@ Eigen::VectorXd coefficients_of(const solver::KnotVector& knots, const Pressure&
     return c;
 }
 
-std::vector<ContactRun> runs_of(int cells, const Pressure& pressure) {
+std::vector<PressedStretch> stretches_of(int cells, const Pressure& pressure) {
     const solver::KnotVector knots = uniform(cells);
-    return contact_runs(knots, coefficients_of(knots, pressure));
+    return pressed_stretches(knots, coefficients_of(knots, pressure));
 }
 
 Pressure half_ellipse(double end) {
@@ -45,46 +45,46 @@ Pressure bump(double middle, double half_width) {
 
 }  // namespace
 
-TEST(ContactRuns, NothingPressedIsNoRun) {
-    EXPECT_TRUE(runs_of(10, [](double) { return 0.0; }).empty());
+TEST(PressedStretches, NothingPressedIsNoRun) {
+    EXPECT_TRUE(stretches_of(10, [](double) { return 0.0; }).empty());
 }
 
-TEST(ContactRuns, RoundingIsNoRun) {
+TEST(PressedStretches, RoundingIsNoRun) {
     const solver::KnotVector knots = uniform(20);
     Eigen::VectorXd c = coefficients_of(knots, bump(0.25, 0.2));
-    ASSERT_EQ(contact_runs(knots, c).size(), 1u);
+    ASSERT_EQ(pressed_stretches(knots, c).size(), 1u);
     c[18] = 1e-10;
-    EXPECT_EQ(contact_runs(knots, c).size(), 1u);
+    EXPECT_EQ(pressed_stretches(knots, c).size(), 1u);
     c[18] = 1e-8;
-    EXPECT_EQ(contact_runs(knots, c).size(), 2u);
+    EXPECT_EQ(pressed_stretches(knots, c).size(), 2u);
 }
 
-TEST(ContactRuns, ASymmetryPlaneIsPlainAndTheOtherEndFree) {
+TEST(PressedStretches, ASymmetryPlaneIsPlainAndTheOtherEndFree) {
     for (int cells : {30, 60, 120})
         for (double end : {0.5, 0.613, 0.7, 0.771}) {
             SCOPED_TRACE(std::to_string(cells) + " cells, end " + std::to_string(end));
-            const std::vector<ContactRun> runs = runs_of(cells, half_ellipse(end));
-            ASSERT_EQ(runs.size(), 1u);
-            EXPECT_TRUE(runs[0].from_start);
-            EXPECT_FALSE(runs[0].to_end);
-            EXPECT_EQ(runs[0].at_begin.kind, RunEnd::Kind::plain);
-            EXPECT_EQ(runs[0].at_end.kind, RunEnd::Kind::free);
+            const std::vector<PressedStretch> stretches = stretches_of(cells, half_ellipse(end));
+            ASSERT_EQ(stretches.size(), 1u);
+            EXPECT_TRUE(stretches[0].from_start);
+            EXPECT_FALSE(stretches[0].to_end);
+            EXPECT_EQ(stretches[0].at_begin.kind, StretchEnd::Kind::plain);
+            EXPECT_EQ(stretches[0].at_end.kind, StretchEnd::Kind::free);
             // half a knot interval: what a spline whose coefficients are samples of the root can tell
-            EXPECT_NEAR(runs[0].end, end, 0.5 / cells);
-            EXPECT_DOUBLE_EQ(runs[0].at_begin.error, 0);
-            EXPECT_NEAR(runs[0].at_end.reach, error_reach / cells, 1e-12);
+            EXPECT_NEAR(stretches[0].end, end, 0.5 / cells);
+            EXPECT_DOUBLE_EQ(stretches[0].at_begin.error, 0);
+            EXPECT_NEAR(stretches[0].at_end.reach, error_reach / cells, 1e-12);
         }
 }
 
 /// The end's error is what it says: the distance between the spline and the exact pressure there.
-TEST(ContactRuns, TheErrorOfAFreeEndIsTheDistanceToTheRoot) {
+TEST(PressedStretches, TheErrorOfAFreeEndIsTheDistanceToTheRoot) {
     for (int cells : {40, 80, 160})
         for (double end : {0.5, 0.613, 0.7, 0.771}) {
             const solver::KnotVector knots = uniform(cells);
             const Pressure exact = half_ellipse(end);
             const Eigen::VectorXd c = coefficients_of(knots, exact);
-            const std::vector<ContactRun> runs = contact_runs(knots, c);
-            ASSERT_EQ(runs.size(), 1u);
+            const std::vector<PressedStretch> stretches = pressed_stretches(knots, c);
+            ASSERT_EQ(stretches.size(), 1u);
             double square = 0;
             const int steps = 4000;
             const double from = end - error_reach / cells, h = (2 + error_reach) / cells / steps;
@@ -92,19 +92,19 @@ TEST(ContactRuns, TheErrorOfAFreeEndIsTheDistanceToTheRoot) {
                 const double s = from + (i + 0.5) * h, d = solver::pressure_at(knots, c, s) - exact(s);
                 square += h * d * d;
             }
-            EXPECT_GT(runs[0].at_end.error, 0.5 * std::sqrt(square)) << cells << " " << end;
-            EXPECT_LT(runs[0].at_end.error, 2 * std::sqrt(square)) << cells << " " << end;
+            EXPECT_GT(stretches[0].at_end.error, 0.5 * std::sqrt(square)) << cells << " " << end;
+            EXPECT_LT(stretches[0].at_end.error, 2 * std::sqrt(square)) << cells << " " << end;
         }
 }
 
 /// Where the pressure's knots are closer than what the cells of both sides resolve, the end's error counts as far as these do:
 /// a wave beside it that knots follow is none of the root.
-TEST(ContactRuns, TheErrorOfAFreeEndCountsAsFarAsBothSidesCellsReach) {
+TEST(PressedStretches, TheErrorOfAFreeEndCountsAsFarAsBothSidesCellsReach) {
     constexpr int cells = 160, ratio = 8;
     const solver::KnotVector knots = uniform(cells);
     const auto wave = [](double s) { return s > 0.5 && s < 0.66 ? 0.1 * std::sin(std::numbers::pi * (s - 0.5) / 0.08) : 0.0; };
     const auto end_of = [&](const Pressure& pressure, double its_ratio) {
-        return contact_runs(knots, coefficients_of(knots, pressure), [=](double) { return its_ratio; }).at(0);
+        return pressed_stretches(knots, coefficients_of(knots, pressure), [=](double) { return its_ratio; }).at(0);
     };
     const Pressure exact = half_ellipse(0.7), waved = [&](double s) { return exact(s) + wave(s); };
     EXPECT_EQ(end_of(waved, ratio).end, end_of(waved, 1).end);
@@ -114,28 +114,29 @@ TEST(ContactRuns, TheErrorOfAFreeEndCountsAsFarAsBothSidesCellsReach) {
     EXPECT_GT(end_of(waved, ratio).at_end.error, 0.5 * 0.028);
 }
 
-TEST(ContactRuns, APressureThatRisesToTheEndStandsAtACorner) {
+TEST(PressedStretches, APressureThatRisesToTheEndStandsAtACorner) {
     const auto corner = [](double s) { return 1 / std::sqrt(s + 1e-3); };
-    const std::vector<ContactRun> runs = runs_of(60, [&](double s) { return corner(s) + corner(1 - s); });
-    ASSERT_EQ(runs.size(), 1u);
-    EXPECT_EQ(runs[0].at_begin.kind, RunEnd::Kind::corner);
-    EXPECT_EQ(runs[0].at_end.kind, RunEnd::Kind::corner);
-    EXPECT_GT(runs[0].at_begin.reach, 0);
-    EXPECT_LT(runs[0].at_begin.reach, 0.1);
-    EXPECT_EQ(runs_of(60, [](double) { return 1.0; })[0].at_begin.kind, RunEnd::Kind::plain);
+    const std::vector<PressedStretch> stretches = stretches_of(60, [&](double s) { return corner(s) + corner(1 - s); });
+    ASSERT_EQ(stretches.size(), 1u);
+    EXPECT_EQ(stretches[0].at_begin.kind, StretchEnd::Kind::corner);
+    EXPECT_EQ(stretches[0].at_end.kind, StretchEnd::Kind::corner);
+    EXPECT_GT(stretches[0].at_begin.reach, 0);
+    EXPECT_LT(stretches[0].at_begin.reach, 0.1);
+    EXPECT_EQ(stretches_of(60, [](double) { return 1.0; })[0].at_begin.kind, StretchEnd::Kind::plain);
 }
 
-TEST(ContactRuns, TwoStretches) {
-    const std::vector<ContactRun> runs = runs_of(80, [](double s) { return bump(0.25, 0.15)(s) + bump(0.7, 0.2)(s); });
-    ASSERT_EQ(runs.size(), 2u);
-    EXPECT_NEAR(runs[0].begin, 0.1, 0.5 / 80);
-    EXPECT_NEAR(runs[0].end, 0.4, 0.5 / 80);
-    EXPECT_NEAR(runs[1].begin, 0.5, 0.5 / 80);
-    EXPECT_NEAR(runs[1].end, 0.9, 0.5 / 80);
-    for (const ContactRun& run : runs) {
-        EXPECT_EQ(run.at_begin.kind, RunEnd::Kind::free);
-        EXPECT_EQ(run.at_end.kind, RunEnd::Kind::free);
+TEST(PressedStretches, TwoStretches) {
+    const std::vector<PressedStretch> stretches =
+        stretches_of(80, [](double s) { return bump(0.25, 0.15)(s) + bump(0.7, 0.2)(s); });
+    ASSERT_EQ(stretches.size(), 2u);
+    EXPECT_NEAR(stretches[0].begin, 0.1, 0.5 / 80);
+    EXPECT_NEAR(stretches[0].end, 0.4, 0.5 / 80);
+    EXPECT_NEAR(stretches[1].begin, 0.5, 0.5 / 80);
+    EXPECT_NEAR(stretches[1].end, 0.9, 0.5 / 80);
+    for (const PressedStretch& stretch : stretches) {
+        EXPECT_EQ(stretch.at_begin.kind, StretchEnd::Kind::free);
+        EXPECT_EQ(stretch.at_end.kind, StretchEnd::Kind::free);
     }
 }
 
-}  // namespace abut::contact_runs_test
+}  // namespace abut::pressed_stretches_test
