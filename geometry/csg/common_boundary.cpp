@@ -181,7 +181,7 @@ std::vector<char> are_inside(const CutOutline& of, const std::vector<Remnant>& r
 }  // namespace
 
 std::vector<BoundaryStretch> common_boundary(const Part& part1, const Part& part2, double tolerance) {
-    ENSURE(tolerance > 0, "curves are followed by arcs within a distance");
+    ENSURE(tolerance >= 0, "curves are followed by arcs within a distance");
     std::array<CutOutline, 2> cut{uncut(part1, tolerance), uncut(part2, tolerance)};
     cut_each_other(cut[0], cut[1], tolerance);
     std::vector<BoundaryStretch> found;

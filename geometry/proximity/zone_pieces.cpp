@@ -66,8 +66,7 @@ std::optional<ZonePiece> piece_between(const Part& part1, const Part& part2, con
 }  // namespace
 
 std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone) {
-    ENSURE(zone.begin1 < zone.end1 && !zone.chain1.edges.empty() && !zone.chain2.edges.empty(),
-           "a zone is a stretch of two chains");
+    ENSURE(!zone.chain1.edges.empty() && !zone.chain2.edges.empty(), "a zone is a stretch of two chains");
     const std::vector<double> cuts = cuts_of(part1, part2, zone);
     const double shortest = shortest_piece * (zone.end1 - zone.begin1);
     std::vector<ZonePiece> pieces;
