@@ -8,6 +8,7 @@
 #include "geometry/curves/curve_polish.hpp"
 #include "geometry/curves/piece_pairs.hpp"
 #include "geometry/curves/tangent_ball.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -122,6 +123,7 @@ ClosestPoints closest_points(const Curve& curve1, const Curve& curve2) {
 }
 
 std::optional<ClosestPoints> closest_points(const Part& part1, const Part& part2, double limit) {
+    ENSURE(limit >= 0, "boundaries are looked at up to a distance");
     std::optional<ClosestPoints> best;
     if (!bounding_box(part1).overlaps(bounding_box(part2), limit)) return best;
     const EdgeTree tree(part2);

@@ -5,6 +5,7 @@
 
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/curve_moments.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -86,6 +87,7 @@ double merge_length(const Part& part) {
 }
 
 Part transformed(const Part& part, double c, double s, const Vec2& d) {
+    ENSURE(std::abs(c * c + s * s - 1) < 1e-9, "a cosine and a sine are of one angle");
     Part moved = part;
     for (Edge& edge : moved.edges) edge.curve = transformed(edge.curve, c, s, d);
     return moved;

@@ -10,6 +10,7 @@
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/curves/curve_meetings.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -93,6 +94,7 @@ private:
 }  // namespace
 
 std::optional<SelfMeeting> self_meeting(const Curve& curve, double tolerance) {
+    ENSURE(tolerance >= 0, "points of a curve are one up to a distance");
     std::optional<SelfMeeting> best;
     if (!std::holds_alternative<Spline>(curve)) return best;
     const std::vector<MonotonePortion> pieces = portions(curve, tolerance);

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "geometry/csg/exact_regions.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -78,6 +79,8 @@ private:
 
 BooleanBoundary boolean_boundary(const CsgNode& tree, const std::vector<Primitive>& primitives,
                                  const std::vector<PlacedSource>& sources, const Carriers& carriers, const BoundingDisc& disc) {
+    ENSURE(carriers.of_source.size() == sources.size(), "it is known of every source where it lies on carriers");
+    ENSURE(disc.radius > 0, "half planes reach beyond what is bounded");
     ExactPrimitives exact(primitives, sources, carriers);
     Evaluator evaluator(exact, disc);
     const ExactRegion region = evaluator.evaluate(tree);

@@ -7,6 +7,7 @@
 
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/spline_shape.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -205,6 +206,7 @@ CarrierRun run_of(const Member& member, const Curve& curve, const Carrier& carri
 }  // namespace
 
 Carriers carriers_of(const std::vector<PlacedSource>& sources, double same, double fraction) {
+    ENSURE(same >= 0 && fraction > 0, "curves are followed by arcs within a part of their size");
     Carriers result;
     result.of_source.resize(sources.size());
     std::vector<Member> members = members_of(sources);

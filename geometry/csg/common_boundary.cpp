@@ -14,6 +14,7 @@
 #include "geometry/csg/exact_outline.hpp"
 #include "geometry/curves/arc_spline.hpp"
 #include "geometry/curves/curve_polish.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -180,6 +181,7 @@ std::vector<char> are_inside(const CutOutline& of, const std::vector<Remnant>& r
 }  // namespace
 
 std::vector<BoundaryStretch> common_boundary(const Part& part1, const Part& part2, double tolerance) {
+    ENSURE(tolerance >= 0, "curves are followed by arcs within a distance");
     std::array<CutOutline, 2> cut{uncut(part1, tolerance), uncut(part2, tolerance)};
     cut_each_other(cut[0], cut[1], tolerance);
     std::vector<BoundaryStretch> found;

@@ -170,6 +170,16 @@ bool carriers_are_apart(const OutlinePiece& a, const OutlinePiece& b) {
     return both * both > Exact(4) * p * q;
 }
 
+/// Hands to `add` what two curves have in common: a stretch, or a crossing with its multiplicity. CGAL 5 has either in boost's
+/// variant, CGAL 6 as it is.
+template <class Common, class Add>
+void add_common(const Common& common, const Add& add) {
+    if constexpr (std::is_same_v<Common, PlaneCurve> || std::is_same_v<Common, std::pair<PlaneTraits::Point_2, unsigned>>)
+        add(common);
+    else
+        boost::apply_visitor(add, common);
+}
+
 /// What the curves of two pieces have in common, which share these corners.
 std::vector<CommonOfPieces> common_of_curves(const std::vector<PlaneCurve>& first, const std::vector<PlaneCurve>& second,
                                              const std::vector<Vec2>& shared) {
@@ -179,15 +189,13 @@ std::vector<CommonOfPieces> common_of_curves(const std::vector<PlaneCurve>& firs
         });
     };
     std::vector<CommonOfPieces> found;
-    const auto take = boost::make_function_output_iterator([&](const auto& common) {
-        if (const auto* crossing = boost::get<std::pair<PlaneTraits::Point_2, unsigned>>(&common)) {
-            const Vec2 p = place_of(crossing->first);
-            found.push_back({p, p, false, is_corner(crossing->first)});
-        } else {
-            const PlaneCurve& stretch = boost::get<PlaneCurve>(common);
-            found.push_back({place_of(stretch.source()), place_of(stretch.target()), true, false});
-        }
-    });
+    const auto add = [&](const auto& common) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(common)>, PlaneCurve>)
+            found.push_back({place_of(common.source()), place_of(common.target()), true, false});
+        else
+            found.push_back({place_of(common.first), place_of(common.first), false, is_corner(common.first)});
+    };
+    const auto take = boost::make_function_output_iterator([&](const auto& common) { add_common(common, add); });
     for (const PlaneCurve& one : first)
         for (const PlaneCurve& other : second) one.intersect(other, take);
     return found;

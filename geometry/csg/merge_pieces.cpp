@@ -8,6 +8,7 @@
 
 #include "geometry/csg/necks.hpp"
 #include "geometry/csg/run_junctions.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -142,6 +143,7 @@ bool turns_back(const RawLoop& loop, const std::vector<PlacedSource>& sources) {
 
 MergedBoundary merge_pieces(const std::vector<std::vector<RawPiece>>& loops, const std::vector<PlacedSource>& sources,
                             const std::vector<double>& arc_tolerance) {
+    ENSURE(arc_tolerance.size() == sources.size(), "every source has the tolerance of its arcs");
     MergedBoundary result;
     Box2 box;
     std::vector<RawLoop> simple;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/csg/common_boundary.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -57,6 +58,7 @@ void find_deepest(const std::array<const Part*, 2>& parts, const std::vector<Bou
 }  // namespace
 
 Overlap overlap(const Part& part1, const Part& part2, double tolerance) {
+    ENSURE(tolerance >= 0, "parts touch up to a distance");
     if (!bounding_box(part1).overlaps(bounding_box(part2), 0)) return {};
     const std::array<const Part*, 2> parts{&part1, &part2};
     const std::vector<BoundaryStretch> boundary = common_boundary(part1, part2, tolerance);

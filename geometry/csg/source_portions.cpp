@@ -3,6 +3,8 @@
 
 #include <variant>
 
+#include "src/base/ensure.hpp"
+
 namespace abut::geometry {
 
 namespace {
@@ -24,6 +26,7 @@ void append_portions(const Curve& curve, int source, const CarrierRun& run, std:
 }  // namespace
 
 SourcePortions number_portions(const std::vector<PlacedSource>& sources, const Carriers& carriers) {
+    ENSURE(carriers.of_source.size() == sources.size(), "it is known of every source where it lies on carriers");
     SourcePortions result;
     for (std::size_t s = 0; s < sources.size(); ++s) {
         result.first.push_back(static_cast<int>(result.portions.size()));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/base/ensure.hpp"
+
 namespace abut::geometry {
 
 namespace {
@@ -103,6 +105,9 @@ CommonGrid common_grid(const std::vector<const Part*>& parts, double cell_size) 
 }
 
 char case_of_parts(const CommonGrid& common, int part1, int part2) {
+    ENSURE(part1 >= 0 && static_cast<std::size_t>(part1) < common.parts.size() && part2 >= 0 &&
+               static_cast<std::size_t>(part2) < common.parts.size(),
+           "the parts are on the grid");
     const std::array<int, 2> wanted{std::min(part1, part2), std::max(part1, part2)};
     const auto found = std::lower_bound(common.contacts.begin(), common.contacts.end(), wanted,
                                         [](const ContactCells& c, const std::array<int, 2>& part) { return c.part < part; });
@@ -110,6 +115,7 @@ char case_of_parts(const CommonGrid& common, int part1, int part2) {
 }
 
 Grid split_grid(const CommonGrid& common, int part) {
+    ENSURE(part >= 0 && static_cast<std::size_t>(part) < common.split.size(), "the part is on the grid");
     const CellRange& range = common.split[static_cast<std::size_t>(part)];
     if (range.columns == 0) return {};
     const UniformGrid& grid = common.grid;

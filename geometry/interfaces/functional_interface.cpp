@@ -7,6 +7,7 @@
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/interfaces/interface_kind.hpp"
 #include "geometry/proximity/facing.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -87,6 +88,7 @@ void fill_parameters(const Part& first, const Part& second, const FacingEdges& s
 
 FunctionalInterface functional_interface(const Part& first, const Part& second, const std::string& kind,
                                          const std::vector<FacingEdges>& stretches, const ScrewScale& scale) {
+    ENSURE(!stretches.empty() && scale.size > 0, "a contact has a stretch, and its parts have a size");
     if (kind == "tooth-on-tooth" && stretches.size() > 1) {
         const auto closest = std::min_element(stretches.begin(), stretches.end(),
                                               [](const FacingEdges& a, const FacingEdges& b) { return a.gap < b.gap; });

@@ -9,6 +9,7 @@
 #include "geometry/brep/closest_points.hpp"
 #include "geometry/interfaces/teeth.hpp"
 #include "geometry/proximity/facing.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -119,6 +120,9 @@ bool are_toothed(const Part& part1, int edge1, const Part& part2, int edge2) {
 }  // namespace
 
 std::string interface_kind(const Part& part1, int edge1, const Part& part2, int edge2) {
+    ENSURE(edge1 >= 0 && static_cast<std::size_t>(edge1) < part1.edges.size() && edge2 >= 0 &&
+               static_cast<std::size_t>(edge2) < part2.edges.size(),
+           "the edges are those of the parts");
     if (are_toothed(part1, edge1, part2, edge2)) return "tooth-on-tooth";
     const ClosestPoints contact = contact_of(part1, edge1, part2, edge2);
     const Shape s1 = shape_at(part1, edge1, contact.t1), s2 = shape_at(part2, edge2, contact.t2);
@@ -130,6 +134,9 @@ std::string interface_kind(const Part& part1, int edge1, const Part& part2, int 
 }
 
 std::string corner_interface(const Part& part1, int edge1, double t1, const Part& part2, int edge2, double t2) {
+    ENSURE(edge1 >= 0 && static_cast<std::size_t>(edge1) < part1.edges.size() && edge2 >= 0 &&
+               static_cast<std::size_t>(edge2) < part2.edges.size(),
+           "the edges are those of the parts");
     if (are_toothed(part1, edge1, part2, edge2)) return "tooth-on-tooth";
     const bool corner1 = is_convex_corner(part1, edge1, t1), corner2 = is_convex_corner(part2, edge2, t2);
     if (corner1 == corner2) return "general";

@@ -3,7 +3,10 @@
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
+
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -87,6 +90,7 @@ MatrixXd directions(const MatrixXd& space) {
 }  // namespace
 
 std::vector<Screw> wrench_space(const std::vector<Screw>& wrenches, const ScrewScale& scale) {
+    ENSURE(scale.size > 0, "moments are measured in a length");
     const MatrixXd space = spaces_of(columns(wrenches, local_wrench, scale)).range;
     const bool moment = holds_moment(space);
     std::vector<Screw> basis;
@@ -127,6 +131,7 @@ std::vector<Screw> span_of_twists(const std::vector<Screw>& twists, const ScrewS
 }
 
 std::vector<Screw> twist_space(const std::vector<Screw>& wrenches, const ScrewScale& scale) {
+    ENSURE(scale.size > 0, "moments are measured in a length");
     const MatrixXd null = spaces_of(columns(wrenches, local_wrench, scale)).null;
     std::vector<Screw> twists;
     for (Eigen::Index k = 0; k < null.cols(); ++k) twists.push_back(global_twist(null.col(k), scale));
@@ -134,6 +139,11 @@ std::vector<Screw> twist_space(const std::vector<Screw>& wrenches, const ScrewSc
 }
 
 Mobility mobility(int n_bodies, const std::vector<Connection>& connections, const ScrewScale& scale) {
+    ENSURE(n_bodies >= 0 && scale.size > 0, "moments are measured in a length");
+    ENSURE(std::all_of(
+               connections.begin(), connections.end(),
+               [&](const Connection& c) { return c.body >= 0 && c.body < n_bodies && c.other >= -1 && c.other < n_bodies; }),
+           "connections are of the bodies");
     MatrixXd m = MatrixXd::Zero(3 * n_bodies, static_cast<Eigen::Index>(connections.size()));
     for (std::size_t k = 0; k < connections.size(); ++k) {
         const Connection& c = connections[k];

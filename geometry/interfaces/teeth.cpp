@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "src/base/ensure.hpp"
+
 namespace abut::geometry {
 
 namespace {
@@ -83,6 +85,7 @@ bool are_even(const std::vector<double>& angles) {
 }  // namespace
 
 int count_teeth(const Part& part, int edge) {
+    ENSURE(edge >= 0 && static_cast<std::size_t>(edge) < part.edges.size(), "the edge is one of the part's");
     const Loop* loop = loop_of(part, edge);
     if (!loop) return 0;
     const std::vector<Vec2> points = sample(part, *loop);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/proximity/facing.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -87,6 +88,8 @@ void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, doub
 }  // namespace
 
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
+    ENSURE(zone.begin1 < zone.end1 && !zone.chain1.edges.empty() && !zone.chain2.edges.empty(),
+           "a zone is a stretch of two chains");
     zone.at_corner = is_gap_least_at_corner(part1, part2, zone);
     zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
                       flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};

@@ -18,6 +18,7 @@
 #include "geometry/proximity/facing_general.hpp"
 #include "geometry/proximity/facing_nearest.hpp"
 #include "geometry/proximity/facing_stretch.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -277,11 +278,13 @@ bool is_notch(const Part& part, const FacingZone& zone) {
 }  // namespace
 
 std::vector<FacingZone> find_facing_zones(const Part& part1, const Part& part2, double distance) {
+    ENSURE(distance >= 0, "zones are searched up to a distance");
     if (!bounding_box(part1).overlaps(bounding_box(part2), distance)) return {};
     return facing_zones(part1, part2, distance, false);
 }
 
 std::vector<FacingZone> find_own_facing_zones(const Part& part, double distance) {
+    ENSURE(distance >= 0, "zones are searched up to a distance");
     std::vector<FacingZone> zones = facing_zones(part, part, distance, true);
     std::erase_if(zones, [&](const FacingZone& zone) { return is_notch(part, zone); });
     return zones;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "src/base/ensure.hpp"
+
 namespace abut::geometry {
 
 namespace {
@@ -64,6 +66,7 @@ std::optional<ZonePiece> piece_between(const Part& part1, const Part& part2, con
 }  // namespace
 
 std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const FacingZone& zone) {
+    ENSURE(!zone.chain1.edges.empty() && !zone.chain2.edges.empty(), "a zone is a stretch of two chains");
     const std::vector<double> cuts = cuts_of(part1, part2, zone);
     const double shortest = shortest_piece * (zone.end1 - zone.begin1);
     std::vector<ZonePiece> pieces;
@@ -77,6 +80,7 @@ std::vector<ZonePiece> zone_pieces(const Part& part1, const Part& part2, const F
 }
 
 FacingZone stretch_of(const Part& part1, const Part& part2, const FacingZone& whole, double begin1, double end1) {
+    ENSURE(begin1 < end1 && whole.begin1 < whole.end1, "a stretch of a zone has a length");
     FacingZone z = whole;
     const auto partner = [&](double s1, double otherwise) {
         const double guess = whole.begin2 + (s1 - whole.begin1) / (whole.end1 - whole.begin1) * (whole.end2 - whole.begin2);

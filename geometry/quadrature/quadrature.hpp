@@ -15,7 +15,7 @@ struct CellRule {
 };
 
 /// Rules of all boundary cells for products of two tensor polynomials of the given degree, by the divergence theorem: along
-/// each contour Gauss points, from the cell's left side to each of them Gauss points again [Gunderman, Weiss, Evans 2021].
+/// each contour Gauss points, from the cell's left side to each of them Gauss points again [Gunderman21].
 /// Exact but for rounding along segments, ellipses and splines, to 1e-9 along circular arcs (gauss_portions.hpp). Points may
 /// lie outside the part and weights may be negative.
 std::vector<CellRule> cell_rules(const Part& part, const CutCells& cells, int degree);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/sketch/sketch_blocks.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -115,6 +116,7 @@ struct Tracer {
 }  // namespace
 
 EntityChains trace_chains(const std::vector<SketchPiece>& entities, const Joints& joints) {
+    ENSURE(joints.at_begin.size() == entities.size() && joints.at_end.size() == entities.size(), "every entity has its joints");
     Tracer tracer{entities, joints};
     tracer.block_of.assign(entities.size(), -1);
     EntityChains chains;

@@ -12,6 +12,7 @@
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/monotone.hpp"
 #include "geometry/brep/outline.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -127,6 +128,7 @@ bool is_all_in_blocks(const std::vector<SketchEntity>& entities) {
 }
 
 bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std::string>& group) {
+    ENSURE(parts.size() == group.size(), "every part is of some group");
     std::vector<Box2> boxes;
     for (const Part& part : parts) boxes.push_back(bounding_box(part));
     const EdgeTree tree(boxes);
@@ -150,6 +152,7 @@ bool are_others_its_holes(const std::vector<Part>& parts, const std::vector<std:
 }
 
 bool do_others_touch(const std::vector<Part>& parts, const std::vector<std::string>& group, double coincidence) {
+    ENSURE(parts.size() == group.size(), "every part is of some group");
     if (parts.empty()) return false;
     const std::string surrounding = surrounding_group(parts, group);
     std::vector<Box2> boxes;

@@ -12,6 +12,7 @@
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/curves/moved_ends.hpp"
 #include "geometry/curves/numbers.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::geometry {
 
@@ -215,6 +216,7 @@ Vec2 leaving_direction(const SketchPiece& entity, bool is_begin) {
 }
 
 Joints join_ends(const std::vector<SketchPiece>& entities, double tolerance, double coincidence, double rounding) {
+    ENSURE(tolerance >= 0 && coincidence >= 0 && rounding >= 0, "ends are joined within a distance");
     const std::vector<EntityEnd> ends = all_ends(entities);
     const Places places = places_of(entities, ends);
     Sets sets = group_places(places, tolerance, coincidence, rounding);
@@ -242,6 +244,7 @@ Joints join_ends(const std::vector<SketchPiece>& entities, double tolerance, dou
 }
 
 void close_joints(std::vector<SketchPiece>& entities, const Joints& joints, double rounding) {
+    ENSURE(joints.at_begin.size() == entities.size() && joints.at_end.size() == entities.size(), "every entity has its joints");
     for (std::size_t i = 0; i < entities.size(); ++i) {
         if (joints.at_begin[i] < 0) continue;
         const Vec2& from = joints.joints[static_cast<std::size_t>(joints.at_begin[i])].at;

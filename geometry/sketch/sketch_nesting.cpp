@@ -10,6 +10,7 @@
 
 #include "geometry/sketch/sketch_conflicts.hpp"
 #include "geometry/sketch/sketch_joined.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -155,6 +156,7 @@ std::vector<Region> holes_of(const Outlines& outlines, const std::vector<Region>
 }  // namespace
 
 NestedParts nest(const Outlines& outlines, double tolerance, double coincidence, const MaterialHints& hints) {
+    ENSURE(tolerance >= 0 && coincidence >= 0, "outlines are one within a distance");
     NestedParts nested;
     std::vector<bool> is_overlaid;
     const Outlines sound =

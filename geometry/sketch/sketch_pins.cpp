@@ -6,6 +6,7 @@
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/outline.hpp"
 #include "geometry/csg/overlap.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -60,6 +61,7 @@ PartNumbers plates_without_hole(const std::vector<Part>& parts, const PartNumber
 }  // namespace
 
 void cut_pins(std::vector<Part>& parts, const std::vector<std::string>& group, std::vector<SketchProblem>& warnings) {
+    ENSURE(parts.size() == group.size(), "every part is of some group");
     std::vector<Box2> boxes;
     for (const Part& part : parts) boxes.push_back(bounding_box(part));
     const EdgeTree tree(boxes);

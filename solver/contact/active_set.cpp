@@ -84,15 +84,15 @@ private:
 
 /// Where the way from l to target first makes a unilateral multiplier negative.
 struct Block {
-    double reach = 1;
+    double share = 1;  ///< of the way
     Index row = -1;
 };
 Block first_block(const ContactQp& qp, const ActiveSet& active, const VectorXd& l, const VectorXd& target) {
     Block block;
     for (Index k : members(active)) {
         if (!is_unilateral(qp, k) || target[k] >= 0) continue;
-        const double reach = l[k] / (l[k] - target[k]);
-        if (reach < block.reach || block.row < 0) block = {std::min(reach, 1.0), k};
+        const double share = l[k] / (l[k] - target[k]);
+        if (share < block.share || block.row < 0) block = {std::min(share, 1.0), k};
     }
     return block;
 }
@@ -322,10 +322,10 @@ bool descend(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& acti
             fell = false;
             continue;
         }
-        l += block.reach * (state.multipliers - l);
+        l += block.share * (state.multipliers - l);
         l[block.row] = 0;
         active[static_cast<std::size_t>(block.row)] = 0;
-        fell = fell || block.reach > 0;
+        fell = fell || block.share > 0;
         lowest = std::min(lowest, energy(l));
     }
     return false;

@@ -341,7 +341,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
 }
 
 /// Of many rows, those that may close: C is made of these alone, and the gaps of the others are looked at under the
-/// displacements.
+/// displacements. Bearings of 80 rollers have 6800 rows, of which 1800 take part; all of them would make a dense C of 600 MB.
 class RowChoice {
 public:
     RowChoice(const AssemblyProblem& problem, const AssemblyRows& all) : problem_(problem), all_(all) {

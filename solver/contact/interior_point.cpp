@@ -115,11 +115,11 @@ public:
     }
 
     /// The longest step in which no unilateral multiplier, or gap, falls below zero; 1 at most.
-    double reach(const VectorXd& value, const VectorXd& change) const {
-        double reach = 1;
+    double longest_share(const VectorXd& value, const VectorXd& change) const {
+        double share = 1;
         for (Index k : unilateral_)
-            if (change[k] < 0) reach = std::min(reach, -value[k] / change[k]);
-        return reach;
+            if (change[k] < 0) share = std::min(share, -value[k] / change[k]);
+        return share;
     }
 
     double mean_product(const VectorXd& l, const VectorXd& gap) const {
@@ -179,16 +179,17 @@ InteriorPoint interior_point(const ShiftedQp& shifted, const VectorXd& start) {
         if (result.converged || !newton.factorize(x)) break;
         const VectorXd none = VectorXd::Zero(x.l.size());
         const Direction predictor = newton.direction(x, none);
-        const double pressed = newton.reach(x.l, predictor.l), open = newton.reach(x.gap, predictor.gap);
+        const double pressed = newton.longest_share(x.l, predictor.l), open = newton.longest_share(x.gap, predictor.gap);
         const double predicted = newton.mean_product(x.l + pressed * predictor.l, x.gap + open * predictor.gap);
         const double centering = mean > 0 ? std::pow(predicted / mean, 3) : 0;
         const VectorXd product = VectorXd::Constant(x.l.size(), centering * mean) - predictor.l.cwiseProduct(predictor.gap);
         const Direction d = newton.direction(x, product);
         // one length for both: C couples them
-        const double reach = std::min(1.0, to_boundary * std::min(newton.reach(x.l, d.l), newton.reach(x.gap, d.gap)));
-        x.l += reach * d.l;
-        x.a += reach * d.a;
-        x.gap += reach * d.gap;
+        const double share =
+            std::min(1.0, to_boundary * std::min(newton.longest_share(x.l, d.l), newton.longest_share(x.gap, d.gap)));
+        x.l += share * d.l;
+        x.a += share * d.a;
+        x.gap += share * d.gap;
     }
     for (Index k : newton.unilateral())
         result.active[static_cast<std::size_t>(k)] = x.l[k] / reached.force > x.gap[k] / reached.length;

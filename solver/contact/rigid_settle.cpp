@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 constexpr int max_newton_steps = 20;
 constexpr std::array<double, 4> softenings{1e-6, 1e-4, 1e-2, 1};
 constexpr double balance_tolerance = 1e-12;  // relative to the loads
-constexpr double least_reach = 1e-12;        // of a step: below, the energy's rounding hides any descent
+constexpr double least_share = 1e-12;        // of a step: below, the energy's rounding hides any descent
 constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
 constexpr double balance_rounding = 2e-16;   // of the terms of a balance of forces
 constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
@@ -109,15 +109,15 @@ double move_along(const ContactQp& qp, const VectorXd& foundation, const MotionR
                   const VectorXd& direction, Settled& s, Energy& energy) {
     const Energy before = energy;
     const double slope = residual.dot(direction);
-    for (double reach = 1; reach > least_reach; reach *= 0.5) {
-        VectorXd trial = s.amplitudes + reach * direction, l = pressures(qp, foundation, modes, trial);
-        const double wanted = sufficient_descent * reach * slope;
+    for (double share = 1; share > least_share; share *= 0.5) {
+        VectorXd trial = s.amplitudes + share * direction, l = pressures(qp, foundation, modes, trial);
+        const double wanted = sufficient_descent * share * slope;
         energy = energy_of(qp, foundation, trial, l);
         const bool falls = energy.value <= before.value - wanted;
         if (!falls && (wanted > before.rounding || imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) continue;
         s.amplitudes = std::move(trial);
         s.multipliers = std::move(l);
-        return reach;
+        return share;
     }
     return 0;
 }
@@ -154,9 +154,9 @@ void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const
         if (s.balanced) return;
         const VectorXd pressed = (s.multipliers.array() != 0).select(foundation, 0.0);
         const VectorXd direction = PivotedCholesky(held_stiffness(modes, pressed, held * mean)).solve(residual);
-        const double reach = move_along(qp, foundation, modes, residual, direction, s, energy);
-        if (reach == 0) return;
-        held = reach == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
+        const double share = move_along(qp, foundation, modes, residual, direction, s, energy);
+        if (share == 0) return;
+        held = share == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
     }
 }
 

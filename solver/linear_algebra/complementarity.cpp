@@ -72,14 +72,14 @@ public:
         const VectorXd rate = column(column_of(entering)), value = values();
         const double least = least_pivot * rate.cwiseAbs().maxCoeff();
         Index best = -1;
-        double reach = 0;
+        double first = 0;
         for (Index i = 0; i < n_; ++i) {
             if (rate[i] >= -least) continue;
             const double t = value[i] / -rate[i];
-            if (best >= 0 && t > reach) continue;
-            if (best >= 0 && t == reach && basic_[of(i)] != covering()) continue;
+            if (best >= 0 && t > first) continue;
+            if (best >= 0 && t == first && basic_[of(i)] != covering()) continue;
             best = i;
-            reach = t;
+            first = t;
         }
         return best;
     }

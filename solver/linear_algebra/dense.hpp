@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decompositions of dense matrices of some rows. Most are Eigen's; each takes seconds to compile, hence one place for all.
+// Decompositions of dense matrices of some rows. Most are Eigen's; each takes seconds to compile, hence one place for all of
+// this floor. Elsewhere geometry/interfaces/screw.cpp, which must not know this floor, has singular vectors of its own, and
+// src/plan/edge_traction.cpp and src/solution/preload.cpp have what they need of a few rows.
 #pragma once
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

@@ -51,24 +51,24 @@ NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eige
         passive.push_back(enter);
         for (;;) {
             const Eigen::VectorXd z = least_squares_on(a, b, passive);
-            double reach = 1;
+            double share = 1;
             for (std::size_t i = 0; i < passive.size(); ++i) {
                 const Index k = passive[i];
                 const double zk = z[static_cast<Index>(i)];
-                if (bounded[static_cast<std::size_t>(k)] && zk <= 0) reach = std::min(reach, r.x[k] / (r.x[k] - zk));
+                if (bounded[static_cast<std::size_t>(k)] && zk <= 0) share = std::min(share, r.x[k] / (r.x[k] - zk));
             }
-            if (!(reach >= 0)) reach = 0;
+            if (!(share >= 0)) share = 0;
             std::vector<Index> kept;
             for (std::size_t i = 0; i < passive.size(); ++i) {
                 const Index k = passive[i];
                 const double zk = z[static_cast<Index>(i)];
-                const bool leaves = reach < 1 && bounded[static_cast<std::size_t>(k)] && zk <= 0 &&
-                                    r.x[k] <= reach * (r.x[k] - zk) * (1 + 1e-14);
-                r.x[k] = leaves ? 0.0 : r.x[k] + reach * (zk - r.x[k]);
+                const bool leaves = share < 1 && bounded[static_cast<std::size_t>(k)] && zk <= 0 &&
+                                    r.x[k] <= share * (r.x[k] - zk) * (1 + 1e-14);
+                r.x[k] = leaves ? 0.0 : r.x[k] + share * (zk - r.x[k]);
                 if (!leaves) kept.push_back(k);
             }
             passive.swap(kept);
-            if (reach >= 1) break;
+            if (share >= 1) break;
         }
         r.residual = b - a * r.x;
     }

@@ -5,7 +5,7 @@
 
 namespace abut::solver {
 
-/// The solution of min |A x - b| with x_k >= 0 where bounded[k] (Lawson and Hanson 1974, with free unknowns always in the
+/// The solution of min |A x - b| with x_k >= 0 where bounded[k] ([Lawson74], with free unknowns always in the
 /// passive set).
 struct NonnegativeResult {
     Eigen::VectorXd x;

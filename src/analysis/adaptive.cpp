@@ -81,6 +81,7 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
         walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
     Scene unloaded = *cases.front().scene;  // what a part is made of is the same in all cases
     unloaded.loads.clear();
+    const ResolvedConditions held{cases.front().conditions->supports, {}};
     // All answers are of the same last grids. On those before, only cases that lack something are solved: the others have
     // nothing to ask for.
     std::vector<bool> has_all(cases.size(), false);
@@ -88,8 +89,8 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
     while (std::any_of(has_all.begin(), has_all.end(), lacks)) {
         const PassAsk ask = joined(walks);
         tell_pass(walks.front(), ask, options);
-        const SolvedAssembly prepared = prepare_parts(unloaded, *cases.front().conditions, walks.front().candidates(),
-                                                      ask.parts, ask.wanted, ask.coarseness, seconds, threads);
+        const SolvedAssembly prepared =
+            prepare_parts(unloaded, held, walks.front().candidates(), ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         const auto solve = [&](std::size_t k) {
             has_all[k] = walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
                                                                    k > 0 ? &walks[k - 1].last() : nullptr)

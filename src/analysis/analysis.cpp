@@ -138,7 +138,9 @@ void note_own_factors(const Scene& scene, const Outcome& out, Result& result) {
 /// Sound answers meet the conditions of contact to rounding, 1e-12 and less.
 void tell_contact_residual(const SolvedAssembly& solved, Result& result) {
     constexpr double noted = 1e-6;
-    if (!std::any_of(solved.runs.begin(), solved.runs.end(), [](const auto& runs) { return !runs.empty(); })) return;
+    if (!std::any_of(solved.stretches.begin(), solved.stretches.end(),
+                     [](const auto& stretches) { return !stretches.empty(); }))
+        return;
     const double residual = solved.solution.residual;
     result.solver.contact_residual = residual;
     if (residual <= noted) return;

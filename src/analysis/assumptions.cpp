@@ -168,7 +168,7 @@ void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& r
     std::vector<Finding> findings;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const solver::Interface& face = solved.contacts[k].face;
-        if (k >= solved.runs.size() || solved.runs[k].empty()) continue;
+        if (k >= solved.stretches.size() || solved.stretches[k].empty()) continue;
         const PartOnGrid *thin = &solved.grids[at(face.part[0])], *thick = &solved.grids[at(face.part[1])];
         if (thin->input.thickness > thick->input.thickness) std::swap(thin, thick);
         const double ratio = thick->input.thickness / thin->input.thickness;
@@ -191,12 +191,12 @@ void check_thickness(const Scene& scene, const SolvedAssembly& solved, Result& r
 /// Parts whose contact reaches the end of what was searched: "a and b".
 std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
     std::string names;
-    for (std::size_t k = 0; k < s.runs.size(); ++k) {
+    for (std::size_t k = 0; k < s.stretches.size(); ++k) {
         const geometry::FacingZone& zone = s.contacts[k].zone;
-        const auto ends_there = [&](const ContactRun& run) {
-            return (run.from_start && zone.begin_is_limit) || (run.to_end && zone.end_is_limit);
+        const auto ends_there = [&](const PressedStretch& stretch) {
+            return (stretch.from_start && zone.begin_is_limit) || (stretch.to_end && zone.end_is_limit);
         };
-        if (s.contacts[k].face.bilateral || std::none_of(s.runs[k].begin(), s.runs[k].end(), ends_there)) continue;
+        if (s.contacts[k].face.bilateral || std::none_of(s.stretches[k].begin(), s.stretches[k].end(), ends_there)) continue;
         const auto& [a, b] = s.contacts[k].part;
         names += (names.empty() ? ": " : ", ") + scene.parts[at(a)].name + " and " + scene.parts[at(b)].name;
     }

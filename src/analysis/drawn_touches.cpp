@@ -10,12 +10,12 @@ namespace abut {
 
 namespace {
 
-std::string names_of(const Scene& scene, const Meeting& m) {
+std::string names_of(const Scene& scene, const Encounter& m) {
     return scene.parts[static_cast<std::size_t>(m.first)].name + " and " +
            scene.parts[static_cast<std::size_t>(m.second)].name + " ";
 }
 
-bool is_unpaired(const Scene& scene, const Meeting& m) {
+bool is_unpaired(const Scene& scene, const Encounter& m) {
     const geometry::Part &a = scene.parts[static_cast<std::size_t>(m.first)].part,
                          &b = scene.parts[static_cast<std::size_t>(m.second)].part;
     if (!m.unpaired || m.overlap || m.closest->distance > touching_length(a, b)) return false;
@@ -23,9 +23,9 @@ bool is_unpaired(const Scene& scene, const Meeting& m) {
     return !is_convex_corner(a, c.edge1, c.t1) || !is_convex_corner(b, c.edge2, c.t2);
 }
 
-std::string unpaired_of(const Scene& scene, const std::vector<Meeting>& meetings) {
+std::string unpaired_of(const Scene& scene, const std::vector<Encounter>& encounters) {
     std::vector<std::string> unpaired;
-    for (const Meeting& m : meetings)
+    for (const Encounter& m : encounters)
         if (is_unpaired(scene, m)) unpaired.push_back(names_of(scene, m) + "at " + pair_text(m.closest->x1, 4));
     return abut::joined(unpaired, "; ");
 }
@@ -33,14 +33,14 @@ std::string unpaired_of(const Scene& scene, const std::vector<Meeting>& meetings
 }  // namespace
 
 std::string unpaired_touches(const Scene& scene) {
-    return unpaired_of(scene, find_meetings(scene, 1));
+    return unpaired_of(scene, find_encounters(scene, 1));
 }
 
 void warn_of_drawn_touches(const Scene& scene, Result& result) {
-    const std::vector<Meeting> meetings = find_meetings(scene, 1);
-    const std::string unpaired = unpaired_of(scene, meetings);
+    const std::vector<Encounter> encounters = find_encounters(scene, 1);
+    const std::string unpaired = unpaired_of(scene, encounters);
     std::vector<std::string> overlapping;
-    for (const Meeting& m : meetings)
+    for (const Encounter& m : encounters)
         if (m.overlap && m.counts_as_touching) overlapping.push_back(names_of(scene, m) + overlap_text(scene, m));
     if (!unpaired.empty())
         result.warnings.push_back(

@@ -28,23 +28,24 @@ constexpr double largest_ratio = 0.8;
 
 double end_errors(const ContactRecord& c) {
     double square = 0;
-    for (const ContactRun& run : c.runs)
-        square += run.at_begin.error * run.at_begin.error + run.at_end.error * run.at_end.error;
+    for (const PressedStretch& stretch : c.stretches)
+        square += stretch.at_begin.error * stretch.at_begin.error + stretch.at_end.error * stretch.at_end.error;
     return std::sqrt(square);
 }
 
 bool has_corner(const ContactRecord& c) {
-    return std::any_of(c.runs.begin(), c.runs.end(), [](const ContactRun& run) {
-        return run.at_begin.kind == RunEnd::Kind::corner || run.at_end.kind == RunEnd::Kind::corner;
+    return std::any_of(c.stretches.begin(), c.stretches.end(), [](const PressedStretch& stretch) {
+        return stretch.at_begin.kind == StretchEnd::Kind::corner || stretch.at_end.kind == StretchEnd::Kind::corner;
     });
 }
 
 bool peak_at_corner(const ContactRecord& c, double peak) {
-    const auto stands = [&](const RunEnd& end, double s) {
-        return end.kind == RunEnd::Kind::corner && solver::pressure_at(c.pressure, c.coefficients, s) >= peak;
+    const auto stands = [&](const StretchEnd& end, double s) {
+        return end.kind == StretchEnd::Kind::corner && solver::pressure_at(c.pressure, c.coefficients, s) >= peak;
     };
-    return std::any_of(c.runs.begin(), c.runs.end(),
-                       [&](const ContactRun& run) { return stands(run.at_begin, run.begin) || stands(run.at_end, run.end); });
+    return std::any_of(c.stretches.begin(), c.stretches.end(), [&](const PressedStretch& stretch) {
+        return stands(stretch.at_begin, stretch.begin) || stands(stretch.at_end, stretch.end);
+    });
 }
 
 /// Changes that fall from grid to grid like a geometric series leave no more than its rest. They fall faster after a grid that
@@ -107,7 +108,7 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     if (!now.shear || !before.shear) return;
     const auto with_traction = [](ContactRecord record) {
         record.coefficients = record.shear->coefficients;
-        record.runs.insert(record.runs.end(), record.shear->borders.begin(), record.shear->borders.end());
+        record.stretches.insert(record.stretches.end(), record.shear->borders.begin(), record.shear->borders.end());
         return record;
     };
     const PressureChange c =
@@ -137,7 +138,7 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     double strongest = 0, largest_peak = 0;  // of all, bonds among them
     double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-        if (now.contacts[k].runs.empty()) continue;  // open, but for rounding
+        if (now.contacts[k].stretches.empty()) continue;  // open, but for rounding
         const std::optional<ContactError> known =
             k < estimate_before.contacts.size() ? estimate_before.contacts[k] : std::nullopt;
         const PressureChange c = change_of(now.contacts[k], before.contacts[k], known ? known->local : std::vector<double>{});

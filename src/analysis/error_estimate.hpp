@@ -2,8 +2,8 @@
 // Estimated errors of a solution.
 //
 // Near a free end the exact pressure is A sqrt(d), d the distance to the end: A and the end are fitted to the force there, and
-// the spline's L2 distance to that root is its error (contact_runs). Everywhere else, and of peaks and forces, the error is a
-// share of the change from the solution before; of contacts small beside their parts no more than the distance from the
+// the spline's L2 distance to that root is its error (pressed_stretches). Everywhere else, and of peaks and forces, the error
+// is a share of the change from the solution before; of contacts small beside their parts no more than the distance from the
 // pressure that half planes would have (plane_pressure), which knows nothing of grids. Corners at which the pressure may have
 // no limit are left out. Where cells stayed as they were the error does, too: a change tells nothing of it. Energy and stress:
 // from the smoothed stresses of one solution (stress_error).

@@ -18,12 +18,12 @@ namespace abut {
 namespace {
 
 /// Inner knots of the pressure in a contact below which the grid does not tell its length: the fit of an end alone takes four
-/// intervals (contact_runs), so a contact with two ends has eight.
+/// intervals (pressed_stretches), so a contact with two ends has eight.
 constexpr int few_knots = 6;
 /// Of the half width that was found: beyond, the parts are not like half planes. And knot spacings between a fillet's joint and
 /// a contact's end that is put there: as far off as the first grids' ends are.
 constexpr double most_extent = 2, near_joint = 2;
-constexpr int run_samples = 16;                // along the run, between which the gap may be lowest
+constexpr int stretch_samples = 16;            // along the stretch, between which the gap may be lowest
 constexpr int gauss_points = 8;                // of the integral over the angle, between joints
 constexpr int max_steps = 20;                  // of a root
 constexpr double half_width_tolerance = 1e-4;  // relative
@@ -31,11 +31,11 @@ constexpr double half_width_tolerance = 1e-4;  // relative
 /// thickness): what finite parts change is of the order of its square.
 constexpr double small_contact = 0.025;
 
-/// A run as one contact of half planes.
+/// A stretch as one contact of half planes.
 struct PlaneContact {
     double force;                       // per thickness and E*; of both halves
     double compliance;                  // 1 / E*
-    double middle;                      // of the pressure, or the end of the interface where the run is half a contact
+    double middle;                      // of the pressure, or the end of the interface where the stretch is half a contact
     double half_width;                  // as it was found
     double begin_spacing, end_spacing;  // of knots at its ends
 };
@@ -62,25 +62,26 @@ ForceAlong force_between(const solver::KnotVector& knots, const Eigen::VectorXd&
     return sum;
 }
 
-/// Up to half way to the next runs: a coarse pressure reaches beyond the ends that its force tells.
+/// Up to half way to the next stretches: a coarse pressure reaches beyond the ends that its force tells.
 PlaneContact plane_contact(const ContactInterface& contact, const Eigen::VectorXd& pressure, double compliance,
-                           const std::vector<ContactRun>& runs, std::size_t r) {
-    const ContactRun& run = runs[r];
-    const double low = r == 0 ? contact.s.front() : 0.5 * (runs[r - 1].end + run.begin);
-    const double high = r + 1 == runs.size() ? contact.s.back() : 0.5 * (run.end + runs[r + 1].begin);
+                           const std::vector<PressedStretch>& stretches, std::size_t r) {
+    const PressedStretch& stretch = stretches[r];
+    const double low = r == 0 ? contact.s.front() : 0.5 * (stretches[r - 1].end + stretch.begin);
+    const double high = r + 1 == stretches.size() ? contact.s.back() : 0.5 * (stretch.end + stretches[r + 1].begin);
     const auto [force, moment] = force_between(contact.face.pressure, pressure, low, high);
-    const bool is_half = run.from_start || run.to_end;
+    const bool is_half = stretch.from_start || stretch.to_end;
     return {(is_half ? 2 : 1) * force * compliance,
             compliance,
-            run.from_start ? run.begin : (run.to_end ? run.end : moment / force),
-            (is_half ? 1 : 0.5) * (run.end - run.begin),
-            spacing_at(contact.face.pressure, run.begin),
-            spacing_at(contact.face.pressure, std::nextafter(run.end, run.begin))};
+            stretch.from_start ? stretch.begin : (stretch.to_end ? stretch.end : moment / force),
+            (is_half ? 1 : 0.5) * (stretch.end - stretch.begin),
+            spacing_at(contact.face.pressure, stretch.begin),
+            spacing_at(contact.face.pressure, std::nextafter(stretch.end, stretch.begin))};
 }
 
-int knots_in(const ContactInterface& contact, const ContactRun& run) {
+int knots_in(const ContactInterface& contact, const PressedStretch& stretch) {
     const std::vector<double>& knots = contact.face.pressure.breakpoints;
-    return static_cast<int>(std::count_if(knots.begin(), knots.end(), [&](double s) { return run.begin < s && s < run.end; }));
+    return static_cast<int>(
+        std::count_if(knots.begin(), knots.end(), [&](double s) { return stretch.begin < s && s < stretch.end; }));
 }
 
 /// d(drawn gap)/ds, from the directions of both surfaces.
@@ -93,11 +94,11 @@ std::optional<double> gap_slope(const Scene& scene, const ContactInterface& cont
     return n1.dot(along) / n1.dot(pair.normal) - n2.dot(along) / n2.dot(pair.normal);
 }
 
-/// Where within the run the drawn gap is lowest: a coarse pressure's middle is farther off than a small contact is wide.
-std::optional<double> lowest_place(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
-    const auto place = [&](int i) { return run.begin + (run.end - run.begin) * i / run_samples; };
+/// Where within the stretch the drawn gap is lowest: a coarse pressure's middle is farther off than a small contact is wide.
+std::optional<double> lowest_place(const Scene& scene, const ContactInterface& contact, const PressedStretch& stretch) {
+    const auto place = [&](int i) { return stretch.begin + (stretch.end - stretch.begin) * i / stretch_samples; };
     std::optional<double> before = gap_slope(scene, contact, place(0));
-    for (int i = 1; i <= run_samples; ++i) {
+    for (int i = 1; i <= stretch_samples; ++i) {
         const std::optional<double> now = gap_slope(scene, contact, place(i));
         if (before && now && *before < 0 && *now >= 0) {
             const auto slope = [&](double s) { return gap_slope(scene, contact, s).value_or(0); };
@@ -115,9 +116,9 @@ std::optional<double> lowest_place(const Scene& scene, const ContactInterface& c
 /// The drawn gap's derivative away from a middle; the mean of both sides, or of the one that there is.
 class Profile {
 public:
-    Profile(const Scene& scene, const ContactInterface& contact, const std::vector<ContactJoint>& joints, const ContactRun& run,
-            double middle)
-        : scene_(scene), contact_(contact), middle_(middle), has_left_(!run.from_start), has_right_(!run.to_end) {
+    Profile(const Scene& scene, const ContactInterface& contact, const std::vector<ContactJoint>& joints,
+            const PressedStretch& stretch, double middle)
+        : scene_(scene), contact_(contact), middle_(middle), has_left_(!stretch.from_start), has_right_(!stretch.to_end) {
         for (const ContactJoint& joint : joints) joints_.push_back(std::abs(joint.s - middle));
         std::sort(joints_.begin(), joints_.end());
     }
@@ -190,17 +191,18 @@ std::optional<double> half_width(const Profile& profile, const PlaneContact& pla
     return 0.5 * (low + high);
 }
 
-/// Nothing where the run stays as it was, or its pressure is unknown.
-std::optional<PlaneRun> move_by_galin(const Scene& scene, const ContactInterface& contact,
-                                      const std::vector<ContactJoint>& joints, const PlaneContact& plane, ContactRun& run) {
-    const bool is_half = run.from_start || run.to_end;
-    const double middle = is_half ? plane.middle : lowest_place(scene, contact, run).value_or(plane.middle);
-    const Profile profile(scene, contact, joints, run, middle);
+/// Nothing where the stretch stays as it was, or its pressure is unknown.
+std::optional<PlaneStretch> move_by_galin(const Scene& scene, const ContactInterface& contact,
+                                          const std::vector<ContactJoint>& joints, const PlaneContact& plane,
+                                          PressedStretch& stretch) {
+    const bool is_half = stretch.from_start || stretch.to_end;
+    const double middle = is_half ? plane.middle : lowest_place(scene, contact, stretch).value_or(plane.middle);
+    const Profile profile(scene, contact, joints, stretch, middle);
     const std::optional<double> a = half_width(profile, plane);
     if (!a) return std::nullopt;
-    if (!run.from_start) run.begin = middle - *a;
-    if (!run.to_end) run.end = middle + *a;
-    return plane_run([&](double x) { return profile.slope(x); }, middle, *a, plane.force / plane.compliance);
+    if (!stretch.from_start) stretch.begin = middle - *a;
+    if (!stretch.to_end) stretch.end = middle + *a;
+    return plane_stretch([&](double x) { return profile.slope(x); }, middle, *a, plane.force / plane.compliance);
 }
 
 /// The end at s, if a joint is near from which on the gap opens; outward: 1 or -1.
@@ -219,60 +221,62 @@ std::optional<double> end_beyond_joint(const std::vector<ContactJoint>& joints, 
     return nearest->s + outward * beyond;
 }
 
-void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact& plane, ContactRun& run) {
-    const ContactRun found = run;
-    if (!run.from_start)
-        run.begin = end_beyond_joint(joints, plane, found.begin, -1, near_joint * plane.begin_spacing).value_or(found.begin);
-    if (!run.to_end)
-        run.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
+void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact& plane, PressedStretch& stretch) {
+    const PressedStretch found = stretch;
+    if (!stretch.from_start)
+        stretch.begin =
+            end_beyond_joint(joints, plane, found.begin, -1, near_joint * plane.begin_spacing).value_or(found.begin);
+    if (!stretch.to_end)
+        stretch.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
 }
 
 /// Half width over the parts' hydraulic diameter, the largest.
-double largest_share(const SolvedAssembly& solved, const ContactInterface& contact, const std::vector<PlaneRun>& runs) {
+double largest_share(const SolvedAssembly& solved, const ContactInterface& contact,
+                     const std::vector<PlaneStretch>& stretches) {
     double share = 0;
     for (int part : contact.face.part) {
         const PartOnGrid& g = solved.grids[static_cast<std::size_t>(part)];
         if (g.is_rigid) continue;
         double boundary = 0;
         for (const geometry::Edge& edge : g.local.edges) boundary += length(edge.curve);
-        for (const PlaneRun& run : runs) share = std::max(share, run.half_width * boundary / (4 * g.area));
+        for (const PlaneStretch& stretch : stretches) share = std::max(share, stretch.half_width * boundary / (4 * g.area));
     }
     return share;
 }
 
 /// Statics know the force per length away from an axis only.
-bool is_at_axis(const Scene& scene, const ContactInterface& contact, const ContactRun& run) {
+bool is_at_axis(const Scene& scene, const ContactInterface& contact, const PressedStretch& stretch) {
     if (scene.analysis != Analysis::axisymmetric) return false;
-    const double reach = run.end - run.begin;
-    const geometry::FacingPair begin = pair_at(scene, contact, run.begin), end = pair_at(scene, contact, run.end);
+    const double reach = stretch.end - stretch.begin;
+    const geometry::FacingPair begin = pair_at(scene, contact, stretch.begin), end = pair_at(scene, contact, stretch.end);
     return (begin.found && begin.on1.x.x() < reach) || (end.found && end.on1.x.x() < reach);
 }
 
-/// Puts the ends of one contact's runs of fewer than so many knots where theory has them. Its pressure, where all of them are
-/// such, small and of half planes.
-std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly& solved, std::size_t k, int knots,
-                                        std::vector<ContactRun>& runs) {
+/// Puts the ends of one contact's stretches of fewer than so many knots where theory has them. Its pressure, where all of them
+/// are such, small and of half planes.
+std::optional<PlanePressure> place_stretches(const Scene& scene, const SolvedAssembly& solved, std::size_t k, int knots,
+                                             std::vector<PressedStretch>& stretches) {
     const ContactInterface& contact = solved.contacts[k];
     const std::vector<ContactJoint> joints = contact_joints(scene, contact);
     const double compliance = compliance_of(solved, k);
     PlanePressure pressure{contact.s1, contact.s, {}};
-    for (std::size_t r = 0; r < runs.size(); ++r) {
-        ContactRun& run = runs[r];
-        if ((run.from_start && run.to_end) || is_at_axis(scene, contact, run)) continue;
-        const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.runs[k], r);
+    for (std::size_t r = 0; r < stretches.size(); ++r) {
+        PressedStretch& stretch = stretches[r];
+        if ((stretch.from_start && stretch.to_end) || is_at_axis(scene, contact, stretch)) continue;
+        const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.stretches[k], r);
         if (!(plane.force > 0)) continue;
-        if (knots_in(contact, run) < knots) {
-            if (std::optional<PlaneRun> known = move_by_galin(scene, contact, joints, plane, run))
-                pressure.runs.push_back(std::move(*known));
+        if (knots_in(contact, stretch) < knots) {
+            if (std::optional<PlaneStretch> known = move_by_galin(scene, contact, joints, plane, stretch))
+                pressure.stretches.push_back(std::move(*known));
         } else {
-            move_to_fillets(joints, plane, run);
+            move_to_fillets(joints, plane, stretch);
         }
-        run.begin = std::max(run.begin, contact.s.front());
-        run.end = std::min(run.end, contact.s.back());
+        stretch.begin = std::max(stretch.begin, contact.s.front());
+        stretch.end = std::min(stretch.end, contact.s.back());
     }
-    const double share = largest_share(solved, contact, pressure.runs);
+    const double share = largest_share(solved, contact, pressure.stretches);
     pressure.doubt = share * share;
-    if (pressure.runs.size() < runs.size() || share > small_contact || scene.analysis == Analysis::axisymmetric)
+    if (pressure.stretches.size() < stretches.size() || share > small_contact || scene.analysis == Analysis::axisymmetric)
         return std::nullopt;
     return pressure;
 }
@@ -280,17 +284,17 @@ std::optional<PlanePressure> place_runs(const Scene& scene, const SolvedAssembly
 /// Does theory know of such contacts? It knows of no bonds, and of no other springs than half planes.
 bool is_told(const SolvedAssembly& solved, std::size_t k) {
     const ContactInterface& contact = solved.contacts[k];
-    return !solved.runs[k].empty() && !contact.face.bilateral && contact.pairing == Pairing::middle;
+    return !solved.stretches[k].empty() && !contact.face.bilateral && contact.pairing == Pairing::middle;
 }
 
 }  // namespace
 
 TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved) {
-    TheoryOfContacts theory{solved.runs, {}, true};
-    theory.pressure.resize(theory.runs.size());
-    for (std::size_t k = 0; k < theory.runs.size(); ++k) {
-        if (theory.runs[k].empty()) continue;
-        if (is_told(solved, k)) theory.pressure[k] = place_runs(scene, solved, k, few_knots, theory.runs[k]);
+    TheoryOfContacts theory{solved.stretches, {}, true};
+    theory.pressure.resize(theory.stretches.size());
+    for (std::size_t k = 0; k < theory.stretches.size(); ++k) {
+        if (theory.stretches[k].empty()) continue;
+        if (is_told(solved, k)) theory.pressure[k] = place_stretches(scene, solved, k, few_knots, theory.stretches[k]);
         theory.is_close = theory.is_close && theory.pressure[k];
     }
     return theory;
@@ -298,8 +302,9 @@ TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& so
 
 void renew_pressures(const Scene& scene, const SolvedAssembly& solved, TheoryOfContacts& theory) {
     for (std::size_t k = 0; k < theory.pressure.size(); ++k) {
-        std::vector<ContactRun> runs = solved.runs[k];
-        if (is_told(solved, k)) theory.pressure[k] = place_runs(scene, solved, k, std::numeric_limits<int>::max(), runs);
+        std::vector<PressedStretch> stretches = solved.stretches[k];
+        if (is_told(solved, k))
+            theory.pressure[k] = place_stretches(scene, solved, k, std::numeric_limits<int>::max(), stretches);
     }
 }
 

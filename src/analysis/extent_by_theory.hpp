@@ -20,16 +20,16 @@ namespace abut {
 
 /// The contacts of a solution as half planes have them.
 struct TheoryOfContacts {
-    ContactRuns runs;
-    /// The pressure by theory, by contact; where all of its runs are small beside their parts and of half planes.
+    PressedStretches stretches;
+    /// The pressure by theory, by contact; where all of its stretches are small beside their parts and of half planes.
     std::vector<std::optional<PlanePressure>> pressure;
     bool is_close = false;  ///< every contact has one
 };
 
-/// Applies the theory to a solution. Runs of few knots get their free ends from it, about where the drawn gap is lowest, or
-/// about the interface's end where a run begins or ends with it (a line of symmetry); ends of longer runs near a fillet's joint
-/// are put beyond it; others are as they were found. Where the first kind is all there is of a contact, its pressure is given,
-/// too.
+/// Applies the theory to a solution. Stretches of few knots get their free ends from it, about where the drawn gap is lowest,
+/// or about the interface's end where a stretch begins or ends with it (a line of symmetry); ends of longer stretches near a
+/// fillet's joint are put beyond it; others are as they were found. Where the first kind is all there is of a contact, its
+/// pressure is given, too.
 TheoryOfContacts contacts_by_theory(const Scene& scene, const SolvedAssembly& solved);
 
 /// The pressures by theory of a later solution: of its forces, and of the contacts that it closed.

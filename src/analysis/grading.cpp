@@ -19,7 +19,7 @@ constexpr double cells_in_first_contact = 16;
 /// the cell size, those of the rest with its third power and more.
 constexpr double fast_end = 0.02;
 /// Distance of a joint from the end of contact, times this: the length that the end's cells are a fraction of.
-/// At least this of the run: a joint at the very end tells nothing.
+/// At least this of the stretch: a joint at the very end tells nothing.
 constexpr double lengths_beside_joint = 4, least_steep_end = 1e-3;
 constexpr double slowest_growth = 0.4, fastest_growth = 0.69;  // neighbours by a factor of 2
 
@@ -32,26 +32,26 @@ double growth_for(const ContactResolution& r) {
 }
 
 /// length: of the pressure's steep end.
-double end_size(const RunEnd& end, double length, const ContactResolution& r) {
-    return length * (end.kind == RunEnd::Kind::free ? r.end_fraction : r.corner_fraction);
+double end_size(const StretchEnd& end, double length, const ContactResolution& r) {
+    return length * (end.kind == StretchEnd::Kind::free ? r.end_fraction : r.corner_fraction);
 }
 
-/// Joints within a run from which on the gap opens; and the lengths of the pressure's steep ends, beyond the nearest ones.
+/// Joints within a stretch from which on the gap opens; and the lengths of the pressure's steep ends, beyond the nearest ones.
 struct RunJoints {
     std::vector<ContactJoint> inside;
     std::vector<double> length;  // of the steep end that each belongs to
     double at_begin, at_end;
 };
 
-RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& run) {
-    const double whole = run.end - run.begin;
+RunJoints joints_in(const std::vector<ContactJoint>& joints, const PressedStretch& stretch) {
+    const double whole = stretch.end - stretch.begin;
     RunJoints in{{}, {}, whole, whole};
     for (const ContactJoint& joint : joints) {
-        if (joint.s <= run.begin || joint.s >= run.end) continue;
+        if (joint.s <= stretch.begin || joint.s >= stretch.end) continue;
         const bool to_end = joint.opening > 0;
-        const double distance = to_end ? run.end - joint.s : joint.s - run.begin;
-        const RunEnd& end = to_end ? run.at_end : run.at_begin;
-        const double length = end.kind == RunEnd::Kind::free
+        const double distance = to_end ? stretch.end - joint.s : joint.s - stretch.begin;
+        const StretchEnd& end = to_end ? stretch.at_end : stretch.at_begin;
+        const double length = end.kind == StretchEnd::Kind::free
                                   ? std::clamp(lengths_beside_joint * distance, least_steep_end * whole, whole)
                                   : whole;
         double& shortest = to_end ? in.at_end : in.at_begin;
@@ -62,13 +62,13 @@ RunJoints joints_in(const std::vector<ContactJoint>& joints, const ContactRun& r
     return in;
 }
 
-/// On both bodies, where sticking and slipping meet within a run.
+/// On both bodies, where sticking and slipping meet within a stretch.
 std::array<std::vector<Vec2>, 2> borders_in(const Scene& scene, const SolvedAssembly& solved, std::size_t contact,
-                                            const ContactRun& run) {
+                                            const PressedStretch& stretch) {
     std::array<std::vector<Vec2>, 2> places;
     for (const StickBorder& border : stick_borders(solved, contact)) {
         const geometry::FacingPair pair = pair_at(scene, solved.contacts[contact], border.s);
-        if (!pair.found || border.s <= run.begin || border.s >= run.end) continue;
+        if (!pair.found || border.s <= stretch.begin || border.s >= stretch.end) continue;
         places[0].push_back(pair.on1.x);
         places[1].push_back(pair.on2.x);
     }
@@ -100,32 +100,33 @@ WantedSizes first_sizes(const Scene& scene, const std::vector<Candidate>& candid
     return wanted;
 }
 
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const PressedStretches& stretches,
                        const std::vector<ContactResolution>& resolution) {
     WantedSizes wanted(scene.parts.size());
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const std::vector<ContactJoint> all_joints =
-            runs[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
-        for (const ContactRun& run : runs[k]) {
+            stretches[k].empty() ? std::vector<ContactJoint>() : contact_joints(scene, solved.contacts[k]);
+        for (const PressedStretch& stretch : stretches[k]) {
             const ContactInterface& contact = solved.contacts[k];
-            const double length = run.end - run.begin, growth = growth_for(resolution[k]);
+            const double length = stretch.end - stretch.begin, growth = growth_for(resolution[k]);
             std::array<std::vector<Vec2>, 2> points;
             for (int i = 0; i < samples; ++i) {
-                const geometry::FacingPair pair = pair_at(scene, contact, run.begin + length * i / (samples - 1));
+                const geometry::FacingPair pair = pair_at(scene, contact, stretch.begin + length * i / (samples - 1));
                 if (!pair.found) continue;
                 points[0].push_back(pair.on1.x);
                 points[1].push_back(pair.on2.x);
             }
-            const RunJoints joints = joints_in(all_joints, run);
-            const std::array<std::vector<Vec2>, 2> borders = borders_in(scene, solved, k, run);
+            const RunJoints joints = joints_in(all_joints, stretch);
+            const std::array<std::vector<Vec2>, 2> borders = borders_in(scene, solved, k, stretch);
             for (std::size_t side = 0; side < 2; ++side) {
                 if (points[side].empty()) continue;
                 const int part = contact.part[side];
                 want(wanted, part, points[side], length / resolution[k].cells, growth);
-                if (run.at_begin.kind != RunEnd::Kind::plain)
-                    want(wanted, part, {points[side].front()}, end_size(run.at_begin, joints.at_begin, resolution[k]), growth);
-                if (run.at_end.kind != RunEnd::Kind::plain)
-                    want(wanted, part, {points[side].back()}, end_size(run.at_end, joints.at_end, resolution[k]), growth);
+                if (stretch.at_begin.kind != StretchEnd::Kind::plain)
+                    want(wanted, part, {points[side].front()}, end_size(stretch.at_begin, joints.at_begin, resolution[k]),
+                         growth);
+                if (stretch.at_end.kind != StretchEnd::Kind::plain)
+                    want(wanted, part, {points[side].back()}, end_size(stretch.at_end, joints.at_end, resolution[k]), growth);
                 for (const Vec2& border : borders[side])
                     want(wanted, part, {border}, length * resolution[k].end_fraction, growth);
                 for (std::size_t i = 0; i < joints.inside.size(); ++i)

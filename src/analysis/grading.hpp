@@ -18,9 +18,9 @@ struct ContactResolution {
     double corner_fraction;  ///< cells at corners, and where a straight edge meets an arc, of its length
 };
 
-/// The sizes wanted from a solution: cells within every contact, finer towards its ends. runs: as they were found, or where
-/// they are expected; resolution: by contact.
-WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs,
+/// The sizes wanted from a solution: cells within every contact, finer towards its ends. stretches: as they were found, or
+/// where they are expected; resolution: by contact.
+WantedSizes sizes_from(const Scene& scene, const SolvedAssembly& solved, const PressedStretches& stretches,
                        const std::vector<ContactResolution>& resolution);
 
 }  // namespace abut

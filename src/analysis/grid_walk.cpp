@@ -157,7 +157,7 @@ private:
             if (now.known)  // what stays is not computed again
                 expect_ends(scene_, now, elsewhere, out_.candidates);
             else
-                expect_ends(scene_, now, now.runs, out_.candidates);
+                expect_ends(scene_, now, now.stretches, out_.candidates);
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
@@ -183,9 +183,9 @@ private:
         comparable_from_ = out_.passes.size();
         start_over();
         if (!stuck && is_in_contact(now) && now.contacts.size() == out_.candidates.size()) {
-            const ContactRuns runs = with_missed(contacts_by_theory(scene_, now).runs, followed_);
-            set_first_goals(now, runs, next_);
-            wanted_ = sizes_from(scene_, now, runs, next_.resolution);
+            const PressedStretches stretches = with_missed(contacts_by_theory(scene_, now).stretches, followed_);
+            set_first_goals(now, stretches, next_);
+            wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
         }
     }
 
@@ -303,8 +303,9 @@ private:
                         [](const auto& a, const auto& b) { return a.empty() == b.empty(); }))
             return true;
         const std::vector<ContactRecord>&now = out_.passes[n - 1].contacts, &before = out_.passes[n - 2].contacts;
-        return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
-                           [](const ContactRecord& a, const ContactRecord& b) { return a.runs.empty() == b.runs.empty(); });
+        return !std::equal(
+            now.begin(), now.end(), before.begin(), before.end(),
+            [](const ContactRecord& a, const ContactRecord& b) { return a.stretches.empty() == b.stretches.empty(); });
     }
 
     void record(SolvedAssembly& now) {
@@ -323,7 +324,7 @@ private:
     }
 
     /// Also where the grids were too coarse to see it.
-    bool is_in_contact(const SolvedAssembly& now) const { return any_run(now) || any_missed(missed_); }
+    bool is_in_contact(const SolvedAssembly& now) const { return any_stretch(now) || any_missed(missed_); }
 
     void look_for_missed(const SolvedAssembly& now) {
         missed_before_ = std::move(missed_);
@@ -331,7 +332,7 @@ private:
         missed_ = is_solved(now) ? missed_contacts(now, out_.seen, out_.target) : MissedContacts(now.contacts.size());
         if (!any_missed(missed_) || followed_.size() != missed_.size()) followed_ = missed_;
         for (std::size_t k = 0; is_solved(now) && k < missed_.size(); ++k)
-            if (!missed_[k].empty() || !now.runs[k].empty()) followed_[k] = missed_[k];
+            if (!missed_[k].empty() || !now.stretches[k].empty()) followed_[k] = missed_[k];
     }
 
     /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
@@ -403,10 +404,10 @@ private:
         if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
             return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-        const ContactRuns runs = ask_for_next(now, out_.errors.back());
+        const PressedStretches stretches = ask_for_next(now, out_.errors.back());
         if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
         move_seams(scene_, now, out_.candidates);
-        expect_ends(scene_, now, runs, out_.candidates);
+        expect_ends(scene_, now, stretches, out_.candidates);
         expect_pressures(now, out_.candidates);
         return false;
     }
@@ -449,11 +450,11 @@ private:
     }
 
     /// Sets the sizes that are wanted next. The contacts as they are expected.
-    ContactRuns ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
+    PressedStretches ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         const bool is_first = next_.goal.empty();
         if (is_first) {
             theory_ = contacts_by_theory(scene_, now);
-            set_first_goals(now, with_missed(theory_.runs, followed_), next_);
+            set_first_goals(now, with_missed(theory_.stretches, followed_), next_);
             if (theory_.is_close && !any_missed(missed_))
                 aim_at_goals(next_);
             else
@@ -462,11 +463,11 @@ private:
             if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
-        ContactRuns runs = with_missed(is_first ? theory_.runs : now.runs, followed_);
-        wanted_ = sizes_from(scene_, now, runs, next_.resolution);
+        PressedStretches stretches = with_missed(is_first ? theory_.stretches : now.stretches, followed_);
+        wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
         add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
         add_raisers();
-        return runs;
+        return stretches;
     }
 
     double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }

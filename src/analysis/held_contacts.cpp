@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "src/base/index.hpp"
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 #include "src/plan/support_components.hpp"
 #include "src/scene/scene.hpp"
 
@@ -39,11 +39,12 @@ void append_drawn(const Scene& scene, const Candidate& c, std::vector<FacingPair
                  [&](const FacingPair& p) { return p.gap <= closest + rounding; });
 }
 
-void append_pressed(const Scene& scene, const ContactInterface& contact, const std::vector<ContactRun>& runs,
+void append_pressed(const Scene& scene, const ContactInterface& contact, const std::vector<PressedStretch>& stretches,
                     std::vector<FacingPair>& touching) {
-    for (const ContactRun& run : runs)
+    for (const PressedStretch& stretch : stretches)
         for (int k = 0; k < zone_samples; ++k) {
-            const FacingPair pair = pair_at(scene, contact, run.begin + (run.end - run.begin) * (k + 0.5) / zone_samples);
+            const FacingPair pair =
+                pair_at(scene, contact, stretch.begin + (stretch.end - stretch.begin) * (k + 0.5) / zone_samples);
             if (pair.found) touching.push_back(pair);
         }
 }
@@ -71,7 +72,7 @@ void warn_of_held_contacts(const Scene& scene, const ResolvedConditions& conditi
         if (c.bonded || solved.interface_of[k] < 0) continue;
         std::vector<FacingPair> touching;
         append_drawn(scene, c, touching);
-        append_pressed(scene, solved.contacts[k], solved.runs[k], touching);
+        append_pressed(scene, solved.contacts[k], solved.stretches[k], touching);
         for (const auto& [part, other] : {std::pair(c.first, c.second), std::pair(c.second, c.first)})
             for (std::size_t s = 0; s < scene.supports.size(); ++s) {
                 if (solved.grids[at(solved.solver_part[at(part)])].is_rigid) continue;

@@ -30,7 +30,7 @@ constexpr double place_tolerance = 1e-3;
 class DeformedZone {
 public:
     DeformedZone(const Scene& scene, const SolvedAssembly& solved, std::size_t contact)
-        : scene_(scene), solved_(solved), contact_(solved.contacts[contact]), runs_(solved.runs[contact]) {}
+        : scene_(scene), solved_(solved), contact_(solved.contacts[contact]), runs_(solved.stretches[contact]) {}
 
     double gap(const solver::InterfacePoint& p) const {
         double gap = p.gap;
@@ -53,8 +53,8 @@ public:
 
     /// Is a place under pressure, or so near to where it ends that the pressure's knots do not tell?
     bool is_pressed(double s) const {
-        return std::any_of(runs_.begin(), runs_.end(), [&](const ContactRun& run) {
-            return s >= run.begin - run.at_begin.reach && s <= run.end + run.at_end.reach;
+        return std::any_of(runs_.begin(), runs_.end(), [&](const PressedStretch& stretch) {
+            return s >= stretch.begin - stretch.at_begin.reach && s <= stretch.end + stretch.at_end.reach;
         });
     }
 
@@ -69,7 +69,7 @@ private:
     const Scene& scene_;
     const SolvedAssembly& solved_;
     const ContactInterface& contact_;
-    const std::vector<ContactRun>& runs_;
+    const std::vector<PressedStretch>& runs_;
 };
 
 struct GapAt {
@@ -108,7 +108,7 @@ double edge_between(const DeformedZone& zone, double open, double closed) {
 
 MissedContact missed_between(double begin, double end, double depth) {
     MissedContact m{{begin, end, false, false}, depth, 0};
-    m.run.at_begin.kind = m.run.at_end.kind = RunEnd::Kind::free;
+    m.stretch.at_begin.kind = m.stretch.at_end.kind = StretchEnd::Kind::free;
     return m;
 }
 
@@ -159,7 +159,7 @@ std::vector<double> largest_forces(const SolvedAssembly& solved) {
     std::vector<double> force = solved.problem.part_load;
     force.resize(solved.grids.size(), 0);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        if (solved.runs[k].empty()) continue;
+        if (solved.stretches[k].empty()) continue;
         const double f = contact_force(solved, k).force.norm();
         for (int part : solved.contacts[k].face.part) force[at(part)] = std::max(force[at(part)], f);
     }
@@ -259,12 +259,13 @@ bool any_missed(const MissedContacts& missed) {
     return std::any_of(missed.begin(), missed.end(), [](const auto& m) { return !m.empty(); });
 }
 
-ContactRuns with_missed(ContactRuns runs, const MissedContacts& missed) {
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-        for (const MissedContact& m : missed[k]) runs[k].push_back(m.run);
-        std::sort(runs[k].begin(), runs[k].end(), [](const ContactRun& a, const ContactRun& b) { return a.begin < b.begin; });
+PressedStretches with_missed(PressedStretches stretches, const MissedContacts& missed) {
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+        for (const MissedContact& m : missed[k]) stretches[k].push_back(m.stretch);
+        std::sort(stretches[k].begin(), stretches[k].end(),
+                  [](const PressedStretch& a, const PressedStretch& b) { return a.begin < b.begin; });
     }
-    return runs;
+    return stretches;
 }
 
 }  // namespace abut

@@ -10,8 +10,8 @@ namespace abut {
 
 /// A stretch of a zone without pressure where the bodies overlap.
 struct MissedContact {
-    ContactRun run{};  ///< the stretch, with free ends
-    double depth = 0;  ///< of the overlap, at its deepest
+    PressedStretch stretch{};  ///< with free ends
+    double depth = 0;          ///< of the overlap, at its deepest
     /// What it may carry, over the largest force on the part that has less: two half planes that are pressed together by the
     /// depth answer with less than E* times thickness times depth.
     double share = 0;
@@ -34,7 +34,7 @@ MissedContacts missed_contacts(const SolvedAssembly& solved, const std::vector<S
 /// Is there a missed stretch in any contact?
 bool any_missed(const MissedContacts& missed);
 
-/// The runs of each contact with its missed stretches among them, ascending.
-ContactRuns with_missed(ContactRuns runs, const MissedContacts& missed);
+/// The pressed stretches of each contact with its missed ones among them, ascending.
+PressedStretches with_missed(PressedStretches stretches, const MissedContacts& missed);
 
 }  // namespace abut

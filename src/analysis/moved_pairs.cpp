@@ -51,11 +51,12 @@ struct MovedPart {
 struct Excess {
     double length = 0, curvature = 0;
 };
-Excess excess_of(const Scene& scene, const ContactInterface& c, const ContactRun& run,
+Excess excess_of(const Scene& scene, const ContactInterface& c, const PressedStretch& stretch,
                  const std::array<const MovedPart*, 2>& part) {
     Stretch drawn, moved;
     for (std::size_t k = 0; k < 3; ++k) {
-        const geometry::FacingPair p = pair_at(scene, c, run.begin + 0.5 * static_cast<double>(k) * (run.end - run.begin));
+        const geometry::FacingPair p =
+            pair_at(scene, c, stretch.begin + 0.5 * static_cast<double>(k) * (stretch.end - stretch.begin));
         if (!p.found) return {};
         const Vec2 by = part[1]->motion.at(p.on2.x) - part[0]->motion.at(p.on1.x);
         drawn[k] = {0.5 * (p.on1.x + p.on2.x), p.normal, p.gap + by.dot(p.normal)};
@@ -84,12 +85,12 @@ std::vector<double> moved_pair_errors(const Scene& scene, const SolvedAssembly& 
     std::vector<double> errors(solved.contacts.size(), 0.0);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
-        if (solved.runs[k].empty() || c.face.bilateral || c.pairing != Pairing::middle) continue;
+        if (solved.stretches[k].empty() || c.face.bilateral || c.pairing != Pairing::middle) continue;
         const double compliance = compliance_of(solved, k), largest = pressure_of(solved, k).maxCoeff();
         if (compliance == 0) continue;
-        for (const ContactRun& run : solved.runs[k]) {
-            const Excess more = excess_of(scene, c, run, {&parts[at(c.face.part[0])], &parts[at(c.face.part[1])]});
-            const double half = 0.5 * (run.end - run.begin),
+        for (const PressedStretch& stretch : solved.stretches[k]) {
+            const Excess more = excess_of(scene, c, stretch, {&parts[at(c.face.part[0])], &parts[at(c.face.part[1])]});
+            const double half = 0.5 * (stretch.end - stretch.begin),
                          error = std::abs(half * more.curvature / (4 * compliance * largest) - more.length);
             if (std::isfinite(error)) errors[k] = std::max(errors[k], error);
         }

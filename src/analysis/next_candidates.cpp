@@ -22,52 +22,53 @@ constexpr double noted_move = 0.08;
 
 bool zone_too_short(const SolvedAssembly& s) {
     for (std::size_t k = 0; k < s.contacts.size(); ++k)
-        for (const ContactRun& run : s.runs[k])
-            if (!s.contacts[k].face.bilateral &&
-                ((run.from_start && s.contacts[k].zone.begin_is_limit) || (run.to_end && s.contacts[k].zone.end_is_limit)))
+        for (const PressedStretch& stretch : s.stretches[k])
+            if (!s.contacts[k].face.bilateral && ((stretch.from_start && s.contacts[k].zone.begin_is_limit) ||
+                                                  (stretch.to_end && s.contacts[k].zone.end_is_limit)))
                 return true;
     return false;
 }
 
 double needed_search_factor(const Scene& scene, const SolvedAssembly& s) {
-    std::vector<double> reach(scene.parts.size(), 0.0);
+    std::vector<double> moved(scene.parts.size(), 0.0);
     for (std::size_t k = 0; k < s.grids.size(); ++k) {
         const double largest = solver::largest_displacement(s.grids[k].input, s.solution.displacement[k]);
-        reach[at(s.grids[k].part)] = std::max(reach[at(s.grids[k].part)], largest);
+        moved[at(s.grids[k].part)] = std::max(moved[at(s.grids[k].part)], largest);
     }
-    const PartReach parts(scene);
-    const std::optional<double> by_cells = is_by_dissertation(scene) ? std::optional(search_reach(scene)) : std::nullopt;
+    const SearchDistances parts(scene);
+    const std::optional<double> by_cells =
+        is_by_dissertation(scene) ? std::optional(cell_search_distance(scene)) : std::nullopt;
     double factor = 0;
     for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i)
         for (int j = i + 1; j < static_cast<int>(scene.parts.size()); ++j) {
-            const double closing = reach[at(i)] + reach[at(j)];
+            const double closing = moved[at(i)] + moved[at(j)];
             const double first = by_cells.value_or(first_search_fraction * parts.size(i, j));
             if (parts.within(i, j, closing)) factor = std::max(factor, closing / first);
         }
     for (int i : scene.contacts.of_one_part)
-        factor = std::max(factor, 2 * reach[at(i)] / (first_search_fraction * parts.size(i, i)));
+        factor = std::max(factor, 2 * moved[at(i)] / (first_search_fraction * parts.size(i, i)));
     return factor;
 }
 
 void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candidate>& candidates) {
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const std::vector<ContactRun>& runs = s.runs[k];
+        const std::vector<PressedStretch>& stretches = s.stretches[k];
         geometry::FacingZone& zone = candidates[k].zone;
-        if (!zone.closed || runs.empty() || (!runs.front().from_start && !runs.back().to_end)) continue;
+        if (!zone.closed || stretches.empty() || (!stretches.front().from_start && !stretches.back().to_end)) continue;
         double middle = 0, longest = 0;
-        for (std::size_t r = 0; r + 1 < runs.size(); ++r)
-            if (const double open = runs[r + 1].begin - runs[r].end; open > longest) {
+        for (std::size_t r = 0; r + 1 < stretches.size(); ++r)
+            if (const double open = stretches[r + 1].begin - stretches[r].end; open > longest) {
                 longest = open;
-                middle = 0.5 * (runs[r].end + runs[r + 1].begin);
+                middle = 0.5 * (stretches[r].end + stretches[r + 1].begin);
             }
         const double total = s.contacts[k].s.back();
-        if (const double open = total - runs.back().end; !runs.back().to_end && open > longest) {
+        if (const double open = total - stretches.back().end; !stretches.back().to_end && open > longest) {
             longest = open;
-            middle = 0.5 * (total + runs.back().end);
+            middle = 0.5 * (total + stretches.back().end);
         }
-        if (runs.front().begin > longest) {
-            longest = runs.front().begin;
-            middle = 0.5 * runs.front().begin;
+        if (stretches.front().begin > longest) {
+            longest = stretches.front().begin;
+            middle = 0.5 * stretches.front().begin;
         }
         if (longest == 0) continue;  // pressed all round
         const geometry::FacingPair pair = pair_at(scene, s.contacts[k], middle);
@@ -77,16 +78,17 @@ void move_seams(const Scene& scene, const SolvedAssembly& s, std::vector<Candida
 
 namespace {
 
-std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns& runs, std::size_t contact) {
+std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, const PressedStretches& stretches,
+                                   std::size_t contact) {
     std::vector<ExpectedEnd> ends;
     if (s.contacts[contact].face.bilateral) return ends;
     const auto append = [&](double at_s, int outward) {
         const geometry::FacingPair pair = pair_at(scene, s.contacts[contact], at_s);
         if (pair.found) ends.push_back({pair.s1, outward});
     };
-    for (const ContactRun& run : runs[contact]) {
-        if (!run.from_start) append(run.begin, -1);
-        if (!run.to_end) append(run.end, 1);
+    for (const PressedStretch& stretch : stretches[contact]) {
+        if (!stretch.from_start) append(stretch.begin, -1);
+        if (!stretch.to_end) append(stretch.end, 1);
     }
     return ends;
 }
@@ -94,21 +96,22 @@ std::vector<ExpectedEnd> free_ends(const Scene& scene, const SolvedAssembly& s, 
 /// Knot spacing beside a free end, from its reach.
 double spacing_at(const SolvedAssembly& s, std::size_t contact) {
     double spacing = std::numeric_limits<double>::infinity();
-    for (const ContactRun& run : s.runs[contact])
-        for (const RunEnd& end : {run.at_begin, run.at_end})
-            if (end.kind == RunEnd::Kind::free) spacing = std::min(spacing, end.reach / error_reach);
+    for (const PressedStretch& stretch : s.stretches[contact])
+        for (const StretchEnd& end : {stretch.at_begin, stretch.at_end})
+            if (end.kind == StretchEnd::Kind::free) spacing = std::min(spacing, end.reach / error_reach);
     return spacing;
 }
 
 }  // namespace
 
-void expect_ends(const Scene& scene, const SolvedAssembly& s, const ContactRuns& runs, std::vector<Candidate>& candidates) {
-    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, runs, k);
+void expect_ends(const Scene& scene, const SolvedAssembly& s, const PressedStretches& stretches,
+                 std::vector<Candidate>& candidates) {
+    for (std::size_t k = 0; k < candidates.size(); ++k) candidates[k].ends = free_ends(scene, s, stretches, k);
 }
 
 void expect_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<std::size_t>& contacts,
                  std::vector<Candidate>& candidates) {
-    for (std::size_t k : contacts) candidates[k].ends = free_ends(scene, s, s.runs, k);
+    for (std::size_t k : contacts) candidates[k].ends = free_ends(scene, s, s.stretches, k);
 }
 
 void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidates) {
@@ -127,13 +130,13 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
 
 std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& s, const std::vector<Candidate>& candidates) {
     const auto peak_of = [&](std::size_t k) {
-        return s.interface_of[k] < 0 || s.runs[k].empty() ? 0 : pressure_of(s, k).cwiseAbs().maxCoeff();
+        return s.interface_of[k] < 0 || s.stretches[k].empty() ? 0 : pressure_of(s, k).cwiseAbs().maxCoeff();
     };
     double strongest = 0;
     for (std::size_t k = 0; k < candidates.size(); ++k) strongest = std::max(strongest, peak_of(k));
     std::vector<std::size_t> moved;
     for (std::size_t k = 0; k < candidates.size(); ++k) {
-        const std::vector<ExpectedEnd> now = free_ends(scene, s, s.runs, k), &expected = candidates[k].ends;
+        const std::vector<ExpectedEnd> now = free_ends(scene, s, s.stretches, k), &expected = candidates[k].ends;
         const double share = strongest > 0 ? peak_of(k) / strongest : 1, limit = noted_move * spacing_at(s, k);
         bool has_moved = now.size() != expected.size() && (share == 0 || share > noted_move);
         for (std::size_t i = 0; i < std::min(now.size(), expected.size()); ++i)

@@ -15,11 +15,12 @@ double needed_search_factor(const Scene& scene, const SolvedAssembly& solved);
 /// drawn in the middle of its hole), the seam moves to the middle of the longest open stretch.
 void move_seams(const Scene& scene, const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
-/// Gives the candidates the free ends of all runs, as the next pressure splines expect them; runs: as they were found, or where
-/// they are expected.
-void expect_ends(const Scene& scene, const SolvedAssembly& solved, const ContactRuns& runs, std::vector<Candidate>& candidates);
+/// Gives the candidates the free ends of all stretches, as the next pressure splines expect them; stretches: as they were
+/// found, or where they are expected.
+void expect_ends(const Scene& scene, const SolvedAssembly& solved, const PressedStretches& stretches,
+                 std::vector<Candidate>& candidates);
 
-/// Gives the candidates of some contacts alone the free ends of their runs, as they were found: the others keep their
+/// Gives the candidates of some contacts alone the free ends of their stretches, as they were found: the others keep their
 /// pressure's knots.
 void expect_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<std::size_t>& contacts,
                  std::vector<Candidate>& candidates);

@@ -26,9 +26,9 @@ constexpr double usual_end_error = 0.75;
 constexpr double aim = 0.7, least_shrink = 0.25, most_shrink = 0.5;
 constexpr double least_step = 1.2;  // of the coarsening, before the last one
 
-int free_ends(const std::vector<ContactRun>& runs) {
+int free_ends(const std::vector<PressedStretch>& stretches) {
     int n = 0;
-    for (const ContactRun& run : runs) n += (run.from_start ? 0 : 1) + (run.to_end ? 0 : 1);
+    for (const PressedStretch& stretch : stretches) n += (stretch.from_start ? 0 : 1) + (stretch.to_end ? 0 : 1);
     return std::max(1, n);
 }
 
@@ -73,15 +73,15 @@ void coarsen_less(NextGrids& next) {
     if (next.coarsening < least_step * next.coarseness) next.coarsening = next.coarseness;
 }
 
-void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs_of_all, NextGrids& next) {
+void set_first_goals(const SolvedAssembly& solved, const PressedStretches& stretches_of_all, NextGrids& next) {
     next.goal.clear();
     next.resolution.clear();
-    for (std::size_t k = 0; k < runs_of_all.size(); ++k) {
-        const std::vector<ContactRun>& runs = runs_of_all[k];
+    for (std::size_t k = 0; k < stretches_of_all.size(); ++k) {
+        const std::vector<PressedStretch>& stretches = stretches_of_all[k];
         const double first = solved.contacts[k].pairing == Pairing::middle ? first_end_fraction : first_of_penalty;
-        const double per_run =
-            static_cast<double>(free_ends(runs)) / static_cast<double>(std::max<std::size_t>(1, runs.size()));
-        next.goal.push_back(std::clamp(next.target / (end_error * per_run), least_end_fraction, first));
+        const double per_stretch =
+            static_cast<double>(free_ends(stretches)) / static_cast<double>(std::max<std::size_t>(1, stretches.size()));
+        next.goal.push_back(std::clamp(next.target / (end_error * per_stretch), least_end_fraction, first));
         next.resolution.push_back({first_cells, first, first_corner_fraction});
     }
 }

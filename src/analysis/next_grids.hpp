@@ -29,8 +29,8 @@ struct NextGrids {
 /// nothing to see in it.
 void coarsen_less(NextGrids& next);
 
-/// Sets what the contacts that were just found aim at; runs: as they were found, or where they are expected.
-void set_first_goals(const SolvedAssembly& solved, const ContactRuns& runs, NextGrids& next);
+/// Sets what the contacts that were just found aim at; stretches: as they were found, or where they are expected.
+void set_first_goals(const SolvedAssembly& solved, const PressedStretches& stretches, NextGrids& next);
 
 /// Sets the next grids to the goals: they are the last ones, if all goes well.
 void aim_at_goals(NextGrids& next);

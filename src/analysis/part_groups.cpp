@@ -82,7 +82,7 @@ void append_solved(SolvedAssembly& to, SolvedAssembly& from) {
     append(to.contacts, from.contacts);
     append(to.interface_of, from.interface_of);
     append(to.shear_of, from.shear_of);
-    append(to.runs, from.runs);
+    append(to.stretches, from.stretches);
     append_problem(to.problem, from.problem, parts_before);
     append_solution(to.solution, from.solution, parts_before);
     if (to.failure.empty()) to.failure = from.failure;
@@ -146,7 +146,7 @@ void sort_contacts(Outcome& whole) {
     reorder(whole.solved.contacts, order);
     reorder(whole.solved.interface_of, order);
     reorder(whole.solved.shear_of, order);
-    reorder(whole.solved.runs, order);
+    reorder(whole.solved.stretches, order);
     reorder(whole.seen, order);
     for (ErrorEstimate& e : whole.errors) reorder(e.contacts, order);
 }

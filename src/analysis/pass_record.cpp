@@ -22,10 +22,10 @@ constexpr double same_cells = 0.95;     // ratio of knot spacings above which th
 constexpr int points_per_interval = 4;  // of a square of quadratics, with one knot of the other solution inside
 
 /// Is a place within the reach of an end of that kind?
-bool beside(RunEnd::Kind kind, const std::vector<ContactRun>& runs, double s) {
-    return std::any_of(runs.begin(), runs.end(), [=](const ContactRun& run) {
-        return (run.at_begin.kind == kind && std::abs(s - run.begin) < run.at_begin.reach) ||
-               (run.at_end.kind == kind && std::abs(s - run.end) < run.at_end.reach);
+bool beside(StretchEnd::Kind kind, const std::vector<PressedStretch>& stretches, double s) {
+    return std::any_of(stretches.begin(), stretches.end(), [=](const PressedStretch& stretch) {
+        return (stretch.at_begin.kind == kind && std::abs(s - stretch.begin) < stretch.at_begin.reach) ||
+               (stretch.at_end.kind == kind && std::abs(s - stretch.end) < stretch.at_end.reach);
     });
 }
 
@@ -38,8 +38,8 @@ double place_in(const Before& before, double s1) {
     return interpolate(before.s1, before.s, s1);
 }
 
-bool beside(RunEnd::Kind kind, const ContactRecord& c, double s) {
-    return beside(kind, c.runs, s);
+bool beside(StretchEnd::Kind kind, const ContactRecord& c, double s) {
+    return beside(kind, c.stretches, s);
 }
 double pressure_of(const ContactRecord& c, double s) {
     return solver::pressure_at(c.pressure, c.coefficients, s);
@@ -48,12 +48,12 @@ double spacing_of(const ContactRecord& c, double s, double /*now*/) {
     return spacing_at(c.pressure, s);
 }
 
-bool beside(RunEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
+bool beside(StretchEnd::Kind /*kind*/, const PlanePressure& /*theory*/, double /*s*/) {
     return false;
 }
 double pressure_of(const PlanePressure& theory, double s) {
     double sum = 0;
-    for (const PlaneRun& run : theory.runs) sum += pressure_at(run, s);
+    for (const PlaneStretch& stretch : theory.stretches) sum += pressure_at(stretch, s);
     return sum;
 }
 double spacing_of(const PlanePressure& /*theory*/, double /*s*/, double now) {
@@ -135,7 +135,7 @@ PassRecord record_of(const SolvedAssembly& solved, double seconds) {
                                   c.s,
                                   c.face.pressure,
                                   pressure_of(solved, k),
-                                  solved.runs[k],
+                                  solved.stretches[k],
                                   c.face.thickness,
                                   contact_force(solved, k).force,
                                   shear_record(solved, k),
@@ -170,11 +170,11 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
                 change.peak_stayed = closer > same_cells;
             }
             change.peak_before = std::max(change.peak_before, std::abs(p0));
-            if (beside(RunEnd::Kind::corner, now, s) || beside(RunEnd::Kind::corner, before, s0)) continue;
+            if (beside(StretchEnd::Kind::corner, now, s) || beside(StretchEnd::Kind::corner, before, s0)) continue;
             const double square = w * (p - p0) * (p - p0);
             change.difference += square;
             change.norm += w * p * p;
-            if (beside(RunEnd::Kind::free, now, s) || beside(RunEnd::Kind::free, before, s0)) continue;
+            if (beside(StretchEnd::Kind::free, now, s) || beside(StretchEnd::Kind::free, before, s0)) continue;
             change.inside += square;
             inside.push_back({std::abs(p), std::abs(p - p0)});
             LocalChange& local = change.local[static_cast<std::size_t>(i)];
@@ -204,10 +204,10 @@ struct FreeEnd {
 };
 std::vector<FreeEnd> free_ends(const ContactRecord& c) {
     std::vector<FreeEnd> ends;
-    for (const ContactRun& run : c.runs) {
-        if (run.at_begin.kind == RunEnd::Kind::free) ends.push_back({false, run.begin, spacing_at(c.pressure, run.begin)});
-        if (run.at_end.kind == RunEnd::Kind::free)
-            ends.push_back({true, run.end, spacing_at(c.pressure, std::nextafter(run.end, run.begin))});
+    for (const PressedStretch& stretch : c.stretches) {
+        if (stretch.at_begin.kind == StretchEnd::Kind::free) ends.push_back({false, stretch.begin, spacing_at(c.pressure, stretch.begin)});
+        if (stretch.at_end.kind == StretchEnd::Kind::free)
+            ends.push_back({true, stretch.end, spacing_at(c.pressure, std::nextafter(stretch.end, stretch.begin))});
     }
     return ends;
 }
@@ -219,7 +219,7 @@ double left_of_ends(const ContactRecord& now, const ContactRecord& before) {
     const std::vector<FreeEnd> ends_before = free_ends(before);
     const double whole = before.s.back() - before.s.front();
     double sum = 0, length = 0;
-    for (const ContactRun& run : now.runs) length += run.end - run.begin;
+    for (const PressedStretch& stretch : now.stretches) length += stretch.end - stretch.begin;
     for (const FreeEnd& end : free_ends(now)) {
         const double s0 = place_in(before, interpolate(now.s, now.s1, end.s));
         double nearest = std::numeric_limits<double>::infinity(), refinement = 1;

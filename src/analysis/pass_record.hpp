@@ -12,8 +12,8 @@ namespace abut {
 struct ShearRecord {
     Eigen::VectorXd coefficients;  ///< of the pressure's spline
     double bound;  ///< coefficient of friction, but no more than 1: what errors are relative to, of the pressure
-    std::vector<ContactRun> borders;  ///< between sticking and slipping, each as a stretch without length
-    double border_error;              ///< L2, with that at the contact's ends
+    std::vector<PressedStretch> borders;  ///< between sticking and slipping, each as a stretch without length
+    double border_error;                  ///< L2, with that at the contact's ends
 };
 
 /// A contact's pressure in one pass.
@@ -21,7 +21,7 @@ struct ContactRecord {
     std::vector<double> s1, s;    ///< table of the middle curve's length against that of the zone's first chain
     solver::KnotVector pressure;  ///< over s; no intervals: no interface
     Eigen::VectorXd coefficients;
-    std::vector<ContactRun> runs;
+    std::vector<PressedStretch> stretches;
     double thickness = 1;
     std::optional<Vec2> resultant{};  ///< force on the first part
     std::optional<ShearRecord> shear{};

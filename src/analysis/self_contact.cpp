@@ -7,7 +7,7 @@
 #include "solver/terms/solution_structure.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/base/index.hpp"
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 
 namespace abut {
 

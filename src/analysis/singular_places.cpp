@@ -136,13 +136,14 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
     for (const Support& s : scene.supports)
         if (s.kind == Support::Kind::points && s.part == scene.parts[at(part)].name)
             for (const Vec2& held : s.at) places.push_back({held, 0});
-    for (std::size_t k = 0; k < solved.runs.size(); ++k) {
+    for (std::size_t k = 0; k < solved.stretches.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
         for (int side : {0, 1}) {
             if (contact.part[at(side)] != part) continue;
-            for (const ContactRun& run : solved.runs[k])
-                for (const auto& [end, s] : {std::pair(run.at_begin, run.begin), std::pair(run.at_end, run.end)}) {
-                    if (end.kind != RunEnd::Kind::corner) continue;
+            for (const PressedStretch& stretch : solved.stretches[k])
+                for (const auto& [end, s] :
+                     {std::pair(stretch.at_begin, stretch.begin), std::pair(stretch.at_end, stretch.end)}) {
+                    if (end.kind != StretchEnd::Kind::corner) continue;
                     const geometry::FacingPair pair = pair_at(scene, contact, s);
                     places.push_back({side == 0 ? pair.on1.x : pair.on2.x, missed_at_contact, true});
                 }

@@ -140,10 +140,10 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
                                      const std::vector<solver::RigidMotion>& motions) {
     std::vector<MovedForce> lines;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
-        if (solved.runs[k].empty()) continue;
+        if (solved.stretches[k].empty()) continue;
         const ContactInterface& c = solved.contacts[k];
-        const ContactRun& run = solved.runs[k].front();
-        const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (run.begin + run.end));
+        const PressedStretch& stretch = solved.stretches[k].front();
+        const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
         if (!pair.found) continue;
         lines.push_back(moved_force(c, pair, contact_force(solved, k).force, motions[at(c.face.part[0])],
                                     motions[at(c.face.part[1])], friction_of(solved, k) > 0));

@@ -40,16 +40,16 @@ Side side_of(const Scene& scene, const SolvedAssembly& solved, int part) {
 
 /// Where the profile is sampled: every pressure interval, up to the faces' own ends; where only the search ended the zone, up
 /// to a margin beyond the contact.
-std::vector<double> profile_places(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+std::vector<double> profile_places(const ContactInterface& contact, const std::vector<PressedStretch>& stretches) {
     const solver::KnotVector& k = contact.face.pressure;
     double low = k.breakpoints.front(), high = k.breakpoints.back();
-    if (!runs.empty()) {
+    if (!stretches.empty()) {
         double longest = 0;
-        for (const ContactRun& r : runs) longest = std::max(longest, r.end - r.begin);
+        for (const PressedStretch& r : stretches) longest = std::max(longest, r.end - r.begin);
         if (contact.zone.begin_is_limit || contact.zone.closed)
-            low = std::max(low, runs.front().begin - margin_fraction * longest);
+            low = std::max(low, stretches.front().begin - margin_fraction * longest);
         if (contact.zone.end_is_limit || contact.zone.closed)
-            high = std::min(high, runs.back().end + margin_fraction * longest);
+            high = std::min(high, stretches.back().end + margin_fraction * longest);
     }
     const int n = contact.face.penalty.empty() ? profile_points_per_interval : profile_points_per_penalty_point;
     std::vector<double> places;
@@ -87,7 +87,7 @@ FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
     FrictionResult friction;
     friction.coefficient = friction_of(solved, k);
     if (k < solved.dissipated.size()) friction.dissipated = solved.dissipated[k];
-    if (solved.runs[k].empty()) return friction;
+    if (solved.stretches[k].empty()) return friction;
     const FrictionSums sums = friction_sums(solved, k);
     friction.shear_force = sums.shear;
     friction.normal_force = sums.normal;
@@ -103,8 +103,8 @@ void fill_profile(const Scene& scene, const SolvedAssembly& solved, std::size_t 
     const ContactInterface& contact = solved.contacts[k];
     const Eigen::VectorXd& pressure = pressure_of(solved, k);
     const Side first = side_of(scene, solved, candidate.first), second = side_of(scene, solved, candidate.second);
-    const bool is_open = solved.runs[k].empty();  // but for rounding
-    for (double s : profile_places(contact, solved.runs[k])) {
+    const bool is_open = solved.stretches[k].empty();  // but for rounding
+    for (double s : profile_places(contact, solved.stretches[k])) {
         const geometry::FacingPair pair = pair_at(scene, contact, s);
         if (!pair.found) continue;
         const double drawn = (candidate.no_overlap ? std::max(0.0, pair.gap) : pair.gap) - candidate.closing();
@@ -164,10 +164,10 @@ std::string interface_of(const Scene& scene, const Candidate& candidate, const s
 
 }  // namespace
 
-std::string contact_status(const ContactInterface& contact, const std::vector<ContactRun>& runs) {
+std::string contact_status(const ContactInterface& contact, const std::vector<PressedStretch>& stretches) {
     if (contact.face.bilateral) return "closed";
-    if (runs.empty()) return "open";
-    const bool whole = runs.size() == 1 && runs[0].from_start && runs[0].to_end;
+    if (stretches.empty()) return "open";
+    const bool whole = stretches.size() == 1 && stretches[0].from_start && stretches[0].to_end;
     return whole && !contact.zone.begin_is_limit && !contact.zone.end_is_limit ? "closed" : "partial";
 }
 
@@ -184,10 +184,10 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         result.status = "open";
         return result;
     }
-    result.status = contact_status(c, solved.runs[contact]);
-    for (const ContactRun& run : solved.runs[contact]) {
-        result.contact_length += run.end - run.begin;
-        for (double s : {run.begin, run.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
+    result.status = contact_status(c, solved.stretches[contact]);
+    for (const PressedStretch& stretch : solved.stretches[contact]) {
+        result.contact_length += stretch.end - stretch.begin;
+        for (double s : {stretch.begin, stretch.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
     }
     if (c.face.bilateral) result.kind = "bonded";
     if (friction_of(solved, contact) > 0) result.friction = friction_result(solved, contact);

@@ -9,6 +9,6 @@ namespace abut {
 ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, const Candidate& candidate, std::size_t contact);
 
 /// The word for what these stretches under pressure make of a contact: "closed", "partial", "open".
-std::string contact_status(const ContactInterface& contact, const std::vector<ContactRun>& runs);
+std::string contact_status(const ContactInterface& contact, const std::vector<PressedStretch>& stretches);
 
 }  // namespace abut

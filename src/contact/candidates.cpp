@@ -6,6 +6,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 #include "src/contact/drawn_overlap.hpp"
 #include "src/scene/scene.hpp"
 
@@ -20,8 +22,8 @@ bool is_searched(const Scene& scene, int rule) {
 }
 
 /// Overlaps deeper than this have faces that are not paired.
-double deepest_paired(const PartReach& reach, int first, int second) {
-    return std::min(reach.searched(first, second, 1), first_search_fraction * reach.size(first, second));
+double deepest_paired(const SearchDistances& distances, int first, int second) {
+    return std::min(distances.searched(first, second, 1), first_search_fraction * distances.size(first, second));
 }
 
 /// A zone whose faces have passed each other: where parts have nothing in common, and deeper than any fit, these are the far
@@ -50,16 +52,16 @@ bool sees_depth(const geometry::FacingZone& zone, double depth) {
     return zone.gap_min <= -0.5 * depth;
 }
 
-std::vector<Candidate> in_order(std::vector<Meeting>&& meetings) {
+std::vector<Candidate> in_order(std::vector<Encounter>&& encounters) {
     std::vector<Candidate> candidates;
-    for (Meeting& m : meetings) std::move(m.candidates.begin(), m.candidates.end(), std::back_inserter(candidates));
+    for (Encounter& m : encounters) std::move(m.candidates.begin(), m.candidates.end(), std::back_inserter(candidates));
     std::stable_sort(candidates.begin(), candidates.end(), comes_before);
     return candidates;
 }
 
 /// Does the zone begin or end at the closest points? At a corner: its pair there runs along the middle normal, at most 30
 /// degrees from the shortest way.
-bool ends_at_closest(const Scene& scene, const Meeting& m, const geometry::FacingZone& zone, double tolerance) {
+bool ends_at_closest(const Scene& scene, const Encounter& m, const geometry::FacingZone& zone, double tolerance) {
     constexpr double beside = 0.6;  // above the tangent of 30 degrees
     const auto meets = [&](double s1, double guess) {
         const geometry::FacingPair p = pair_from_first(part_of(scene, m.first), part_of(scene, m.second), zone, s1, guess);
@@ -72,36 +74,39 @@ bool ends_at_closest(const Scene& scene, const Meeting& m, const geometry::Facin
 }  // namespace
 
 void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone) {
+    ENSURE(zone.closed, "a zone that goes all the way round begins anywhere");
     zone.begin1 = pair.s1;
     zone.end1 = pair.s1 + zone.chain1.length;
     zone.begin2 = pair.s2;
     zone.end2 = pair.s2 - zone.chain2.length;
 }
 
-double drawn_gap(const Scene& scene, const Meeting& m, const Candidate& c, double touching) {
+double drawn_gap(const Scene& scene, const Encounter& m, const Candidate& c, double touching) {
     return ends_at_closest(scene, m, c.zone, touching) ? std::min(c.zone.gap_min, m.closest->distance) : c.zone.gap_min;
 }
 
-Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
-             const MeetingDistances& distances) {
+Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchDistances& distances, int first, int second,
+                       const EncounterDistances& within) {
+    ENSURE(first >= 0 && first < second && at(second) < scene.parts.size(), "two parts of the scene meet, in their order");
+    ENSURE(within.search >= 0 && within.closest >= 0, "parts are searched up to distances");
     const geometry::Part &a = part_of(scene, first), &b = part_of(scene, second);
-    const double touching = reach.touching(first, second), deepest = deepest_paired(reach, first, second);
+    const double touching = distances.touching(first, second), deepest = deepest_paired(distances, first, second);
     const geometry::Overlap common = overlap(a, b, touching);
-    Meeting m{first, second};
-    m.closest = closest_points(a, b, std::max(distances.closest, touching));
+    Encounter m{first, second};
+    m.closest = closest_points(a, b, std::max(within.closest, touching));
     bool paired = false, depth_seen = false;
-    std::vector<geometry::FacingZone> zones = find_facing_zones(a, b, std::max(distances.search, touching));
-    if (distances.cells) zones = distances.cells->in_cells(scene, first, second, zones);
+    std::vector<geometry::FacingZone> zones = find_facing_zones(a, b, std::max(within.search, touching));
+    if (within.cells) zones = within.cells->in_cells(scene, first, second, zones);
     for (geometry::FacingZone& zone : zones) {
-        if (is_far_side(zone, common, touching, first_search_fraction * reach.size(first, second))) continue;
+        if (is_far_side(zone, common, touching, first_search_fraction * distances.size(first, second))) continue;
         paired = paired ||
                  (m.closest && (zone.gap_min <= m.closest->distance + touching || ends_at_closest(scene, m, zone, touching)));
         depth_seen = depth_seen || sees_depth(zone, common.depth);
         for (RuledZone& ruled : split_by_rules(scene, rules, first, second, zone))
             if (is_searched(scene, ruled.rule)) m.candidates.push_back(candidate_of(scene, first, second, std::move(ruled)));
     }
-    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.interference <= distances.shown;
-    m.counts_as_touching = scene.contacts.overlap == "report" && common.depth <= reach.precision(first, second);
+    for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.interference <= within.shown;
+    m.counts_as_touching = scene.contacts.overlap == "report" && common.depth <= distances.precision(first, second);
     if (m.counts_as_touching)
         for (Candidate& c : m.candidates) c.apart = std::max(0.0, -c.zone.gap_min);
     if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {
@@ -114,6 +119,7 @@ Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach,
 }
 
 std::vector<Candidate> own_candidates(const Scene& scene, const PairRules& rules, int part, double distance) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size(), "the part is one of the scene");
     std::vector<Candidate> candidates;
     for (const geometry::FacingZone& zone : find_own_facing_zones(part_of(scene, part), distance))
         for (RuledZone& ruled : split_by_rules(scene, rules, part, part, zone))
@@ -124,26 +130,29 @@ std::vector<Candidate> own_candidates(const Scene& scene, const PairRules& rules
     return candidates;
 }
 
-std::vector<Meeting> find_meetings(const Scene& scene, double factor) {
-    std::vector<Meeting> meetings;
-    if (!searches_contacts(scene)) return meetings;
+std::vector<Encounter> find_encounters(const Scene& scene, double factor) {
+    ENSURE(factor > 0, "a search goes some way");
+    std::vector<Encounter> encounters;
+    if (!searches_contacts(scene)) return encounters;
     const PairRules rules(scene);
-    const PartReach reach(scene);
+    const SearchDistances distances(scene);
     const std::optional<CellSearch> cells = cell_search(scene);
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
             if (cells) {
-                const double all = search_reach(scene);
-                if (cells->case_of(i, j) != 'e') meetings.push_back(meet(scene, rules, reach, i, j, {all, all, all, &*cells}));
+                const double all = cell_search_distance(scene);
+                if (cells->case_of(i, j) != 'e')
+                    encounters.push_back(encounter_of(scene, rules, distances, i, j, {all, all, all, &*cells}));
                 continue;
             }
-            const double distance = reach.searched(i, j, factor), shown = reach.shown(i, j);
-            if (reach.within(i, j, distance)) meetings.push_back(meet(scene, rules, reach, i, j, {distance, shown, shown}));
+            const double distance = distances.searched(i, j, factor), shown = distances.shown(i, j);
+            if (distances.within(i, j, distance))
+                encounters.push_back(encounter_of(scene, rules, distances, i, j, {distance, shown, shown}));
         }
     for (int i : scene.contacts.of_one_part)
-        meetings.push_back({i, i, own_candidates(scene, rules, i, reach.searched(i, i, factor))});
-    return meetings;
+        encounters.push_back({i, i, own_candidates(scene, rules, i, distances.searched(i, i, factor))});
+    return encounters;
 }
 
 bool comes_before(const Candidate& a, const Candidate& b) {
@@ -151,15 +160,15 @@ bool comes_before(const Candidate& a, const Candidate& b) {
 }
 
 std::vector<Candidate> find_candidates(const Scene& scene, double factor) {
-    std::vector<Meeting> meetings = find_meetings(scene, factor);
+    std::vector<Encounter> encounters = find_encounters(scene, factor);
     std::vector<Problem> problems;
-    if (factor == 1) check_overlaps(scene, meetings, problems);
+    if (factor == 1) check_overlaps(scene, encounters, problems);
     if (!problems.empty()) throw InputError(problems);
-    return in_order(std::move(meetings));
+    return in_order(std::move(encounters));
 }
 
 std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor) {
-    return in_order(find_meetings(scene, factor));
+    return in_order(find_encounters(scene, factor));
 }
 
 PartPairs touching_pairs(const std::vector<Candidate>& candidates) {

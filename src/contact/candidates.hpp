@@ -10,7 +10,7 @@
 #include "geometry/proximity/facing.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/contact/pair_rules.hpp"
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 #include "src/scene/scene.hpp"
 
 namespace abut {
@@ -55,7 +55,7 @@ PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candid
 void begin_at(const geometry::FacingPair& pair, geometry::FacingZone& zone);
 
 /// What two parts have to do with each other as drawn.
-struct Meeting {
+struct Encounter {
     int first, second;
     std::vector<Candidate> candidates{};               ///< along the first part
     std::optional<geometry::ClosestPoints> closest{};  ///< of the boundaries, within the distance asked for
@@ -68,32 +68,32 @@ struct Meeting {
 
 /// Distances up to which zones are looked for, are shown, and closest points are looked for; with the dissertation's search
 /// the zones are what its cells let in.
-struct MeetingDistances {
+struct EncounterDistances {
     double search, shown, closest;
     const CellSearch* cells = nullptr;
 };
 
 /// Finds what two parts have to do with each other. Zones are cut where rules change; those left alone are not among the
 /// candidates.
-Meeting meet(const Scene& scene, const PairRules& rules, const PartReach& reach, int first, int second,
-             const MeetingDistances& distances);
+Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchDistances& distances, int first, int second,
+                       const EncounterDistances& within);
 
 /// A candidate's smallest gap; at a corner the distance, since gaps along middle normals are longer there.
-double drawn_gap(const Scene& scene, const Meeting& meeting, const Candidate& candidate, double touching);
+double drawn_gap(const Scene& scene, const Encounter& encounter, const Candidate& candidate, double touching);
 
 /// A part's candidates with itself within a distance. They are not among those that `contacts` shows.
 std::vector<Candidate> own_candidates(const Scene& scene, const PairRules& rules, int part, double distance);
 
-/// All meetings within the search distance that `factor` widens, by parts; those of one part come last.
-std::vector<Meeting> find_meetings(const Scene& scene, double factor);
+/// All encounters within the search distance that `factor` widens, by parts; those of one part come last.
+std::vector<Encounter> find_encounters(const Scene& scene, double factor);
 
 /// Does `a` come before `b` in the order of contacts 1, 2, ...? Those shown come first, in the order of parts.
 bool comes_before(const Candidate& a, const Candidate& b);
 
-/// The candidates of all meetings, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
+/// The candidates of all encounters, in that order. With factor 1 throws InputError for overlaps that the scene does not allow,
 /// naming edges and place.
 std::vector<Candidate> find_candidates(const Scene& scene, double factor);
-/// The candidates of all meetings, in that order, whatever overlaps.
+/// The candidates of all encounters, in that order, whatever overlaps.
 std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor);
 
 }  // namespace abut

@@ -85,7 +85,7 @@ double search_cell(const Scene& scene) {
     return geometry::case_cell_fraction * smallest;
 }
 
-double search_reach(const Scene& scene) {
+double cell_search_distance(const Scene& scene) {
     return std::sqrt(5.0) * search_cell(scene);  // the diagonal of two cells side by side
 }
 

@@ -15,7 +15,7 @@ namespace abut {
 double search_cell(const Scene& scene);
 
 /// How far apart points of two cells that share a side can be: zones up to there hold all that the cells let in.
-double search_reach(const Scene& scene);
+double cell_search_distance(const Scene& scene);
 
 /// Makes the one grid over all parts, from their classes of cells to the split. Throws InputError where it would have too many
 /// cells.

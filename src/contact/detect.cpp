@@ -29,7 +29,7 @@ std::string edge_name(const ScenePart& part, int edge) {
 }
 
 /// What all rows of two parts have in common.
-DetectedPair row_of(const Scene& scene, const Meeting& m, const std::array<int, 2>& carrying) {
+DetectedPair row_of(const Scene& scene, const Encounter& m, const std::array<int, 2>& carrying) {
     DetectedPair row;
     row.part = {m.first, m.second};
     for (std::size_t side = 0; side < 2; ++side) {
@@ -71,7 +71,7 @@ std::string status_of(double gap, double touching) {
     return gap < -touching ? "overlap" : gap <= touching ? "touching" : "gap";
 }
 
-std::string why_overlapping(const Scene& scene, const Meeting& m) {
+std::string why_overlapping(const Scene& scene, const Encounter& m) {
     return overlap_text(scene, m) + (m.is_refused ? ": " + overlap_hint(scene, m) : "");
 }
 
@@ -85,15 +85,15 @@ std::string rule_text(const Scene& scene, const Candidate& c) {
     return c.interference == 0 ? "" : ", with an interference of " + with_unit(c.interference, 4, scene.length_unit);
 }
 
-/// How the meetings of two parts are listed.
+/// How the encounters of two parts are listed.
 struct Listing {
     const Scene& scene;
-    const Meeting& meeting;
+    const Encounter& encounter;
     double searched, shown, touching;
 };
 
 DetectedPair row_of(const Listing& l, const Candidate& c, const Candidate* deepest) {
-    const Meeting& m = l.meeting;
+    const Encounter& m = l.encounter;
     const CandidateFaces faces = faces_of(l.scene, c);
     DetectedPair row = row_of(l.scene, m, faces.carrying);
     name_edges(l.scene, faces, row);
@@ -124,7 +124,7 @@ DetectedPair row_of(const Listing& l, const Candidate& c, const Candidate* deepe
 
 /// An overlap that no faces measure.
 DetectedPair overlap_row(const Listing& l) {
-    const Meeting& m = l.meeting;
+    const Encounter& m = l.encounter;
     const geometry::Overlap& o = *m.overlap;
     DetectedPair row = row_of(l.scene, m, {o.edge1, o.edge2});
     row.edges = {std::vector{row.between[0]}, std::vector{row.between[1]}};
@@ -141,7 +141,7 @@ DetectedPair overlap_row(const Listing& l) {
 
 /// Closest points where no faces oppose each other.
 DetectedPair place_row(const Listing& l) {
-    const Meeting& m = l.meeting;
+    const Encounter& m = l.encounter;
     const ClosestPoints& c = *m.closest;
     const Part &first = scene_part(l.scene, m.first).part, &second = scene_part(l.scene, m.second).part;
     DetectedPair row = row_of(l.scene, m, {c.edge1, c.edge2});
@@ -159,13 +159,13 @@ DetectedPair place_row(const Listing& l) {
 
 /// What lies between the distances of pairs and of near misses, if anything: its zones reach that far.
 void list_near_miss(const Listing& l, std::vector<DetectedPair>& near_misses) {
-    const std::vector<Candidate>& all = l.meeting.candidates;
+    const std::vector<Candidate>& all = l.encounter.candidates;
     const auto nearest = std::min_element(
         all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.zone.gap_min < b.zone.gap_min; });
-    if (nearest == all.end() && !l.meeting.unpaired) return;
-    near_misses.push_back(nearest == all.end() || l.meeting.unpaired ? place_row(l) : row_of(l, *nearest, nullptr));
-    near_misses.back().marks = {{l.meeting.closest->x1, l.meeting.closest->x2}};
-    near_misses.back().why = how_close(l.scene, near_misses.back().gap_min, l.touching, l.meeting.closest->x1) +
+    if (nearest == all.end() && !l.encounter.unpaired) return;
+    near_misses.push_back(nearest == all.end() || l.encounter.unpaired ? place_row(l) : row_of(l, *nearest, nullptr));
+    near_misses.back().marks = {{l.encounter.closest->x1, l.encounter.closest->x2}};
+    near_misses.back().why = how_close(l.scene, near_misses.back().gap_min, l.touching, l.encounter.closest->x1) +
                              ", farther than the distance of pairs " + with_unit(l.shown, 4, l.scene.length_unit);
 }
 
@@ -175,7 +175,7 @@ struct PairRows {
 };
 
 void list_pairs(const Listing& l, PairRows& rows) {
-    const Meeting& m = l.meeting;
+    const Encounter& m = l.encounter;
     const auto deepest = std::min_element(m.candidates.begin(), m.candidates.end(), [](const Candidate& a, const Candidate& b) {
         return a.zone.gap_min < b.zone.gap_min;
     });
@@ -189,7 +189,7 @@ void list_pairs(const Listing& l, PairRows& rows) {
 }
 
 /// By the search that decided, or each pair on a grid of its own.
-void fill_cell_cases(const Scene& scene, const PartReach& reach, const std::optional<CellSearch>& cells,
+void fill_cell_cases(const Scene& scene, const SearchDistances& distances, const std::optional<CellSearch>& cells,
                      std::vector<DetectedPair>& rows) {
     std::map<std::array<int, 2>, std::string> cases;
     for (DetectedPair& row : rows) {
@@ -197,7 +197,7 @@ void fill_cell_cases(const Scene& scene, const PartReach& reach, const std::opti
         if (letter.empty() && cells) letter = {cells->case_of(row.part[0], row.part[1])};
         if (letter.empty())
             letter = {cell_case(scene_part(scene, row.part[0]).part, scene_part(scene, row.part[1]).part,
-                                geometry::case_cell_fraction * reach.size(row.part[0], row.part[1]))};
+                                geometry::case_cell_fraction * distances.size(row.part[0], row.part[1]))};
         row.cells_case = letter;
     }
 }
@@ -207,35 +207,36 @@ void fill_cell_cases(const Scene& scene, const PartReach& reach, const std::opti
 Detection detect_contacts(const Scene& scene, std::optional<double> distance) {
     Detection found;
     const PairRules rules(scene);
-    const PartReach reach(scene);
+    const SearchDistances distances(scene);
     PairRows rows;
     const int n = static_cast<int>(scene.parts.size());
     const std::optional<CellSearch> cells = cell_search(scene);
     for (int i = 0; i < n; ++i)
         for (int k = i + 1; k < n; ++k) {
             if (cells) {
-                const double all = search_reach(scene);
+                const double all = cell_search_distance(scene);
                 found.distance = all;
                 if (cells->case_of(i, k) == 'e') continue;
-                const Meeting m = meet(scene, rules, reach, i, k, {all, all, all, &*cells});
-                if (m.overlap || m.closest) list_pairs({scene, m, all, all, reach.touching(i, k)}, rows);
+                const Encounter m = encounter_of(scene, rules, distances, i, k, {all, all, all, &*cells});
+                if (m.overlap || m.closest) list_pairs({scene, m, all, all, distances.touching(i, k)}, rows);
                 continue;
             }
-            const double shown = distance.value_or(reach.shown(i, k)), searched = std::max(shown, reach.searched(i, k, 1));
-            const double near_miss = std::max(searched, near_miss_fraction * reach.size(i, k));
+            const double shown = distance.value_or(distances.shown(i, k)),
+                         searched = std::max(shown, distances.searched(i, k, 1));
+            const double near_miss = std::max(searched, near_miss_fraction * distances.size(i, k));
             found.distance = std::max(found.distance, shown);
-            if (!reach.within(i, k, near_miss)) continue;
-            const Meeting m = meet(scene, rules, reach, i, k, {searched, shown, near_miss});
+            if (!distances.within(i, k, near_miss)) continue;
+            const Encounter m = encounter_of(scene, rules, distances, i, k, {searched, shown, near_miss});
             if (!m.overlap && !m.closest) continue;
             const std::size_t before = rows.faces.size() + rows.places.size();
-            list_pairs({scene, m, searched, shown, reach.touching(i, k)}, rows);
+            list_pairs({scene, m, searched, shown, distances.touching(i, k)}, rows);
             if (rows.faces.size() + rows.places.size() > before || m.overlap || m.closest->distance <= shown) continue;
-            const Meeting wider = meet(scene, rules, reach, i, k, {near_miss, shown, near_miss});
-            list_near_miss({scene, wider, near_miss, shown, reach.touching(i, k)}, found.near_misses);
+            const Encounter wider = encounter_of(scene, rules, distances, i, k, {near_miss, shown, near_miss});
+            list_near_miss({scene, wider, near_miss, shown, distances.touching(i, k)}, found.near_misses);
         }
     found.pairs = std::move(rows.faces);
     std::move(rows.places.begin(), rows.places.end(), std::back_inserter(found.pairs));
-    for (std::vector<DetectedPair>* list : {&found.pairs, &found.near_misses}) fill_cell_cases(scene, reach, cells, *list);
+    for (std::vector<DetectedPair>* list : {&found.pairs, &found.near_misses}) fill_cell_cases(scene, distances, cells, *list);
     return found;
 }
 

@@ -18,14 +18,14 @@ std::string edge_text(const ScenePart& part, int edge) {
 }
 
 /// Is one of the parts all within the other's material?
-bool same_place(const Scene& scene, const Meeting& m) {
+bool same_place(const Scene& scene, const Encounter& m) {
     const double smaller = std::min(area(scene_part(scene, m.first).part), area(scene_part(scene, m.second).part));
     return m.overlap->area >= (1 - whole_fraction) * smaller;
 }
 
 }  // namespace
 
-std::string overlap_text(const Scene& scene, const Meeting& m) {
+std::string overlap_text(const Scene& scene, const Encounter& m) {
     const ScenePart &a = scene_part(scene, m.first), &b = scene_part(scene, m.second);
     const geometry::Overlap& o = *m.overlap;
     return std::string(same_place(scene, m) ? "lie in the same place" : "overlap") + " by up to " +
@@ -33,7 +33,7 @@ std::string overlap_text(const Scene& scene, const Meeting& m) {
            " near " + pair_text(o.at, 4) + ", area " + number_text(o.area, 4);
 }
 
-std::string overlap_hint(const Scene& scene, const Meeting& m) {
+std::string overlap_hint(const Scene& scene, const Encounter& m) {
     if (!m.too_deep) return "move them apart, or set contacts.overlap to \"press_fit\" or \"ignore\"";
     return "move them apart, cut the one out of the other, give each its own \"level\" where they lie above each other, or "
            "leave "
@@ -41,9 +41,9 @@ std::string overlap_hint(const Scene& scene, const Meeting& m) {
            scene_part(scene, m.first).name + "/*\", \"" + scene_part(scene, m.second).name + "/*\"], \"kind\": \"ignore\"}";
 }
 
-void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems) {
+void check_overlaps(const Scene& scene, const std::vector<Encounter>& encounters, std::vector<Problem>& problems) {
     const bool any = scene.contacts.overlap == "report";
-    for (const Meeting& m : meetings) {
+    for (const Encounter& m : encounters) {
         if (!m.is_refused) continue;
         const ScenePart &a = scene_part(scene, m.first), &b = scene_part(scene, m.second);
         const std::string why_not = any                                     ? ""

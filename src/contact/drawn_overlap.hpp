@@ -9,11 +9,11 @@
 namespace abut {
 
 /// An overlap in words: "0.2 mm deep, area 0.16, at a/top and b/circle near (0, -0.2)".
-std::string overlap_text(const Scene& scene, const Meeting& meeting);
+std::string overlap_text(const Scene& scene, const Encounter& encounter);
 /// What the user can do about an overlap.
-std::string overlap_hint(const Scene& scene, const Meeting& meeting);
+std::string overlap_hint(const Scene& scene, const Encounter& encounter);
 
 /// Appends a fault for every overlap but those that "press_fit" or "ignore" can make something of.
-void check_overlaps(const Scene& scene, const std::vector<Meeting>& meetings, std::vector<Problem>& problems);
+void check_overlaps(const Scene& scene, const std::vector<Encounter>& encounters, std::vector<Problem>& problems);
 
 }  // namespace abut

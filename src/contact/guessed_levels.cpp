@@ -22,7 +22,7 @@ namespace {
 /// Parts by number, each once.
 using PartSet = std::set<int>;
 
-bool overlaps_as_plates_do(const Meeting& m) {
+bool overlaps_as_plates_do(const Encounter& m) {
     return m.overlap && m.too_deep;
 }
 
@@ -42,7 +42,7 @@ std::vector<geometry::Arc> eyes_of(const geometry::Part& part, double tolerance)
 }
 
 /// Round holes of both parts at one place, of one size, in which nothing is drawn.
-std::vector<geometry::Arc> empty_eyes(const Scene& scene, const Meeting& m) {
+std::vector<geometry::Arc> empty_eyes(const Scene& scene, const Encounter& m) {
     const double tolerance = touching_length(part_of(scene, m.first), part_of(scene, m.second));
     std::vector<geometry::Arc> found;
     for (const geometry::Arc& a : eyes_of(part_of(scene, m.first), tolerance))
@@ -61,9 +61,10 @@ std::vector<geometry::Arc> empty_eyes(const Scene& scene, const Meeting& m) {
 /// Which parts lie over which, and which join them.
 class LevelStack {
 public:
-    explicit LevelStack(const Scene& scene) : scene_(scene), meetings_(find_meetings(scene, 1)), beside_(scene.parts.size()) {
+    explicit LevelStack(const Scene& scene)
+        : scene_(scene), encounters_(find_encounters(scene, 1)), beside_(scene.parts.size()) {
         find_pins();
-        for (const Meeting& m : meetings_) {
+        for (const Encounter& m : encounters_) {
             if (!overlaps_as_plates_do(m)) continue;
             for (const int a : plates_of(m.first))
                 for (const int b : plates_of(m.second))
@@ -74,13 +75,13 @@ public:
         }
     }
 
-    const std::vector<Meeting>& meetings() const { return meetings_; }
+    const std::vector<Encounter>& encounters() const { return encounters_; }
 
     /// The plates that pins join, or could, directly or through what lies over them, by the first of each group.
     std::vector<PartSet> groups() const {
         PartSet joined;
         for (const auto& [pin, around] : joined_by_) joined.merge(plates_of(pin));
-        for (const Meeting& m : meetings_)
+        for (const Encounter& m : encounters_)
             if (overlaps_as_plates_do(m) && !empty_eyes(scene_, m).empty()) joined.insert({m.first, m.second});
         std::set<PartSet> found;
         for (const int plate : joined)
@@ -131,7 +132,7 @@ private:
     void find_pins() {
         std::map<int, PartSet> holds;
         std::set<std::pair<int, int>> over;
-        for (const Meeting& m : meetings_) {
+        for (const Encounter& m : encounters_) {
             if (overlaps_as_plates_do(m))
                 over.insert({m.first, m.second});
             else if (!m.candidates.empty() && geometry::lies_in_outline(part_of(scene_, m.first), part_of(scene_, m.second)))
@@ -166,7 +167,7 @@ private:
     }
 
     const Scene& scene_;
-    std::vector<Meeting> meetings_;
+    std::vector<Encounter> encounters_;
     std::map<int, PartSet> joined_by_;  // by pin: what it lies in
     std::vector<PartSet> beside_;       // by plate: those that cannot lie on its level
 };
@@ -185,13 +186,13 @@ struct GuessedLevels {
 
 /// Where two of these plates overlap.
 Vec2 place_of_group(const LevelStack& stack, const PartSet& group) {
-    for (const Meeting& m : stack.meetings())
+    for (const Encounter& m : stack.encounters())
         if (overlaps_as_plates_do(m) && group.contains(m.first) && group.contains(m.second)) return m.overlap->at;
     return {0, 0};
 }
 
 /// A pin that the drawing leaves out, as the scene would have it.
-void tell_empty_eyes(const Scene& scene, const Meeting& m, GuessedLevels& guessed) {
+void tell_empty_eyes(const Scene& scene, const Encounter& m, GuessedLevels& guessed) {
     Levels on = guessed.of[at(m.first)];
     on.insert(on.end(), guessed.of[at(m.second)].begin(), guessed.of[at(m.second)].end());
     std::sort(on.begin(), on.end());
@@ -230,11 +231,11 @@ GuessedLevels guess_levels(const Scene& scene, const std::string& what_of_it, co
                                : "parts that fit holes of two of them join them (" + names_of(scene, pins) + ")") +
                  ": " + what_of_it + ", levels " + text,
              place_of_group(stack, group), names_of(scene, group), 0, hint});
-        for (const Meeting& m : stack.meetings())
+        for (const Encounter& m : stack.encounters())
             if (group.contains(m.first) && group.contains(m.second) && overlaps_as_plates_do(m))
                 tell_empty_eyes(scene, m, guessed);
     }
-    for (const Meeting& m : stack.meetings()) {
+    for (const Encounter& m : stack.encounters()) {
         if (overlaps_as_plates_do(m) || (m.candidates.empty() && !m.unpaired) ||
             have_common_level(guessed.of[at(m.first)], guessed.of[at(m.second)]))
             continue;

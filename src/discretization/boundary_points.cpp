@@ -6,6 +6,7 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "solver/assembly/ring.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -73,6 +74,8 @@ std::optional<int> grid_axis(const Vec2& local) {
 }
 
 std::vector<geometry::BoundaryPoint> boundary_points(const PartOnGrid& g, const EdgePortion& portion) {
+    ENSURE(portion.edge >= 0 && at(portion.edge) < g.local.edges.size() && portion.t0 <= portion.t1,
+           "a portion is one of the part's edges");
     const int degree = std::max(g.input.space.x.degree, g.input.space.y.degree);
     auto points = boundary_rule(g.local, g.cells, g.elements, portion.edge, portion.t0, portion.t1, degree + 2);
     if (g.input.axis)

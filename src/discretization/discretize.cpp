@@ -8,6 +8,8 @@
 #include "geometry/brep/monotone.hpp"
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/transformed_gauss.hpp"
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/dissertation_method.hpp"
@@ -75,6 +77,9 @@ Frame frame_for(const geometry::Part& part, double angle) {
 }
 
 PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const geometry::Grid& grid, std::array<int, 2> degree) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size(), "the part is one of the scene");
+    ENSURE(grid.x.size() > 1 && grid.y.size() > 1, "a grid has cells");
+    ENSURE(degree[0] >= 1 && degree[1] >= 1, "displacements are of a degree");
     const ScenePart& source = scene.parts[static_cast<std::size_t>(part)];
     PartOnGrid result;
     result.part = part;

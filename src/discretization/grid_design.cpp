@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/brep/monotone.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut {
 
@@ -154,6 +155,7 @@ void for_curved_portions(const geometry::Curve& curve, double t0, double t1, con
 }  // namespace
 
 std::vector<double> graded_lines(double low, double high, int axis, double largest, const std::vector<SizeFeature>& features) {
+    ENSURE(low < high && largest > 0 && (axis == 0 || axis == 1), "lines are set between two ends along x or y");
     constexpr double steps_per_cell = 24;
     const double least = smallest_cell * std::max(std::abs(low), std::abs(high));
     const std::vector<SizeAlong> sizes = sizes_along(axis, low, high, largest, features);

@@ -7,6 +7,7 @@
 #include "solver/assembly/ring.hpp"
 #include "solver/terms/free_strain.hpp"
 #include "solver/terms/solution_structure.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/plan/loads.hpp"
@@ -87,6 +88,8 @@ std::function<double(const Vec2&)> free_strain(const Scene& scene, const PartOnG
 }
 
 PartLoad load_vector(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    ENSURE(on_grid.part >= 0 && at(on_grid.part) < scene.parts.size(), "the part is one of the scene");
     PartLoad result;
     result.vector = Eigen::VectorXd::Zero(2 * on_grid.input.space.n_functions);
     if (on_grid.input.structure) result.weighted = result.vector;

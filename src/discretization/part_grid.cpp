@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/cells/tree_grid.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
 #include "src/discretization/discretize.hpp"
@@ -268,6 +269,8 @@ double n_filled(const geometry::Part& local, const geometry::Grid& grid) {
 
 PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness,
                       double refinement) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size(), "the part is one of the scene");
+    ENSURE(coarseness > 0 && refinement > 0, "factors on sizes are positive");
     const ScenePart& source = scene.parts[at(part)];
     const auto given = scene.accuracy.grids.find(source.name);
     PartGrid result;

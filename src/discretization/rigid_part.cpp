@@ -2,6 +2,7 @@
 #include "src/discretization/rigid_part.hpp"
 
 #include "geometry/curves/gauss.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/around_axis.hpp"
 #include "src/discretization/boundary_points.hpp"
@@ -73,6 +74,7 @@ void refuse_springs(const Scene& scene, const ResolvedConditions& conditions, co
 }  // namespace
 
 PartOnGrid put_rigid_part(const Scene& scene, int part) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size(), "the part is one of the scene");
     const ScenePart& source = scene.parts[at(part)];
     PartOnGrid g;
     g.part = part;
@@ -102,6 +104,8 @@ PartOnGrid put_rigid_part(const Scene& scene, int part) {
 
 solver::PartSystem rigid_system(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g,
                                 const PartLoad& load) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    ENSURE(g.is_rigid, "a rigid part is asked for");
     refuse_springs(scene, conditions, g);
     std::vector<MotionCondition> held;
     int last = 0;

@@ -8,6 +8,7 @@
 
 #include "geometry/curves/gauss.hpp"
 #include "geometry/quadrature/transformed_gauss.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/weight_fields.hpp"
@@ -228,6 +229,7 @@ void check_finite(const Scene& scene, const PartOnGrid& g, const solver::Solutio
 }  // namespace
 
 std::vector<HeldByWeight> held_by_weight(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<HeldByWeight> held;
     if (has_rigid_support(scene, g)) return held;
     std::set<std::pair<int, int>> taken;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "solver/assembly/ring.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/boundary_points.hpp"
 #include "src/discretization/solution_structure.hpp"
@@ -166,6 +167,8 @@ void require_held(const Scene& scene, int support, const std::vector<EdgePortion
 }  // namespace
 
 std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    ENSURE(on_grid.part >= 0 && at(on_grid.part) < scene.parts.size(), "the part is one of the scene");
     std::vector<SupportSet> sets;
     const bool may_align = scene.accuracy.dirichlet != "nitsche";
     const std::vector<HeldByWeight> held = held_by_weight(scene, conditions, on_grid);
@@ -185,6 +188,8 @@ std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedCondition
 
 std::vector<solver::SpringSet> spring_sets(const Scene& scene, const ResolvedConditions& conditions,
                                            const PartOnGrid& on_grid) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    ENSURE(on_grid.part >= 0 && at(on_grid.part) < scene.parts.size(), "the part is one of the scene");
     std::vector<solver::SpringSet> sets;
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
         const Support& s = scene.supports[i];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -106,7 +107,7 @@ private:
 };
 
 /// A corner that points at a face has no zone: the closest points are its row.
-void append_corner(const Meeting& m, double touching, std::vector<ClosingRow>& rows) {
+void append_corner(const Encounter& m, double touching, std::vector<ClosingRow>& rows) {
     if (!m.unpaired || m.closest->distance <= touching) return;
     const Vec2 across = m.closest->x2 - m.closest->x1;
     rows.push_back({m.first, m.second, m.closest->x1, m.closest->x2, across / across.norm(), m.closest->distance, m.closest->x1,
@@ -116,17 +117,18 @@ void append_corner(const Meeting& m, double touching, std::vector<ClosingRow>& r
 }  // namespace
 
 Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move) {
+    ENSURE(may_move.size() == scene.parts.size(), "of every part it is known how far it may move");
     Closing closing;
-    const PartReach reach(scene);
+    const SearchDistances distances(scene);
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
             const double far = may_move[at(i)] + may_move[at(j)];
-            if (far == 0 || !reach.within(i, j, far)) continue;
-            const Meeting m = meet(scene, rules, reach, i, j, {far, far, far});
+            if (far == 0 || !distances.within(i, j, far)) continue;
+            const Encounter m = encounter_of(scene, rules, distances, i, j, {far, far, far});
             for (const Candidate& c : m.candidates) ZoneRows(scene, c, far, closing.rows).append();
-            append_corner(m, reach.touching(i, j), closing.rows);
-            if (m.overlap) closing.deepest = std::max(closing.deepest, m.overlap->depth / reach.size(i, j));
+            append_corner(m, distances.touching(i, j), closing.rows);
+            if (m.overlap) closing.deepest = std::max(closing.deepest, m.overlap->depth / distances.size(i, j));
         }
     return closing;
 }

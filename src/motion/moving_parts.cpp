@@ -8,6 +8,7 @@
 
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/support_wrenches.hpp"
 
@@ -87,6 +88,8 @@ Eigen::Vector3d MovingPart::motion(const VectorXd& amplitudes) const {
 }
 
 MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    ENSURE(sizes.size() == scene.parts.size(), "every part has a size");
     const std::vector<std::vector<Screw>> held = support_wrenches(scene, conditions);
     const std::vector<RigidLoad> loads = rigid_loads(scene, conditions);
     MovingParts moving;
@@ -106,6 +109,9 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by) {
+    ENSURE(leads.size() == moving.of_part.size() && (by.turns.empty() || by.turns.size() == moving.of_part.size()),
+           "what leads and turns is known of every part");
+    ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto resists_turn = [&](const MovingPart& p) { return !by.turns.empty() && by.turns[at(p.part)] > 0; };
     Index n = static_cast<Index>(gaps.size()) + moving.n;

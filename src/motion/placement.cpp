@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/scene/dissertation_method.hpp"
@@ -140,6 +141,8 @@ std::string why_not_followed(const Scene& scene) {
 }
 
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements) {
+    ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
+    ENSURE(placements.size() == drawn.parts.size(), "every part has a place");
     Scene scene = drawn;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const Placement& p = placements[i];

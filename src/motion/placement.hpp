@@ -30,7 +30,9 @@ Placement followed_by(const Placement& first, const Placement& then);
 Placement without_rounding(const Placement& placement, const Vec2& center, double size, double digits = 1e-6);
 
 /// From this motion on, over a part's size, the pairs that were found where it was drawn do not hold. Below, peaks of a pin
-/// with some clearance err by 0.7 % at 0.008 of its size, by 1.2 % at 0.02, by up to 5 % at 0.04 (measured).
+/// with some clearance err by 0.7 % at 0.008 of its size, by 1.2 % at 0.02, by up to 5 % at 0.04 (measured), which
+/// analysis/moved_pairs tells. From 0.01 on they would be right, but chain.json with its many loose pins finds no answer where
+/// it settles.
 inline constexpr double placed_fraction = 0.05;
 /// From this turn on (radians) forces have other levers: they err by it times a part's height over its width.
 inline constexpr double placed_turn = 0.01;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/curves/gauss.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/loads.hpp"
 
@@ -65,6 +66,7 @@ void add_volume_load(const Scene& scene, const Load& load, int part, const Vec2&
 }  // namespace
 
 std::vector<RigidLoad> rigid_loads(const Scene& scene, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<LoadSum> on(scene.parts.size());
     std::vector<Vec2> centers;
     for (const ScenePart& part : scene.parts) centers.push_back(centroid(part.part));

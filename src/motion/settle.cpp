@@ -8,8 +8,9 @@
 #include "solver/contact/assembly_solve.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 #include "src/motion/closing_rows.hpp"
 #include "src/motion/moving_parts.hpp"
 
@@ -512,6 +513,8 @@ Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Ve
 }  // namespace
 
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from, bool to_the_end) {
+    ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
+    ENSURE(from.empty() || from.size() == drawn.parts.size(), "every part has a place before, or none has");
     if (const std::string why = why_not_settled(drawn); !why.empty()) return {Settling::End::not_asked, why};
     const std::optional<Vec2> middle = far_middle(drawn);
     if (!middle) return Way(drawn, conditions, from).follow(to_the_end);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/scene/dissertation_method.hpp"
 
@@ -91,6 +92,7 @@ bool is_on_axis(const Scene& scene, const EdgePortion& p) {
 }
 
 void append_axisymmetric_problems(const Scene& scene, const ResolvedConditions& conditions, std::vector<Problem>& problems) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     if (scene.analysis != Analysis::axisymmetric) return;
     append_parts_across(scene, problems);
     append_wrong_loads(scene, problems);

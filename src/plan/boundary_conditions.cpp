@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/axisymmetric.hpp"
@@ -112,7 +113,12 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
     return r;
 }
 
+bool is_resolved(const Scene& scene, const ResolvedConditions& conditions) {
+    return conditions.supports.size() == scene.supports.size() && conditions.loads.size() == scene.loads.size();
+}
+
 bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int part) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     const auto on_part = [&](const std::vector<EdgePortion>& portions) {
         return std::any_of(portions.begin(), portions.end(), [&](const EdgePortion& p) { return p.part == part; });
     };

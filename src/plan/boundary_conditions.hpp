@@ -15,6 +15,8 @@ struct ResolvedConditions {
     std::vector<std::vector<EdgePortion>> supports, loads;  ///< parallel to Scene::supports, Scene::loads
 };
 ResolvedConditions resolve_conditions(const Scene& scene);
+/// Are these a scene's conditions: a list for each of its supports and loads?
+bool is_resolved(const Scene& scene, const ResolvedConditions& conditions);
 
 /// Does anything act on the part: a load, a prescribed displacement that is not zero?
 bool is_driven(const Scene& scene, const ResolvedConditions& conditions, int part);

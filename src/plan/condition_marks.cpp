@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/boundary_conditions.hpp"
 #include "src/plan/loads.hpp"
@@ -31,6 +32,7 @@ void along_portions(const Scene& scene, const std::vector<EdgePortion>& portions
 }  // namespace
 
 std::vector<SupportMark> support_marks(const Scene& scene, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<SupportMark> marks;
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
         const Support& s = scene.supports[i];
@@ -50,6 +52,7 @@ std::vector<SupportMark> support_marks(const Scene& scene, const ResolvedConditi
 }
 
 std::vector<LoadMark> load_marks(const Scene& scene, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<LoadMark> marks;
     const auto add = [&](const Vec2& x, const Vec2& direction) {
         if (direction.norm() > 0) marks.push_back({x, direction.normalized()});

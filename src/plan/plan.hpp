@@ -18,7 +18,7 @@ bool is_nearly_incompressible(const Scene& scene, const Material& material);
 
 /// Every effect that abut knows, on or off, and why. An effect that is off runs no code.
 std::vector<Effect> plan_effects(const Scene& scene);
-/// Every effect, with the parts that it concerns and the pairs of parts: those that will be searched (effect_reach.cpp).
+/// Every effect, with the parts that it concerns and the pairs of parts: those that will be searched (effect_scope.cpp).
 std::vector<Effect> plan_effects(const Scene& scene, const ResolvedConditions& conditions);
 
 /// Which parts to solve. Parts that need no solution carry no load, and touch nothing that does. touching: pairs of part

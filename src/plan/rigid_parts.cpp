@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/loads.hpp"
 #include "src/scene/selection.hpp"
@@ -18,8 +19,8 @@ const Material& material_of(const Scene& scene, int part) {
     return scene.materials[at(scene.parts[at(part)].material)];
 }
 
-bool can_touch(const PartReach& reach, int i, int j) {
-    return reach.within(i, j, reach.searched(i, j, 1));
+bool can_touch(const SearchDistances& distances, int i, int j) {
+    return distances.within(i, j, distances.searched(i, j, 1));
 }
 
 bool is_on(const Scene& scene, const Selection& selection, int part) {
@@ -47,18 +48,19 @@ bool deforms_by_itself(const Scene& scene, int part) {
 }  // namespace
 
 std::string why_rigid(const Scene& scene, int part) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size(), "the part is one of the scene");
     const Material& own = material_of(scene, part);
     if (own.rigid) return "its material is \"rigid\"";
     const auto is_softer = [&](const Material& m) { return own.E > rigid_stiffness_ratio * m.E; };
     if (std::none_of(scene.materials.begin(), scene.materials.end(), is_softer)) return "";
-    const PartReach reach(scene);
+    const SearchDistances distances(scene);
     bool has_neighbour = false;
     for (int j = 0; j < static_cast<int>(scene.parts.size()); ++j) {
         if (j == part) continue;
         const bool softer = is_softer(material_of(scene, j));
-        if (!softer && !can_touch(reach, part, j)) continue;
+        if (!softer && !can_touch(distances, part, j)) continue;
         if (!softer) return "";
-        has_neighbour = has_neighbour || can_touch(reach, part, j);
+        has_neighbour = has_neighbour || can_touch(distances, part, j);
     }
     if (!has_neighbour || deforms_by_itself(scene, part)) return "";
     return "it is stiffer than all that it can touch by more than " + number_text(rigid_stiffness_ratio, 2);

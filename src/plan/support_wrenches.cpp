@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/support_components.hpp"
 
@@ -48,6 +49,7 @@ ScrewScale screw_scale(const Scene& scene) {
 }
 
 std::vector<std::vector<Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<std::vector<Screw>> by_part(scene.parts.size());
     const ScrewScale scale = screw_scale(scene);
     for (std::size_t s = 0; s < scene.supports.size(); ++s) {

@@ -14,9 +14,9 @@ namespace {
 
 constexpr int samples_per_interval = 6;  // as profiles of results have
 
-bool reaches_limit(const ContactInterface& c, const std::vector<ContactRun>& runs) {
-    return !c.face.bilateral && std::any_of(runs.begin(), runs.end(), [&](const ContactRun& run) {
-        return (run.from_start && c.zone.begin_is_limit) || (run.to_end && c.zone.end_is_limit);
+bool reaches_limit(const ContactInterface& c, const std::vector<PressedStretch>& stretches) {
+    return !c.face.bilateral && std::any_of(stretches.begin(), stretches.end(), [&](const PressedStretch& stretch) {
+        return (stretch.from_start && c.zone.begin_is_limit) || (stretch.to_end && c.zone.end_is_limit);
     });
 }
 
@@ -75,10 +75,10 @@ ReadContact ContactReader::read(const solver::LoadAnswer& answer, double load_sc
     if (solved_.interface_of[contact_] < 0) return read;
     const ContactInterface& c = solved_.contacts[contact_];
     const Eigen::VectorXd& pressure = answer.pressure[at(solved_.interface_of[contact_])];
-    const std::vector<ContactRun> runs = runs_of(solved_, contact_, pressure, load_scale);
-    told.status = contact_status(c, runs);
-    read.leaves_search = reaches_limit(c, runs);
-    if (runs.empty() || samples_.empty()) return read;
+    const std::vector<PressedStretch> stretches = stretches_of(solved_, contact_, pressure, load_scale);
+    told.status = contact_status(c, stretches);
+    read.leaves_search = reaches_limit(c, stretches);
+    if (stretches.empty() || samples_.empty()) return read;
     const bool may_pull = c.face.bilateral;
     std::size_t largest = 0;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
@@ -96,9 +96,9 @@ ReadContact ContactReader::read(const solver::LoadAnswer& answer, double load_sc
     if (const int shear = solved_.shear_of[contact_]; shear >= 0) force += shear_forces_ * answer.pressure[at(shear)];
     told.force = force.head<2>();
     told.moment = force[2];
-    for (const ContactRun& run : runs) {
-        told.contact_length += run.end - run.begin;
-        read.end_error = std::hypot(read.end_error, run.at_begin.error, run.at_end.error);
+    for (const PressedStretch& stretch : stretches) {
+        told.contact_length += stretch.end - stretch.begin;
+        read.end_error = std::hypot(read.end_error, stretch.at_begin.error, stretch.at_end.error);
     }
     return read;
 }

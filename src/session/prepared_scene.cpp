@@ -183,6 +183,7 @@ void PreparedScene::State::prepare(const Scene& drawn) {
         scales.push_back(units.back().scale);
         SomeLoads nothing_else = loads;
         nothing_else.scene.supports.clear();
+        nothing_else.conditions.supports.clear();
         for (std::size_t i = 0; i < scene.parts.size(); ++i)
             if (solved().solver_part[i] < 0 && is_driven(nothing_else.scene, nothing_else.conditions, static_cast<int>(i)))
                 idle_parts[name].push_back(scene.parts[i].name);

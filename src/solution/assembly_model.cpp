@@ -193,20 +193,20 @@ bool is_rounding(const solver::Interface& face, const Eigen::VectorXd& pressure,
     return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * load_scale;
 }
 
-/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Runs that lie
+/// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Stretches that lie
 /// fewer points apart than two cells have are one.
-std::vector<ContactRun> without_flicker(const std::vector<ContactRun>& runs, const solver::KnotVector& points,
-                                        int points_per_cell) {
-    std::vector<ContactRun> joined;
-    for (const ContactRun& run : runs) {
-        const auto between = [&](double s) { return !joined.empty() && s > joined.back().end && s < run.begin; };
+std::vector<PressedStretch> without_flicker(const std::vector<PressedStretch>& stretches, const solver::KnotVector& points,
+                                            int points_per_cell) {
+    std::vector<PressedStretch> joined;
+    for (const PressedStretch& stretch : stretches) {
+        const auto between = [&](double s) { return !joined.empty() && s > joined.back().end && s < stretch.begin; };
         const auto n = std::count_if(points.breakpoints.begin(), points.breakpoints.end(), between);
         if (joined.empty() || n >= 2 * points_per_cell) {
-            joined.push_back(run);
+            joined.push_back(stretch);
         } else {
-            joined.back().end = run.end;
-            joined.back().to_end = run.to_end;
-            joined.back().at_end = run.at_end;
+            joined.back().end = stretch.end;
+            joined.back().to_end = stretch.to_end;
+            joined.back().at_end = stretch.at_end;
         }
     }
     return joined;
@@ -242,12 +242,13 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
     }
     add_steps(solved.solution.seconds, seconds);
     add_solution_uses(solved.solution.seconds, solved);
-    solved.runs.assign(solved.contacts.size(), {});
+    solved.stretches.assign(solved.contacts.size(), {});
     solved.part_energy.clear();
     if (!solved.solution.mechanism.empty()) return;
     fill_preload_forces(solved);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        if (solved.interface_of[k] >= 0) solved.runs[k] = runs_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
+        if (solved.interface_of[k] >= 0)
+            solved.stretches[k] = stretches_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
 }
 
 /// Slips count from there.
@@ -386,15 +387,15 @@ PartDisplacements displacements_of(const SolvedAssembly& solved) {
     return displacements;
 }
 
-std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
-                                double load_scale) {
+std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                         double load_scale) {
     const solver::Interface& face = solved.contacts[contact].face;
     if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
     if (is_rounding(face, pressure, load_scale)) return {};
-    const std::vector<ContactRun> runs = contact_runs(solved.contacts[contact].face.pressure, pressure);
-    if (face.penalty.empty()) return runs;
+    const std::vector<PressedStretch> stretches = pressed_stretches(solved.contacts[contact].face.pressure, pressure);
+    if (face.penalty.empty()) return stretches;
     const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;
-    return without_flicker(runs, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
+    return without_flicker(stretches, face.pressure, std::max(space.x.degree, space.y.degree) + 1);
 }
 
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact) {

@@ -81,16 +81,17 @@ double compliance_of(const SolvedAssembly& solved, std::size_t contact) {
 
 double penetration_share(const SolvedAssembly& solved, std::size_t contact) {
     const ContactInterface& c = solved.contacts[contact];
-    if (c.face.penalty.empty() || solved.runs[contact].empty()) return 0;
+    if (c.face.penalty.empty() || solved.stretches[contact].empty()) return 0;
     const double softest = *std::min_element(c.face.penalty.begin(), c.face.penalty.end());
     double half_width = 0;
-    for (const ContactRun& run : solved.runs[contact]) half_width = std::max(half_width, 0.5 * (run.end - run.begin));
+    for (const PressedStretch& stretch : solved.stretches[contact])
+        half_width = std::max(half_width, 0.5 * (stretch.end - stretch.begin));
     return 1 / (compliance_of(solved, contact) * softest * half_width);
 }
 
-bool any_run(const SolvedAssembly& s) {
-    for (std::size_t k = 0; k < s.runs.size(); ++k)
-        if (!s.runs[k].empty() && !s.contacts[k].face.bilateral) return true;
+bool any_stretch(const SolvedAssembly& s) {
+    for (std::size_t k = 0; k < s.stretches.size(); ++k)
+        if (!s.stretches[k].empty() && !s.contacts[k].face.bilateral) return true;
     return false;
 }
 

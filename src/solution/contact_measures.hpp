@@ -35,6 +35,6 @@ double compliance_of(const SolvedAssembly& solved, std::size_t contact);
 double penetration_share(const SolvedAssembly& solved, std::size_t contact);
 
 /// Is any contact under pressure? A bond is none.
-bool any_run(const SolvedAssembly& solved);
+bool any_stretch(const SolvedAssembly& solved);
 
 }  // namespace abut

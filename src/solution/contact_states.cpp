@@ -13,7 +13,7 @@ namespace {
 
 constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
-constexpr double border_slack = 0.01;    // of a run: borders nearer to its end are part of that
+constexpr double border_slack = 0.01;    // of a stretch: borders nearer to its end are part of that
 constexpr int samples = 400;             // along a contact
 constexpr int end_samples = 60;          // up to the reach of its end
 
@@ -31,8 +31,8 @@ double traction_in(const SolvedAssembly& solved, std::size_t contact, double s) 
 }
 
 /// A place along a stretch of contact, in the middle of a sample.
-double sample_place(const ContactRun& run, int k) {
-    return run.begin + (run.end - run.begin) * (k + 0.5) / samples;
+double sample_place(const PressedStretch& stretch, int k) {
+    return stretch.begin + (stretch.end - stretch.begin) * (k + 0.5) / samples;
 }
 
 /// Of tractions against the slips since the state before; traction: the face's coefficients.
@@ -109,20 +109,21 @@ FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double
 std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact) {
     std::vector<StickBorder> borders;
     const double coefficient = friction_of(solved, contact);
-    if (coefficient == 0 || std::isinf(coefficient) || solved.runs[contact].empty()) return borders;
+    if (coefficient == 0 || std::isinf(coefficient) || solved.stretches[contact].empty()) return borders;
     const auto is_within = [&](double s) {
-        return std::any_of(solved.runs[contact].begin(), solved.runs[contact].end(), [&](const ContactRun& run) {
-            const double slack = border_slack * (run.end - run.begin);
-            return s > run.begin + std::max(run.at_begin.reach / error_reach, slack) &&
-                   s < run.end - std::max(run.at_end.reach / error_reach, slack);
-        });
+        return std::any_of(solved.stretches[contact].begin(), solved.stretches[contact].end(),
+                           [&](const PressedStretch& stretch) {
+                               const double slack = border_slack * (stretch.end - stretch.begin);
+                               return s > stretch.begin + std::max(stretch.at_begin.reach / error_reach, slack) &&
+                                      s < stretch.end - std::max(stretch.at_end.reach / error_reach, slack);
+                           });
     };
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
     const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
     for (const double way : {1.0, -1.0})
-        for (const ContactRun& run : contact_runs(solved.contacts[contact].face.pressure, bound + way * traction)) {
-            if (!run.from_start && is_within(run.begin)) borders.push_back({run.begin, -1, run.at_begin});
-            if (!run.to_end && is_within(run.end)) borders.push_back({run.end, 1, run.at_end});
+        for (const PressedStretch& stretch : pressed_stretches(solved.contacts[contact].face.pressure, bound + way * traction)) {
+            if (!stretch.from_start && is_within(stretch.begin)) borders.push_back({stretch.begin, -1, stretch.at_begin});
+            if (!stretch.to_end && is_within(stretch.end)) borders.push_back({stretch.end, 1, stretch.at_end});
         }
     std::sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
     return borders;
@@ -131,11 +132,13 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
 double traction_error_at_ends(const SolvedAssembly& solved, std::size_t contact) {
     if (std::isinf(friction_of(solved, contact))) return 0;
     double squares = 0;
-    for (const ContactRun& run : solved.runs[contact]) {
-        if (run.at_begin.kind == RunEnd::Kind::free)
-            squares += std::pow(misfit_at_end(solved, contact, run.at_begin.reach, [&](double x) { return run.begin + x; }), 2);
-        if (run.at_end.kind == RunEnd::Kind::free)
-            squares += std::pow(misfit_at_end(solved, contact, run.at_end.reach, [&](double x) { return run.end - x; }), 2);
+    for (const PressedStretch& stretch : solved.stretches[contact]) {
+        if (stretch.at_begin.kind == StretchEnd::Kind::free)
+            squares += std::pow(
+                misfit_at_end(solved, contact, stretch.at_begin.reach, [&](double x) { return stretch.begin + x; }), 2);
+        if (stretch.at_end.kind == StretchEnd::Kind::free)
+            squares +=
+                std::pow(misfit_at_end(solved, contact, stretch.at_end.reach, [&](double x) { return stretch.end - x; }), 2);
     }
     return std::sqrt(squares);
 }
@@ -150,11 +153,11 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
     }
     sums.dissipated = work_of_friction(solved, face, solved.solution.pressure[at(solved.shear_of[contact])]);
     const std::vector<StickBorder> borders = stick_borders(solved, contact);
-    for (const ContactRun& run : solved.runs[contact]) {
-        std::vector<double> cuts{run.begin};
+    for (const PressedStretch& stretch : solved.stretches[contact]) {
+        std::vector<double> cuts{stretch.begin};
         for (const StickBorder& border : borders)
-            if (border.s > run.begin && border.s < run.end) cuts.push_back(border.s);
-        cuts.push_back(run.end);
+            if (border.s > stretch.begin && border.s < stretch.end) cuts.push_back(border.s);
+        cuts.push_back(stretch.end);
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const bool is_slip = slips(state_at(solved, contact, 0.5 * (cuts[k] + cuts[k + 1])));
             (is_slip ? sums.slip_length : sums.stick_length) += cuts[k + 1] - cuts[k];
@@ -168,9 +171,9 @@ double changed_share(const SolvedAssembly& now, const SolvedAssembly& before) {
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
         if (friction_of(now, k) == 0) continue;
         const bool is_known = k < before.shear_of.size() && friction_of(before, k) > 0;
-        for (const ContactRun& run : now.runs[k])
+        for (const PressedStretch& stretch : now.stretches[k])
             for (int i = 0; i < samples; ++i) {
-                const double s = sample_place(run, i), length = (run.end - run.begin) / samples;
+                const double s = sample_place(stretch, i), length = (stretch.end - stretch.begin) / samples;
                 closed += length;
                 const FrictionState state = state_at(now, k, s), was = is_known ? state_at(before, k, s) : FrictionState::open;
                 changed += slips(state) && state != was ? length : 0;

@@ -16,9 +16,9 @@ FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double
 /// A place within a contact where sticking and slipping meet: what is left of the traction to its bound ends there like the
 /// root of the distance, as the pressure does at a free end.
 struct StickBorder {
-    double s;     ///< on the middle curve
-    int outward;  ///< +1: it slips at larger s; -1: the other way
-    RunEnd end;   ///< how far into the sticking stretch the border's own error counts apart from the rest, and that error
+    double s;        ///< on the middle curve
+    int outward;     ///< +1: it slips at larger s; -1: the other way
+    StretchEnd end;  ///< how far into the sticking stretch the border's own error counts apart from the rest, and that error
 };
 /// The borders of a contact, ascending; none nearer to an end of contact than the knots there stand apart.
 std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact);

@@ -8,7 +8,7 @@
 #include "solver/contact/assembly_solve.hpp"
 #include "src/plan/effect_meter.hpp"
 #include "src/solution/contact_interface.hpp"
-#include "src/solution/contact_runs.hpp"
+#include "src/solution/pressed_stretches.hpp"
 
 namespace abut {
 
@@ -33,7 +33,7 @@ struct SolvedAssembly {
     solver::AssemblyProblem problem;
     solver::AssemblySolution solution;
     std::vector<double> part_energy{};  ///< strain energies by solved part, once they are known
-    ContactRuns runs;
+    PressedStretches stretches;
     std::vector<PreloadState> preloads;
     std::string failure;               ///< not empty: not solvable, and why
     int refined_for_walls = 0;         ///< parts whose grid had to be refined to hold the basis
@@ -45,8 +45,8 @@ struct SolvedAssembly {
 
 /// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever
 /// they face each other. load_scale: the largest single load; contact forces that are its rounding press nothing.
-std::vector<ContactRun> runs_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
-                                double load_scale);
+std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,
+                                         double load_scale);
 
 /// The coefficients of a contact's pressure spline.
 const Eigen::VectorXd& pressure_of(const SolvedAssembly& solved, std::size_t contact);

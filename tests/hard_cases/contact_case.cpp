@@ -115,10 +115,10 @@ void scale_loads(SolvedAssembly& solved, double factor) {
 
 void solve_again(SolvedAssembly& solved) {
     solved.solution = solve_assembly(solved.problem);
-    solved.runs.assign(solved.contacts.size(), {});
+    solved.stretches.assign(solved.contacts.size(), {});
     for (std::size_t k = 0; k < solved.contacts.size(); ++k)
         if (solved.interface_of[k] >= 0 && solved.solution.mechanism.empty())
-            solved.runs[k] = contact_runs(solved.contacts[k].face.pressure, pressure_of(solved, k));
+            solved.stretches[k] = pressed_stretches(solved.contacts[k].face.pressure, pressure_of(solved, k));
 }
 
 ContactForce force_on_first(const SolvedAssembly& solved, std::size_t contact) {

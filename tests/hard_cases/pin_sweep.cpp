@@ -71,8 +71,8 @@ PinAnswer answer_of(const SolvedAssembly& solved, double load) {
     a.unbalance = unbalance(solved, 2 * radius);
     a.force_error = std::abs(force_on_first(solved, 0).force.norm() / load - 1);
     a.peak = radius * peak_pressure(solved, 0) / load;
-    if (!solved.runs[0].empty()) {
-        const ContactRun &first = solved.runs[0].front(), &last = solved.runs[0].back();
+    if (!solved.stretches[0].empty()) {
+        const PressedStretch &first = solved.stretches[0].front(), &last = solved.stretches[0].back();
         a.half_angle = 90 / std::numbers::pi * (last.end - first.begin) / radius;
     }
     if (!solved.solution.converged) a.failure = "not converged";

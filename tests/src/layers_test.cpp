@@ -251,6 +251,30 @@ TEST(Layers, TestsStandInTheRoomsThatTheyTest) {
                 << entry.path();
 }
 
+/// The keys of literature that a text cites: [Grishin10, eq 3.7; Hoellig03].
+std::set<std::string> keys_in(const std::string& text) {
+    static const std::regex citation(R"(\[([A-Z][^\]]{0,120})\])"), key(R"(\b[A-Z][a-z]+(19|20)?\d\d\b)");
+    std::set<std::string> keys;
+    const std::sregex_iterator end;
+    for (std::sregex_iterator k(text.begin(), text.end(), citation); k != end; ++k) {
+        const std::string cited = (*k)[1];
+        for (std::sregex_iterator l(cited.begin(), cited.end(), key); l != end; ++l) keys.insert(l->str());
+    }
+    return keys;
+}
+
+TEST(Layers, WhatIsCitedStandsInTheLiterature) {
+    std::set<std::string> cited;
+    for (const std::string& file : source_files()) {
+        for (const std::string& key : keys_in(read(file))) cited.insert(key);
+    }
+    const std::set<std::string> known = keys_in(read("LITERATURE.md"));
+    for (const std::string& key : cited) EXPECT_TRUE(known.contains(key)) << key;
+    EXPECT_GT(cited.size(), 20U);
+    EXPECT_EQ(keys_in("by [Grishin10, eq 3.7; Hoellig03] x[0], [Index k], [Galin1953]"),
+              (std::set<std::string>{"Galin1953", "Grishin10", "Hoellig03"}));
+}
+
 struct Told {
     std::vector<std::string> kinds;
     std::ptrdiff_t calls = 0;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 namespace abut::geometry::screw_test {
 namespace {
@@ -154,6 +155,11 @@ TEST(Screw, AChainOfBodiesMovesTogether) {
     const Mobility crank = mobility(2, connections, {{4, 0}, 8});
     EXPECT_EQ(crank.degrees_of_freedom, 1);
     EXPECT_EQ(crank.redundant, 0);
+}
+
+TEST(Mobility, RefusesBodiesThatAreNone) {
+    EXPECT_THROW(mobility(2, {{0, 2, force_through({0, 0}, x)}}, {}), std::logic_error);
+    EXPECT_THROW(wrench_space({}, {{0, 0}, 0}), std::logic_error);
 }
 
 }  // namespace abut::geometry::screw_test

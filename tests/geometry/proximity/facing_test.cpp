@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 
 #include "tests/geometry/cells/random_grids.hpp"
 #include "tests/geometry/proximity/facing_checks.hpp"
@@ -134,6 +135,7 @@ TEST(Facing, CircleOnBlock) {
 TEST(Facing, CircleFarFromTheDistanceIsNotFound) {
     EXPECT_TRUE(find_facing_zones(disc({0, 1.2}, 1), block(-2, -1, 2, 0), 0.1).empty());
     EXPECT_FALSE(find_facing_zones(disc({0, 1.2}, 1), block(-2, -1, 2, 0), 0.21).empty());
+    EXPECT_THROW(find_facing_zones(disc({0, 1.2}, 1), block(-2, -1, 2, 0), std::nan("")), std::logic_error);
 }
 
 TEST(Facing, TinyDistanceOnLongEdges) {

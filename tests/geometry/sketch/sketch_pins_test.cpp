@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include "tests/geometry/sketch/drawings.hpp"
 
 namespace abut::geometry::sketch_pins_test {
@@ -78,6 +80,12 @@ TEST(SketchPins, WhatLiesOnOnePlateStaysThere) {
     EXPECT_EQ(n_told(parts_by(first + hole_on("A") + second + pin + cover, PartsBy::layer)), 1);
     // what is on the plate's own layer is its hole already
     EXPECT_EQ(n_told(parts_by(first + hole_on("A") + second + hole_on("B"), PartsBy::layer)), 0);
+}
+
+TEST(SketchPins, EveryPartIsOfSomeGroup) {
+    std::vector<Part> parts(2);
+    std::vector<SketchProblem> warnings;
+    EXPECT_THROW(cut_pins(parts, {"A"}, warnings), std::logic_error);
 }
 
 }  // namespace abut::geometry::sketch_pins_test

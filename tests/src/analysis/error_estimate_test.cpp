@@ -57,7 +57,7 @@ TEST(ErrorEstimate, BondsDoNotDecideWhatContactsAreKnownTo) {
 
 TEST(ErrorEstimate, ErrorsOfFreeEndsCountFromOneSolution) {
     ContactRecord now = scaled(10, 1);
-    now.runs[0].at_end = {RunEnd::Kind::free, 0.1, 0.03};
+    now.stretches[0].at_end = {StretchEnd::Kind::free, 0.1, 0.03};
     const ErrorEstimate e = estimate({pass({now}), pass({now})});
     const double norm = change_of(now, now).norm;
     ASSERT_TRUE(e.contacts[0]);
@@ -65,16 +65,17 @@ TEST(ErrorEstimate, ErrorsOfFreeEndsCountFromOneSolution) {
     EXPECT_NEAR(*e.contact_pressure, 0.03 / norm, 1e-14);
     EXPECT_EQ(e.contacts[0]->inside, 0);
     EXPECT_GT(*e.peak, 0);  // an end that is off moves the peak, too
-    now.runs[0].at_begin = {RunEnd::Kind::free, 0.1, 0.04};
+    now.stretches[0].at_begin = {StretchEnd::Kind::free, 0.1, 0.04};
     EXPECT_NEAR(*estimate({pass({now}), pass({now})}).contact_pressure, 0.05 / norm, 1e-14);
 }
 
 /// A solution 1 % above the theory, after one that has the same force and leans to one side.
 TEST(ErrorEstimate, IsNoMoreThanTheDistanceFromTheory) {
-    const PlaneRun run{0.5, 0.6, {1}};
-    const std::vector<std::optional<PlanePressure>> theory{PlanePressure{{0, 1}, {0, 1}, {run}, 0}};
+    const PlaneStretch stretch{0.5, 0.6, {1}};
+    const std::vector<std::optional<PlanePressure>> theory{PlanePressure{{0, 1}, {0, 1}, {stretch}, 0}};
     const auto leaning = [&](double by) {
-        return record(40, [=](double s) { return 1.01 * pressure_at(run, s) * (1 + by * std::sin(2 * std::numbers::pi * s)); });
+        return record(40,
+                      [=](double s) { return 1.01 * pressure_at(stretch, s) * (1 + by * std::sin(2 * std::numbers::pi * s)); });
     };
     const std::vector<PassRecord> passes{pass({leaning(0.8)}), pass({leaning(0)})};
     const double by_change = *estimate(passes).contact_pressure;
@@ -87,7 +88,7 @@ TEST(ErrorEstimate, IsNoMoreThanTheDistanceFromTheory) {
     EXPECT_NEAR(*estimate_errors(passes, {}, doubtful).contact_pressure, std::hypot(0.01 / 1.01, 0.02), 1e-3);
     // where theory is farther off than the change says, of another zone, or unknown, it says nothing
     const std::vector<std::optional<PlanePressure>> other{PlanePressure{{0, 1}, {0, 1}, {{0.5, 0.6, {2}}}, 0}};
-    const std::vector<std::optional<PlanePressure>> elsewhere{PlanePressure{{0, 2}, {0, 2}, {run}, 0}};
+    const std::vector<std::optional<PlanePressure>> elsewhere{PlanePressure{{0, 2}, {0, 2}, {stretch}, 0}};
     const std::vector<std::optional<PlanePressure>> unknown(1);
     for (const auto& none : {other, elsewhere, unknown})
         EXPECT_EQ(*estimate_errors(passes, {}, none).contact_pressure, by_change);
@@ -114,7 +115,7 @@ TEST(ErrorEstimate, WeakContactsCountLittle) {
 TEST(ErrorEstimate, PeaksAtCornersAreSaidAndLeftOut) {
     const auto rising = [](double factor) {
         ContactRecord r = record(20, [=](double s) { return factor / (s + 0.05); });
-        r.runs[0].at_begin = {RunEnd::Kind::corner, 0.05, 0};
+        r.stretches[0].at_begin = {StretchEnd::Kind::corner, 0.05, 0};
         return r;
     };
     const ErrorEstimate e = estimate({pass({rising(1)}), pass({rising(1.1)})});
@@ -144,7 +145,7 @@ TEST(ErrorEstimate, BesideCornersASmallChangeMayBeByChance) {
     EXPECT_EQ(*estimate_errors(std::vector<PassRecord>{pass({now}), pass({now})}, {}).contact_pressure, 0);
     const PassRecord coarser = pass({scaled(20, 1)});
     EXPECT_LT(*estimate_errors(std::vector<PassRecord>{coarser, pass({now})}, before).contact_pressure, 0.01);
-    now.runs[0].at_begin = {RunEnd::Kind::corner, 0.05, 0};
+    now.stretches[0].at_begin = {StretchEnd::Kind::corner, 0.05, 0};
     EXPECT_GT(*estimate_errors(std::vector<PassRecord>{coarser, pass({now})}, before).contact_pressure, 0.01);
 }
 

@@ -40,8 +40,8 @@ TEST(ExtentByTheory, OfHalfACylinderInOneCell) {
     for (double cell_size : {0.02, 0.05, 0.1, 0.25}) {
         SCOPED_TRACE(cell_size);
         const Outcome out = on_cells(scene, cell_size);
-        ASSERT_EQ(out.solved.runs[0].size(), 1u);
-        const ContactRun found = out.solved.runs[0][0], moved = contacts_by_theory(scene, out.solved).runs[0][0];
+        ASSERT_EQ(out.solved.stretches[0].size(), 1u);
+        const PressedStretch found = out.solved.stretches[0][0], moved = contacts_by_theory(scene, out.solved).stretches[0][0];
         EXPECT_GT(found.end, 1.2 * 0.01);
         EXPECT_NEAR(moved.end, 0.01, 2e-4);
         EXPECT_EQ(moved.begin, found.begin);
@@ -54,11 +54,11 @@ TEST(ExtentByTheory, PressureOfHalfACylinderIsHertz) {
     const TheoryOfContacts theory = contacts_by_theory(scene, out.solved);
     EXPECT_TRUE(theory.is_close);
     ASSERT_TRUE(theory.pressure[0]);
-    ASSERT_EQ(theory.pressure[0]->runs.size(), 1u);
-    const PlaneRun& run = theory.pressure[0]->runs[0];
+    ASSERT_EQ(theory.pressure[0]->stretches.size(), 1u);
+    const PlaneStretch& stretch = theory.pressure[0]->stretches[0];
     // the pressure on these cells reaches ten times as far, to where normals lean by 0.1: half a per cent of the force
     for (double u : {0.0, 0.5, 0.9})
-        EXPECT_NEAR(pressure_at(run, run.middle + 0.01 * u), 500 * std::sqrt(1 - u * u), 0.005 * 500) << u;
+        EXPECT_NEAR(pressure_at(stretch, stretch.middle + 0.01 * u), 500 * std::sqrt(1 - u * u), 0.005 * 500) << u;
     // another solution is as far from it as it is from Hertz
     const Outcome finer = test::solved_to(scene, 0.01);
     const PressureChange away = change_from(finer.passes.back().contacts[0], *theory.pressure[0]);
@@ -88,7 +88,7 @@ TEST(ExtentByTheory, PressuresAreRenewedByForcesOfTheLastSolution) {
 TEST(ExtentByTheory, HasNoPressureOfThinParts) {
     const Scene scene = disc_on(0.05, 10);
     const Outcome out = on_cells(scene, 0.1);
-    ASSERT_FALSE(out.solved.runs[0].empty());
+    ASSERT_FALSE(out.solved.stretches[0].empty());
     const TheoryOfContacts theory = contacts_by_theory(scene, out.solved);
     EXPECT_FALSE(theory.is_close);
     EXPECT_FALSE(theory.pressure[0]);
@@ -99,13 +99,13 @@ TEST(ExtentByTheory, OfACylinderOnAPlaneInPlaneStrain) {
     const Outcome out = on_cells(scene, 0.1);
     // a^2 = 4 P R / (pi E*)
     const double a = std::sqrt(4 * 5 / (std::numbers::pi * 1e5 / (2 * (1 - 0.3 * 0.3))));
-    EXPECT_NEAR(contacts_by_theory(scene, out.solved).runs[0][0].end, a, 0.02 * a);
+    EXPECT_NEAR(contacts_by_theory(scene, out.solved).stretches[0][0].end, a, 0.02 * a);
 }
 
 TEST(ExtentByTheory, OfAWedge) {
     const Scene scene = test::adaptive_scene({"verification/wedge.json"});
     const Outcome out = on_cells(scene, 0.1);
-    EXPECT_NEAR(contacts_by_theory(scene, out.solved).runs[0][0].end, 0.02, 0.02 * 0.02);
+    EXPECT_NEAR(contacts_by_theory(scene, out.solved).stretches[0][0].end, 0.02, 0.02 * 0.02);
 }
 
 /// A hundredth of the flat's half width beyond it: the load of Ciavarella, Hills and Monno's closed form.
@@ -114,7 +114,7 @@ TEST(ExtentByTheory, OfAFlatWithFillets) {
     const double load = 1e5 / (1 + 1e-4) * b * b / (2 * R) * ((std::numbers::pi - 2 * t) / (2 * sine * sine) - 1 / std::tan(t));
     const Scene scene = test::adaptive_scene({"verification/filleted_punch.json", {{"R", R}, {"P", load}}});
     const Outcome out = on_cells(scene, 0.005);
-    const ContactRun found = out.solved.runs[0][0], moved = contacts_by_theory(scene, out.solved).runs[0][0];
+    const PressedStretch found = out.solved.stretches[0][0], moved = contacts_by_theory(scene, out.solved).stretches[0][0];
     EXPECT_GT(std::abs(found.end - a), 0.5 * (a - b));
     EXPECT_NEAR(moved.end, a, 0.05 * (a - b));
     EXPECT_EQ(moved.begin, found.begin);
@@ -126,7 +126,7 @@ TEST(ExtentByTheory, OfPartsOfUnequalThickness) {
     scene.parts[0].thickness = 3;  // the load is a pressure: three times the force
     const Outcome out = on_cells(scene, 0.1);
     const double a = std::sqrt(4 * 3 * 5 / (std::numbers::pi * 1e5 / (1 + 1.0 / 3)));
-    EXPECT_NEAR(contacts_by_theory(scene, out.solved).runs[0][0].end, a, 0.02 * a);
+    EXPECT_NEAR(contacts_by_theory(scene, out.solved).stretches[0][0].end, a, 0.02 * a);
 }
 
 /// Cells of the whole cylinder stand unevenly about the line of contact: the middle is where the gap is lowest.
@@ -134,7 +134,7 @@ TEST(ExtentByTheory, AboutTheLowestPlace) {
     const Scene scene = disc_on(2, 0.01);
     const Outcome out = on_cells(scene, 0.23);
     const double a = std::sqrt(4 * 0.01 / (std::numbers::pi * 0.5e5));
-    const ContactRun moved = contacts_by_theory(scene, out.solved).runs[0][0];
+    const PressedStretch moved = contacts_by_theory(scene, out.solved).stretches[0][0];
     EXPECT_NEAR(moved.end - moved.begin, 2 * a, 0.02 * a);
     const Vec2 begin = pair_at(scene, out.solved.contacts[0], moved.begin).on1.x;
     const Vec2 end = pair_at(scene, out.solved.contacts[0], moved.end).on1.x;
@@ -148,12 +148,12 @@ TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {
         SCOPED_TRACE(source.scene);
         const Scene scene = test::adaptive_scene(source);
         const Outcome out = on_cells(scene, cell_size);
-        ASSERT_FALSE(out.solved.runs[0].empty());
-        const auto moved = contacts_by_theory(scene, out.solved).runs;
+        ASSERT_FALSE(out.solved.stretches[0].empty());
+        const auto moved = contacts_by_theory(scene, out.solved).stretches;
         for (std::size_t k = 0; k < moved.size(); ++k)
             for (std::size_t r = 0; r < moved[k].size(); ++r) {
-                EXPECT_EQ(moved[k][r].begin, out.solved.runs[k][r].begin);
-                EXPECT_EQ(moved[k][r].end, out.solved.runs[k][r].end);
+                EXPECT_EQ(moved[k][r].begin, out.solved.stretches[k][r].begin);
+                EXPECT_EQ(moved[k][r].end, out.solved.stretches[k][r].end);
             }
     }
 }

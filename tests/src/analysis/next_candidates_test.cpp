@@ -10,13 +10,13 @@
 namespace abut::next_candidates_test {
 namespace {
 
-/// A contact whose only run is this one.
-SolvedAssembly with_run(const ContactRun& run, bool begin_is_limit, bool end_is_limit) {
+/// A contact whose only stretch is this one.
+SolvedAssembly with_run(const PressedStretch& stretch, bool begin_is_limit, bool end_is_limit) {
     SolvedAssembly s;
     s.contacts.emplace_back();
     s.contacts[0].zone.begin_is_limit = begin_is_limit;
     s.contacts[0].zone.end_is_limit = end_is_limit;
-    s.runs = {{run}};
+    s.stretches = {{stretch}};
     return s;
 }
 
@@ -32,7 +32,8 @@ Outcome solved_pin() {
 }  // namespace
 
 TEST(NextCandidates, AZoneIsTooShortWhereContactReachesItsLimit) {
-    const ContactRun inside{0.2, 0.8, false, false, {}, {}}, whole{0, 1, true, true, {}, {}}, left{0, 0.5, true, false, {}, {}};
+    const PressedStretch inside{0.2, 0.8, false, false, {}, {}}, whole{0, 1, true, true, {}, {}},
+        left{0, 0.5, true, false, {}, {}};
     EXPECT_FALSE(zone_too_short(with_run(inside, true, true)));
     EXPECT_TRUE(zone_too_short(with_run(whole, false, true)));
     EXPECT_FALSE(zone_too_short(with_run(whole, false, false)));
@@ -48,14 +49,14 @@ TEST(NextCandidates, SeamsMoveOutOfTheContact) {
     Outcome pin = solved_pin();
     ASSERT_EQ(pin.candidates.size(), 1u);
     ASSERT_TRUE(pin.candidates[0].zone.closed);
-    ASSERT_EQ(pin.solved.runs[0].size(), 1u);
-    EXPECT_FALSE(pin.solved.runs[0][0].from_start || pin.solved.runs[0][0].to_end);
+    ASSERT_EQ(pin.solved.stretches[0].size(), 1u);
+    EXPECT_FALSE(pin.solved.stretches[0][0].from_start || pin.solved.stretches[0][0].to_end);
     // such a solution leaves its candidates alone
     std::vector<Candidate> next = pin.candidates;
     move_seams(pin_scene(), pin.solved, next);
     EXPECT_EQ(next[0].zone.begin1, pin.candidates[0].zone.begin1);
     // one whose contact reaches the seam does not
-    pin.solved.runs[0][0] = {0, 0.3 * pin.solved.contacts[0].s.back(), true, false, {}, {}};
+    pin.solved.stretches[0][0] = {0, 0.3 * pin.solved.contacts[0].s.back(), true, false, {}, {}};
     move_seams(pin_scene(), pin.solved, next);
     EXPECT_NE(next[0].zone.begin1, pin.candidates[0].zone.begin1);
     EXPECT_NEAR(next[0].zone.end1 - next[0].zone.begin1, next[0].zone.chain1.length, 1e-12);
@@ -64,13 +65,13 @@ TEST(NextCandidates, SeamsMoveOutOfTheContact) {
 TEST(NextCandidates, FreeEndsAreExpectedWhereTheyWereFound) {
     Outcome pin = solved_pin();
     std::vector<Candidate> next = pin.candidates;
-    expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
+    expect_ends(pin_scene(), pin.solved, pin.solved.stretches, next);
     ASSERT_EQ(next[0].ends.size(), 2u);
     EXPECT_TRUE(moved_ends(pin_scene(), pin.solved, next).empty());
     next[0].ends.clear();
     EXPECT_EQ(moved_ends(pin_scene(), pin.solved, next), (std::vector<std::size_t>{0}));
     pin.solved.contacts[0].face.bilateral = true;
-    expect_ends(pin_scene(), pin.solved, pin.solved.runs, next);
+    expect_ends(pin_scene(), pin.solved, pin.solved.stretches, next);
     EXPECT_TRUE(next[0].ends.empty());
 }
 

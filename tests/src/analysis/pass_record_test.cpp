@@ -60,7 +60,7 @@ TEST(PassRecord, AScaledPressureChangesByTheScale) {
 /// A contact over part of the zone, with a free end at `end`.
 ContactRecord ending_at(double end, int cells) {
     ContactRecord r = record(cells, smooth);
-    r.runs = {{0, end, true, false, {}, {RunEnd::Kind::free, 0, 0}}};
+    r.stretches = {{0, end, true, false, {}, {StretchEnd::Kind::free, 0, 0}}};
     return r;
 }
 
@@ -132,10 +132,10 @@ TEST(PassRecord, NeighbourhoodsOfCornersAndFreeEndsAreLeftOut) {
     ContactRecord now = before;
     now.coefficients[0] += 1;  // lives on [0, 0.02]
     EXPECT_GT(change_of(now, before).difference, 0.01);
-    now.runs[0].at_begin = {RunEnd::Kind::corner, 0.03, 0};
+    now.stretches[0].at_begin = {StretchEnd::Kind::corner, 0.03, 0};
     EXPECT_EQ(change_of(now, before).difference, 0);
     EXPECT_LT(change_of(now, before).norm, change_of(before, before).norm);
-    now.runs[0].at_begin = {RunEnd::Kind::free, 0.03, 0};
+    now.stretches[0].at_begin = {StretchEnd::Kind::free, 0.03, 0};
     EXPECT_GT(change_of(now, before).difference, 0.01);
     EXPECT_EQ(change_of(now, before).inside, 0);
 }

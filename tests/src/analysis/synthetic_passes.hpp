@@ -14,7 +14,7 @@ inline ContactRecord record(int cells, const std::function<double(double)>& pres
     ContactRecord r{{0, 1}, {0, 1}, solver::clamped_knots(lines, 2), {}, {}, 1};
     r.coefficients.resize(r.pressure.n_functions());
     for (int i = 0; i < r.pressure.n_functions(); ++i) r.coefficients[i] = pressure(solver::greville(r.pressure, i));
-    r.runs = {{0, 1, true, true, {}, {}}};
+    r.stretches = {{0, 1, true, true, {}, {}}};
     return r;
 }
 

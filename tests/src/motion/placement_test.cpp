@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <stdexcept>
 
 #include "src/scene/read_scene.hpp"
 
@@ -73,6 +74,12 @@ TEST(Placement, TakesAlongWhatBelongsToThePart) {
     expect_near(centroid(there.parts.at(1).part), {1.5, 5});
     EXPECT_EQ(centroid(there.parts.at(0).part), centroid(drawn.parts.at(0).part));
     EXPECT_EQ(there.parts.at(1).part.edges.at(0).name, drawn.parts.at(1).part.edges.at(0).name);
+}
+
+TEST(Placement, IsForEveryPartOfTheSceneThatConditionsAreOf) {
+    const Scene drawn = read_scene_text(scene_text, "s.json");
+    EXPECT_THROW(placed(drawn, resolve_conditions(drawn), {{}}), std::logic_error);
+    EXPECT_THROW(placed(drawn, {}, {{}, {}}), std::logic_error);
 }
 
 TEST(Placement, SaysWhyPartsAreNotFollowed) {

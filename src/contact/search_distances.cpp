@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/contact/part_reach.hpp"
+#include "src/contact/search_distances.hpp"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ double touching_length(const geometry::Part& first, const geometry::Part& second
     return touching_fraction * std::min(geometry::extent(first), geometry::extent(second));
 }
 
-PartReach::PartReach(const Scene& scene) : given_(scene.contacts.search_distance) {
+SearchDistances::SearchDistances(const Scene& scene) : given_(scene.contacts.search_distance) {
     for (const ScenePart& part : scene.parts) {
         boxes_.push_back(bounding_box(part.part));
         extents_.push_back(geometry::extent(part.part));
@@ -20,19 +20,19 @@ PartReach::PartReach(const Scene& scene) : given_(scene.contacts.search_distance
     }
 }
 
-double PartReach::size(int first, int second) const {
+double SearchDistances::size(int first, int second) const {
     return std::min(extents_[at(first)], extents_[at(second)]);
 }
 
-double PartReach::searched(int first, int second, double factor) const {
+double SearchDistances::searched(int first, int second, double factor) const {
     return given_.value_or(factor * first_search_fraction * size(first, second));
 }
 
-double PartReach::shown(int first, int second) const {
+double SearchDistances::shown(int first, int second) const {
     return given_.value_or(shown_fraction * size(first, second));
 }
 
-bool PartReach::within(int first, int second, double distance) const {
+bool SearchDistances::within(int first, int second, double distance) const {
     return have_common_level(levels_[at(first)], levels_[at(second)]) &&
            boxes_[at(first)].overlaps(boxes_[at(second)], distance);
 }

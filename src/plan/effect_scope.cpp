@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/plan/loads.hpp"
@@ -16,9 +17,9 @@ namespace {
 using Pairs = std::vector<std::array<std::string, 2>>;
 using IndexPair = std::array<int, 2>;
 
-class Reach {
+class EffectScope {
 public:
-    Reach(const Scene& scene, const ResolvedConditions& conditions) : scene_(scene), conditions_(conditions) {}
+    EffectScope(const Scene& scene, const ResolvedConditions& conditions) : scene_(scene), conditions_(conditions) {}
 
     std::vector<std::string> parts(const std::string& effect) const {
         if (effect == "contact" || effect == "friction" || effect == "bonding" || effect == "interference")
@@ -73,12 +74,12 @@ private:
     /// Pairs whose boxes come within the search distance; without detection those that a rule names.
     std::vector<IndexPair> searched() const {
         if (!scene_.contacts.detect) return ruled([](const PairRule& r) { return r.kind != PairRule::Kind::ignore; });
-        const PartReach reach(scene_);
+        const SearchDistances distances(scene_);
         std::vector<IndexPair> found;
         const int n = static_cast<int>(scene_.parts.size());
         for (int i = 0; i < n; ++i)
             for (int j = i + 1; j < n; ++j)
-                if (reach.within(i, j, reach.searched(i, j, 1))) found.push_back({i, j});
+                if (distances.within(i, j, distances.searched(i, j, 1))) found.push_back({i, j});
         return found;
     }
 
@@ -116,12 +117,13 @@ private:
 }  // namespace
 
 std::vector<Effect> plan_effects(const Scene& scene, const ResolvedConditions& conditions) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<Effect> effects = plan_effects(scene);
-    const Reach reach(scene, conditions);
+    const EffectScope scope(scene, conditions);
     for (Effect& effect : effects) {
         if (!effect.on) continue;
-        effect.parts = reach.parts(effect.name);
-        effect.pairs = reach.pairs(effect.name);
+        effect.parts = scope.parts(effect.name);
+        effect.pairs = scope.pairs(effect.name);
     }
     return effects;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "src/solution/contact_runs.hpp"
+#include "src/solution/pressed_stretches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,55 +62,55 @@ double misfit(const Pressure& pressure, const Root& root, double to) {
 
 /// How far inside of the last coefficient's support the contact ends. h: knot spacing there.
 template <class Pressure>
-double free_end(const Pressure& pressure, double h, RunEnd& end) {
+double free_end(const Pressure& pressure, double h, StretchEnd& end) {
     const Root root = fitted_root(pressure, fit_from * h, fit_to * h);
-    end = {RunEnd::Kind::free, error_reach * h, misfit(pressure, root, error_reach * h)};
+    end = {StretchEnd::Kind::free, error_reach * h, misfit(pressure, root, error_reach * h)};
     return root.zero;
 }
 
 template <class Pressure>
-RunEnd fixed_end(const Pressure& pressure, double length) {
-    if (pressure(0) > corner_rise * pressure(corner_test * length)) return {RunEnd::Kind::corner, corner_reach * length, 0};
-    return {RunEnd::Kind::plain, 0, 0};
+StretchEnd fixed_end(const Pressure& pressure, double length) {
+    if (pressure(0) > corner_rise * pressure(corner_test * length)) return {StretchEnd::Kind::corner, corner_reach * length, 0};
+    return {StretchEnd::Kind::plain, 0, 0};
 }
 
 }  // namespace
 
-std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients) {
-    std::vector<ContactRun> runs;
+std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients) {
+    std::vector<PressedStretch> stretches;
     const int n = static_cast<int>(coefficients.size()), p = pressure.degree;
     const double limit = open_fraction * std::max(0.0, coefficients.maxCoeff());
     for (int k = 0; k < n; ++k) {
         if (!(coefficients[k] > limit)) continue;
         int last = k;
         while (last + 1 < n && coefficients[last + 1] > limit) ++last;
-        // supports of neighbouring coefficients overlap, so a run is only separate where the supports are
+        // supports of neighbouring coefficients overlap, so a stretch is only separate where the supports are
         const double begin = std::max(pressure.knots[static_cast<std::size_t>(k)], pressure.breakpoints.front());
         const double end = std::min(pressure.knots[static_cast<std::size_t>(last + p) + 1], pressure.breakpoints.back());
-        if (!runs.empty() && begin < runs.back().end) {
-            runs.back().end = end;
-            runs.back().to_end = last == n - 1;
+        if (!stretches.empty() && begin < stretches.back().end) {
+            stretches.back().end = end;
+            stretches.back().to_end = last == n - 1;
         } else {
-            runs.push_back({begin, end, k == 0, last == n - 1});
+            stretches.push_back({begin, end, k == 0, last == n - 1});
         }
         k = last;
     }
-    for (ContactRun& run : runs) {
-        const double length = run.end - run.begin;
-        const auto from_begin = [&, s = run.begin](double x) { return solver::pressure_at(pressure, coefficients, s + x); };
-        const auto from_end = [&, s = run.end](double x) { return solver::pressure_at(pressure, coefficients, s - x); };
-        const double most = length / (2 * fit_to), inside = std::nextafter(run.end, run.begin);
+    for (PressedStretch& stretch : stretches) {
+        const double length = stretch.end - stretch.begin;
+        const auto from_begin = [&, s = stretch.begin](double x) { return solver::pressure_at(pressure, coefficients, s + x); };
+        const auto from_end = [&, s = stretch.end](double x) { return solver::pressure_at(pressure, coefficients, s - x); };
+        const double most = length / (2 * fit_to), inside = std::nextafter(stretch.end, stretch.begin);
         const auto knots_at = [&](double s) { return std::min(spacing_at(pressure, s), most); };
-        if (run.from_start)
-            run.at_begin = fixed_end(from_begin, length);
+        if (stretch.from_start)
+            stretch.at_begin = fixed_end(from_begin, length);
         else
-            run.begin += free_end(from_begin, knots_at(run.begin), run.at_begin);
-        if (run.to_end)
-            run.at_end = fixed_end(from_end, length);
+            stretch.begin += free_end(from_begin, knots_at(stretch.begin), stretch.at_begin);
+        if (stretch.to_end)
+            stretch.at_end = fixed_end(from_end, length);
         else
-            run.end -= free_end(from_end, knots_at(inside), run.at_end);
+            stretch.end -= free_end(from_end, knots_at(inside), stretch.at_end);
     }
-    return runs;
+    return stretches;
 }
 
 }  // namespace abut

@@ -9,7 +9,7 @@
 namespace abut {
 
 /// An end of a stretch of contact.
-struct RunEnd {
+struct StretchEnd {
     enum class Kind {
         free,    ///< the gap opens: the pressure ends like the root of the distance
         corner,  ///< the interface ends and the pressure rises towards it: it may have no limit there
@@ -24,17 +24,17 @@ struct RunEnd {
 inline constexpr double error_reach = 3;
 
 /// A stretch of an interface's middle curve under pressure.
-struct ContactRun {
+struct PressedStretch {
     double begin, end;        ///< arc lengths
     bool from_start, to_end;  ///< reaches the interface's own ends
-    RunEnd at_begin{}, at_end{};
+    StretchEnd at_begin{}, at_end{};
 };
 
-/// The runs of every contact.
-using ContactRuns = std::vector<std::vector<ContactRun>>;
+/// The stretches of every contact.
+using PressedStretches = std::vector<std::vector<PressedStretch>>;
 
 /// The stretches where the pressure spline is positive. Ends inside the interface are found by fitting the force near them:
 /// pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
-std::vector<ContactRun> contact_runs(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
+std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
 
 }  // namespace abut

@@ -27,9 +27,9 @@ inline constexpr double precision_fraction = geometry::joining_fraction;
 double touching_length(const geometry::Part& first, const geometry::Part& second);
 
 /// Boxes, extents and levels of all parts, once for all distances between them: lengths do not depend on how the assembly lies.
-class PartReach {
+class SearchDistances {
 public:
-    explicit PartReach(const Scene& scene);
+    explicit SearchDistances(const Scene& scene);
 
     /// The smaller extent of two parts (geometry::extent).
     double size(int first, int second) const;
