@@ -205,7 +205,8 @@ struct FreeEnd {
 std::vector<FreeEnd> free_ends(const ContactRecord& c) {
     std::vector<FreeEnd> ends;
     for (const PressedStretch& stretch : c.stretches) {
-        if (stretch.at_begin.kind == StretchEnd::Kind::free) ends.push_back({false, stretch.begin, spacing_at(c.pressure, stretch.begin)});
+        if (stretch.at_begin.kind == StretchEnd::Kind::free)
+            ends.push_back({false, stretch.begin, spacing_at(c.pressure, stretch.begin)});
         if (stretch.at_end.kind == StretchEnd::Kind::free)
             ends.push_back({true, stretch.end, spacing_at(c.pressure, std::nextafter(stretch.end, stretch.begin))});
     }

@@ -121,7 +121,8 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
     const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
     for (const double way : {1.0, -1.0})
-        for (const PressedStretch& stretch : pressed_stretches(solved.contacts[contact].face.pressure, bound + way * traction)) {
+        for (const PressedStretch& stretch :
+             pressed_stretches(solved.contacts[contact].face.pressure, bound + way * traction)) {
             if (!stretch.from_start && is_within(stretch.begin)) borders.push_back({stretch.begin, -1, stretch.at_begin});
             if (!stretch.to_end && is_within(stretch.end)) borders.push_back({stretch.end, 1, stretch.at_end});
         }
