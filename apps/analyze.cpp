@@ -12,6 +12,7 @@
 #include "apps/result_files.hpp"
 #include "apps/stopwatch.hpp"
 #include "apps/thread_option.hpp"
+#include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/analysis.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/number_text.hpp"
@@ -118,7 +119,7 @@ int analyze_all_cases(const Scene& scene, const ModelSources& sources, const std
     std::vector<CaseResult> cases = with_progress(analyze_cases, scene, quiet, threads_of(arguments));
     std::vector<ModelFacts> models;
     for (const LoadCase& c : scene.cases) models.push_back(facts_of_run(scene_of_case(scene, c), sources, watch));
-    write_case_results(cases, models, folder, scene.output.formats, watch);
+    write_case_results(cases, models, folder, scene.output.formats, watch, solver::usable_threads(threads_of(arguments)));
     if (has(arguments, "--json"))
         print_text(cases_json(cases));
     else if (!quiet)

@@ -14,6 +14,7 @@
 #include "apps/output_folder.hpp"
 #include "apps/png_file.hpp"
 #include "geometry/brep/input_error.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/accuracy_results.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/whole_file.hpp"
@@ -176,20 +177,21 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
 }
 
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
-                        const std::vector<std::string>& formats, const Stopwatch& since_start) {
+                        const std::vector<std::string>& formats, const Stopwatch& since_start, int threads) {
     remove_cases(folder);
     for (const char* file : {"result.json", "fields.vtu"}) remove_file(folder, file);
     remove_pictures(folder);
     remove_contacts_from(0, folder);
     std::vector<std::pair<std::string, std::string>> series;
     std::vector<std::string> data(cases.size());
-    for (std::size_t k = 0; k < cases.size(); ++k) {
+    solver::parallel_for(static_cast<int>(cases.size()), threads, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
         if (holds(formats, "html")) data[k] = report_data(cases[k].result, models[k]);
         write_files(cases[k].result, models[k], data[k], own, formats, since_start);
-        series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
-    }
+    });
+    for (std::size_t k = 0; k < cases.size(); ++k) series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
     if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));
     if (holds(formats, "csv")) write_file(folder, "envelope.csv", envelope_csv(cases));
     if (holds(formats, "html")) write_file(folder, "report.html", cases_html(cases, models, data));

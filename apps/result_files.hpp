@@ -30,9 +30,10 @@ void write_results(Result& result, const ModelFacts& model, const std::string& f
                    const Stopwatch& since_start);
 
 /// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
-/// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there.
+/// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there. Cases are written side by
+/// side on `threads` threads at most.
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
-                        const std::vector<std::string>& formats, const Stopwatch& since_start);
+                        const std::vector<std::string>& formats, const Stopwatch& since_start, int threads);
 
 /// The line that names the report, "report: DIR/report.html", or the first file there is where no report is asked for; empty
 /// where none is.

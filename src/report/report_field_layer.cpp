@@ -67,7 +67,11 @@ std::vector<Patch> patches_of(const PartField& field, const View& view, const La
             for (int a = 0; a < n; ++a) {
                 Patch drawn{};
                 const auto sample = [&](double i, double j) { return between(field, patch, (a + i) / n, (b + j) / m); };
-                const std::array<FieldSample, 4> corners{sample(0, 0), sample(1, 0), sample(1, 1), sample(0, 1)};
+                const bool is_whole = n == 1 && m == 1;  // most are, and have their corners' values as these are
+                const std::array<FieldSample, 4> corners =
+                    is_whole ? std::array<FieldSample, 4>{corner(field, patch, 0), corner(field, patch, 1),
+                                                          corner(field, patch, 2), corner(field, patch, 3)}
+                             : std::array<FieldSample, 4>{sample(0, 0), sample(1, 0), sample(1, 1), sample(0, 1)};
                 for (std::size_t i = 0; i < 4; ++i) {
                     drawn.at[i] = place(corners[i]);
                     drawn.value[i] = value(corners[i]);
