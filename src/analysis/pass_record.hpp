@@ -34,14 +34,14 @@ struct PassRecord {
     double energy = 0;
     int unknowns = 0, multipliers = 0;
     double seconds = 0;  ///< since the first grid was begun
-    /// By part of the grids the displacements where its edges begin and in their middles, in assembly coordinates.
+    /// The displacements, by part of the grids, where edges begin and in their middles, in assembly coordinates.
     std::vector<std::vector<Vec2>> moved{};
 };
 
 /// Records a solution; seconds: since the first grid was begun.
 PassRecord record_of(const SolvedAssembly& solved, double seconds);
 
-/// By how much the displacements along a part's edges differ in two passes, at most.
+/// The largest difference of two passes' displacements along a part's edges.
 double change_of_displacement(const PassRecord& now, const PassRecord& before, std::size_t grid);
 
 /// A change in one interval of a pressure's knots, without the neighbourhoods of corners and of free ends.
