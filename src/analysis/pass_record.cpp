@@ -213,8 +213,9 @@ std::vector<FreeEnd> free_ends(const ContactRecord& c) {
     return ends;
 }
 
-/// A free end comes nearer to its place as the knots beside it do, in proportion: of what it moved under a refinement r there
-/// is r / (1 - r) left. Knots that came little closer say less: no more than three times of it is expected.
+/// A free end comes nearer to its place as the knots beside it do: of what it moved under a refinement r there is
+/// r^1.5 / (1 - r^1.5) left (seed 1: estimate over truth 0.8 at 5 %, 3.8 in the median; 1 is the order of a root between knots,
+/// 2 that of the splines). Knots that came little closer say less: no more than twice of it is expected.
 double left_of_ends(const ContactRecord& now, const ContactRecord& before) {
     constexpr double least_known = 0.75;
     const std::vector<FreeEnd> ends_before = free_ends(before);
@@ -230,7 +231,8 @@ double left_of_ends(const ContactRecord& now, const ContactRecord& before) {
             nearest = shift;
             refinement = std::min(least_known, end.spacing / other.spacing);
         }
-        if (std::isfinite(nearest)) sum += nearest * refinement / (1 - refinement);
+        const double rate = std::pow(refinement, 1.5);
+        if (std::isfinite(nearest)) sum += nearest * rate / (1 - rate);
     }
     return length > 0 ? sum / length : 0;
 }
