@@ -268,7 +268,7 @@ TEST(Layers, WhatIsCitedStandsInTheLiterature) {
     for (const std::string& file : source_files()) {
         for (const std::string& key : keys_in(read(file))) cited.insert(key);
     }
-    const std::set<std::string> known = keys_in(read("LITERATURE.md"));
+    const std::set<std::string> known = keys_in(read("data/LITERATURE.md"));
     for (const std::string& key : cited) EXPECT_TRUE(known.contains(key)) << key;
     EXPECT_GT(cited.size(), 20U);
     EXPECT_EQ(keys_in("by [Grishin10, eq 3.7; Hoellig03] x[0], [Index k], [Galin1953]"),
