@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "geometry/brep/edge_tree.hpp"
+#include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/cardinal_spline.hpp"
 #include "geometry/implicit/field_shape.hpp"
-#include "geometry/implicit/joined_edges.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::geometry {
@@ -54,10 +54,11 @@ SplineGrid grid_of(const Box2& box, const BlendedDistance& options) {
 
 class Blend {
 public:
-    /// of: the edges whose distance it is.
-    Blend(const Part& part, const Part& of, const BlendedDistance& options)
+    /// of: the edges whose distance it is, with a sign where they are all of the part's.
+    Blend(const Part& part, const Part& of, bool has_sides, const BlendedDistance& options)
         : options_(completed(part, options)),
-          on_edge_(on_edge_fraction * bounding_box(part).diagonal()),
+          side_(boundary_side(part)),
+          has_sides_(has_sides),
           grid_(grid_of(bounding_box(part), options_)) {
         for (const Edge& edge : of.edges) curves_.push_back(edge.curve);
         const EdgeTree tree(of);
@@ -71,7 +72,7 @@ public:
         const Vec2 local = in_grid(position(p));
         const CardinalValues in_x = cardinal_splines(options_.degree, local.x());
         const CardinalValues in_y = cardinal_splines(options_.degree, local.y());
-        Query<T> query{p, {}};
+        Query<T> query{p, !has_sides_ || contains(side_.pieces, position(p)), {}};
         T sum(0);
         for (int j = 0; j <= options_.degree; ++j)
             for (int i = 0; i <= options_.degree; ++i)
@@ -84,6 +85,7 @@ private:
     template <class T>
     struct Query {
         PointOf<T> p;
+        bool inside;
         std::vector<std::pair<int, NearCurve<T>>> known;
     };
 
@@ -135,8 +137,10 @@ private:
         std::vector<NearCurve<T>> near;
         if (grid_.holds(kx, ky))
             for (const int edge : near_[grid_.index(kx, ky)]) near.push_back(distance(edge, query));
-        if (near.empty()) return T(flat);
-        return cut_off(without_side(joined(near, options_.m), on_edge_));
+        if (near.empty()) return T(query.inside ? flat : -flat);
+        const NearCurve<T> all = joined(near, options_.m);
+        const T d = has_sides_ ? with_side(all, side_.on_edge, query.inside) : without_side(all, side_.on_edge);
+        return d < T(0) ? T(-cut_off(T(-d))) : cut_off(d);
     }
 
     template <class T>
@@ -147,7 +151,8 @@ private:
     }
 
     BlendedDistance options_;
-    double on_edge_;
+    BoundarySide side_;
+    bool has_sides_;
     SplineGrid grid_;
     std::vector<Curve> curves_;
     std::vector<std::vector<int>> near_;
@@ -179,6 +184,11 @@ double strip_width(const Part& part) {
     return width;
 }
 
+ImplicitField blended_distance(const Part& part, const BlendedDistance& options) {
+    ENSURE(!part.edges.empty(), "a part has edges");
+    return make_field(Blend(part, part, true, options));
+}
+
 ImplicitField blended_edge_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options) {
     ENSURE(!edges.empty(), "a field is of some edges");
     Part chosen;
@@ -186,7 +196,7 @@ ImplicitField blended_edge_distance(const Part& part, const std::vector<int>& ed
         ENSURE(e >= 0 && static_cast<std::size_t>(e) < part.edges.size(), "the edge is one of the part's");
         chosen.edges.push_back(part.edges[static_cast<std::size_t>(e)]);
     }
-    return make_field(Blend(part, chosen, options));
+    return make_field(Blend(part, chosen, false, options));
 }
 
 }  // namespace abut::geometry

@@ -11,7 +11,7 @@
 //   of every corner; it is at most n^(1/m) times smaller, and keeps the unit normal derivative;
 // - which edges come near a support is told by their bounding boxes: some may be taken that lie a little farther away;
 // - the factor delta / gamma makes the derivative along the inward normal 1 (the source asks for proportionality only);
-// - w is positive on both sides of the edges.
+// - w is continued by its negative outside of the part.
 #pragma once
 #include "geometry/implicit/implicit.hpp"
 
@@ -26,11 +26,14 @@ struct BlendedDistance {
     int m = 2;         ///< order of the joins
 };
 
-/// Makes the blended distance of some edges of a part: zero on them, positive elsewhere; flat away from them. Throws
-/// std::logic_error for options outside their ranges, and if `edges` is empty or names none. Memory: one list of edges for each
-/// of (diagonal / h')^2 splines. Cost of a point: the edges within delta of the (degree + 1)^2 supports around it, whatever the
-/// part's size. Not smooth on medial axes closer to the edges than delta, nor (Hessian only) where an end of an edge becomes
-/// its closest point.
+/// Makes the field w of a part. Throws std::logic_error for options outside their ranges. Memory: one list of edges for each of
+/// (diagonal / h')^2 splines. Cost of a point: point-in-part, and the edges within delta of the (degree + 1)^2 supports around
+/// it, whatever the part's size. Not smooth on medial axes closer to the boundary than delta, nor (Hessian only) where an end
+/// of an edge becomes its closest point.
+ImplicitField blended_distance(const Part& part, const BlendedDistance& options = {});
+
+/// Makes the blended distance of some edges of a part: zero on them, positive elsewhere, on both sides of the boundary; flat
+/// away from them. Throws std::logic_error where blended_distance does, and if `edges` is empty or names none.
 ImplicitField blended_edge_distance(const Part& part, const std::vector<int>& edges, const BlendedDistance& options = {});
 
 /// Half the smallest radius of curvature, at most widest_strip_fraction of the part's diagonal: within this strip the distance

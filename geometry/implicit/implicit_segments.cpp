@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields of boundaries given by their edges.
 
+#include "geometry/implicit/boundary_side.hpp"
 #include "geometry/implicit/field_shape.hpp"
-#include "geometry/implicit/joined_edges.hpp"
 #include "geometry/implicit/trimmed_edge.hpp"
 #include "src/base/ensure.hpp"
 
@@ -19,6 +19,19 @@ NearCurve<T> near_edges(const std::vector<TrimmedEdge>& edges, const PointOf<T>&
 }
 
 }  // namespace
+
+BoundarySide boundary_side(const Part& part) {
+    return {slabbed(monotone_pieces(part)), on_edge_fraction * bounding_box(part).diagonal()};
+}
+
+ImplicitField distance_field(const Part& part, int m) {
+    ENSURE(!part.edges.empty() && m >= 1, "a part has edges, and a join is of order 1 at least");
+    std::vector<TrimmedEdge> edges;
+    for (const Edge& edge : part.edges) edges.push_back(trimmed_edge(edge.curve));
+    return make_field([edges = std::move(edges), side = boundary_side(part), m]<class T>(const PointOf<T>& p) -> T {
+        return with_side(near_edges(edges, p, m), side.on_edge, contains(side.pieces, position(p)));
+    });
+}
 
 ImplicitField edge_field(const Part& part, const std::vector<int>& edges, int m) {
     ENSURE(!edges.empty() && m >= 1, "a field is of some edges, and a join of order 1 at least");

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// R-functions of functions that are positive inside, zero on the boundary and negative outside [Grishin10, eq 3.3]: what is
-// inside both (conjunction), and on either boundary (equivalence).
+// R-functions: Booleans of functions that are positive inside, zero on the boundary and negative outside [Grishin10, eq 3.3].
 //
 // alpha in (-1, 1]; 1 gives minimum and maximum. For alpha < 1 they are smooth except where both arguments vanish (corners).
 // They keep the first order: where one argument vanishes and the other decides nothing, the result has the gradient of the
 // argument that vanishes. Where both vanish together along a curve (two bodies with a common stretch of boundary) they do not:
-// x and x give (2 - sqrt(2 - 2 alpha)) / (1 + alpha) x.
+// x and x give (2 - sqrt(2 - 2 alpha)) / (1 + alpha) x, and the union of two bodies that share an edge is 0 on that edge.
 // They are commutative, not associative unless alpha = 1.
 //
 // The scalar T may be double, Jet (jet.hpp), or any other type for automatic differentiation with sqrt and comparisons.
@@ -15,6 +14,11 @@
 #include <span>
 
 namespace abut::geometry {
+
+template <class T>
+T negation(const T& x) {
+    return -x;
+}
 
 /// x and y: (x + y - sqrt(x^2 + y^2 - 2 alpha x y)) / (1 + alpha). Where the sum is positive in the form
 /// 2 x y / (x + y + sqrt(...)), which is the same without cancellation: small values keep all their digits, and x = 0 gives 0.
@@ -27,6 +31,12 @@ T conjunction(const T& x, const T& y, double alpha) {
     const T root = sqrt(T(difference * difference + 2 * (1 - alpha) * (x * y)));
     if (sum > T(0)) return T(2 * (x * y) / (sum + root));
     return T((sum - root) / (1 + alpha));
+}
+
+/// x or y: (x + y + sqrt(x^2 + y^2 - 2 alpha x y)) / (1 + alpha).
+template <class T>
+T disjunction(const T& x, const T& y, double alpha) {
+    return T(-conjunction(T(-x), T(-y), alpha));
 }
 
 /// x^m for small m >= 0.

@@ -74,7 +74,7 @@ Jet jet_of(const geometry::FieldValue& f, double unit) {
 }
 
 WeightField distance_to(const Part& part, int edge, double size) {
-    const geometry::ImplicitField field = geometry::edge_field(part, {edge}, geometry::edge_join_order);
+    const geometry::ImplicitField field = geometry::edge_field(part, {edge}, geometry::leaf_join_order);
     return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
 }
 

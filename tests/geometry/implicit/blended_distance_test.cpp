@@ -54,7 +54,7 @@ TEST(CardinalSplines, AreTheCubicOfTheTextbooks) {
 TEST(BlendedDistance, VanishesOnTheEdgesWithUnitNormalDerivative) {
     for (const NamedBody& each : all_bodies())
         for (const BlendedDistance& options : settings(each.part)) {
-            const ImplicitField field = blended_edge_distance(each.part, edges_of(each.part), options);
+            const ImplicitField field = blended_distance(each.part, options);
             for (const Edge& edge : each.part.edges)
                 for (const double t : {0.13, 0.5, 0.81}) {
                     const FieldValue w = evaluate(field, point(edge.curve, t));
@@ -86,30 +86,30 @@ TEST(BlendedDistance, OfSomeEdgesKnowsNoOthers) {
     }
 }
 
-TEST(BlendedDistance, IsPositiveAndFlatAwayFromTheBoundary) {
+TEST(BlendedDistance, HasTheSignOfMembershipAndIsFlatAwayFromTheBoundary) {
     for (const NamedBody& each : all_bodies()) {
         int n_flat = 0;
         for (const BlendedDistance& options : settings(each.part)) {
-            const ImplicitField field = blended_edge_distance(each.part, edges_of(each.part), options);
+            const ImplicitField field = blended_distance(each.part, options);
             const double delta = options.delta == 0 ? strip_width(each.part) : options.delta, flat = delta / options.gamma;
             PointsAround points(each.part, 31);
             for (int i = 0; i < 200; ++i) {
                 const Vec2 p = points();
                 const double w = value(field, p), distance = true_distance(each.part, p);
+                EXPECT_EQ(w > 0, contains(each.part, p)) << each.name << " at " << p.transpose();
                 // the join of n edges is at most n^(1/m) smaller than the distance
                 const double n = static_cast<double>(each.part.edges.size());
                 if (distance > delta * std::pow(n, 1.0 / options.m)) {
                     ++n_flat;
-                    EXPECT_NEAR(w, flat, 1e-14 * flat);
+                    EXPECT_NEAR(std::abs(w), flat, 1e-14 * flat);
                     EXPECT_LE(evaluate(field, p).gradient.norm(), 1e-12);
                 }
-                EXPECT_LE(w, flat * (1 + 1e-14));
-                EXPECT_GE(w, 0.1 * std::min(flat, distance)) << each.name << " at " << p.transpose();
+                EXPECT_LE(std::abs(w), flat * (1 + 1e-14));
+                EXPECT_GE(std::abs(w), 0.1 * std::min(flat, distance)) << each.name << " at " << p.transpose();
             }
         }
         EXPECT_GT(n_flat, 20) << each.name;
-        EXPECT_NEAR(value(blended_edge_distance(each.part, edges_of(each.part)), {-1e15, 3e200}), strip_width(each.part) / 3,
-                    1e-14);
+        EXPECT_NEAR(value(blended_distance(each.part), {-1e15, 3e200}), -strip_width(each.part) / 3, 1e-14);
     }
 }
 
@@ -117,7 +117,7 @@ TEST(BlendedDistance, OfOneCircleIsTheCutOffDistance) {
     const double r = 2, delta = 0.8;
     const Part disc = body({{Arc{{1, 1}, r, 0.3, 2 * std::numbers::pi}}});
     for (int gamma = 1; gamma <= 4; ++gamma) {
-        const ImplicitField field = blended_edge_distance(disc, {0}, {delta, gamma, 0.5, 3, 2});
+        const ImplicitField field = blended_distance(disc, {delta, gamma, 0.5, 3, 2});
         for (double d = 0.05; d < r; d += 0.1) {
             const Vec2 p = Vec2(1, 1) + (r - d) * Vec2(std::cos(d), std::sin(d));
             const double expected = 1 - std::pow(std::max(0.0, 1 - d / delta), gamma);
@@ -129,7 +129,7 @@ TEST(BlendedDistance, OfOneCircleIsTheCutOffDistance) {
 TEST(BlendedDistance, GradientAndHessianAgreeWithDifferences) {
     for (const NamedBody& each : all_bodies()) {
         const double size = size_of(each.part), delta = strip_width(each.part);
-        const ImplicitField field = blended_edge_distance(each.part, edges_of(each.part), {delta, 5, 0, 5, 2});
+        const ImplicitField field = blended_distance(each.part, {delta, 5, 0, 5, 2});
         for (const double t : {0.0, 0.5}) EXPECT_EQ(evaluate(field, {t, t}).value, value(field, {t, t}));
         PointsAround points(each.part, 32);
         const auto in_strip = [&]() {
@@ -153,11 +153,12 @@ TEST(StripWidth, IsHalfTheSmallestRadius) {
 
 TEST(BlendedDistance, RefusesNumbersOutsideTheirRanges) {
     const Part part = round_bodies()[0].part;
-    EXPECT_THROW(blended_edge_distance(part, {0}, {-1, 3, 0, 3, 2}), std::logic_error);
-    EXPECT_THROW(blended_edge_distance(part, {0}, {0, 0, 0, 3, 2}), std::logic_error);
-    EXPECT_THROW(blended_edge_distance(part, {0}, {0, 3, std::nan(""), 3, 2}), std::logic_error);
-    EXPECT_THROW(blended_edge_distance(part, {0}, {0, 3, 0, 9, 2}), std::logic_error);
-    EXPECT_THROW(blended_edge_distance(part, {0}, {0, 3, 0, 3, 0}), std::logic_error);
+    EXPECT_THROW(blended_distance(Part{}), std::logic_error);
+    EXPECT_THROW(blended_distance(part, {-1, 3, 0, 3, 2}), std::logic_error);
+    EXPECT_THROW(blended_distance(part, {0, 0, 0, 3, 2}), std::logic_error);
+    EXPECT_THROW(blended_distance(part, {0, 3, std::nan(""), 3, 2}), std::logic_error);
+    EXPECT_THROW(blended_distance(part, {0, 3, 0, 9, 2}), std::logic_error);
+    EXPECT_THROW(blended_distance(part, {0, 3, 0, 3, 0}), std::logic_error);
 }
 
 }  // namespace abut::geometry::blended_distance_test

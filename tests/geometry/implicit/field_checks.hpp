@@ -92,13 +92,6 @@ inline std::vector<Curve> closed_polygon(const std::vector<Vec2>& corners) {
     return curves;
 }
 
-/// All edges of a part.
-inline std::vector<int> edges_of(const Part& part) {
-    std::vector<int> all;
-    for (std::size_t e = 0; e < part.edges.size(); ++e) all.push_back(static_cast<int>(e));
-    return all;
-}
-
 struct NamedBody {
     std::string name;
     Part part;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields of boundaries given by their edges: all of a part's, some of them, what they lie on, points.
+// Fields of boundaries given by their edges: whole parts, some edges, points.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "geometry/implicit/implicit.hpp"
@@ -17,16 +16,22 @@ double size_of(const Part& part) {
     return bounding_box(part).diagonal();
 }
 
+std::vector<int> edges_of(const Part& part) {
+    std::vector<int> all;
+    for (std::size_t e = 0; e < part.edges.size(); ++e) all.push_back(static_cast<int>(e));
+    return all;
+}
+
 void expect_derivatives_around(const Part& part, const ImplicitField& field, unsigned seed, int n, const std::string& name) {
     expect_derivatives([&](const Vec2& q) { return evaluate(field, q); }, PointsAround(part, seed), n, size_of(part), name);
 }
 
 }  // namespace
 
-TEST(EdgeField, VanishesOnTheEdgesWithUnitNormalDerivative) {
+TEST(DistanceField, VanishesOnTheEdgesWithUnitNormalDerivative) {
     for (const NamedBody& each : all_bodies())
         for (int m = 1; m <= 4; ++m) {
-            const ImplicitField field = edge_field(each.part, edges_of(each.part), m);
+            const ImplicitField field = distance_field(each.part, m);
             for (const Edge& edge : each.part.edges)
                 for (const double t : {0.1, 0.31, 0.5, 0.77, 0.93}) {
                     const FieldValue w = evaluate(field, point(edge.curve, t));
@@ -37,21 +42,32 @@ TEST(EdgeField, VanishesOnTheEdgesWithUnitNormalDerivative) {
         }
 }
 
-TEST(EdgeField, IsNormalisedToItsOrder) {
+TEST(DistanceField, IsNormalisedToItsOrder) {
     // next to an edge and away from the others |w - f| is of order f^(m+1), f the untrimmed function: for lines the distance
     const Part square = body({closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})});
     for (const int m : {1, 2, 4}) {
-        const ImplicitField field = edge_field(square, edges_of(square), m);
+        const ImplicitField field = distance_field(square, m);
         const double far = value(field, {0.4, 0.02}) / 0.02 - 1, near = value(field, {0.4, 0.01}) / 0.01 - 1;
         EXPECT_NEAR(std::log2(far / near), m, 0.1);
     }
 }
 
-TEST(EdgeField, VanishesNowhereElse) {
+TEST(DistanceField, SignIsMembership) {
+    for (const NamedBody& each : all_bodies()) {
+        const ImplicitField field = distance_field(each.part, 2);
+        PointsAround points(each.part, 3);
+        for (int i = 0; i < 400; ++i) {
+            const Vec2 p = points();
+            EXPECT_EQ(value(field, p) > 0, contains(each.part, p)) << each.name << " at " << p.transpose();
+        }
+    }
+}
+
+TEST(DistanceField, VanishesNowhereElse) {
     // Bounds of w / distance that a field with a hidden zero, or one that is lost beyond the ends of edges, breaks. Joins of n
     // edges lose at most n^(1/m); a circle's function is at least half the distance.
     for (const NamedBody& each : all_bodies()) {
-        const ImplicitField field = edge_field(each.part, edges_of(each.part), 2);
+        const ImplicitField field = distance_field(each.part, 2);
         PointsAround points(each.part, 4);
         double least = 1e300, largest = 0;
         for (int i = 0; i < 1000; ++i) {
@@ -65,10 +81,10 @@ TEST(EdgeField, VanishesNowhereElse) {
     }
 }
 
-TEST(EdgeField, GradientAndHessianAgreeWithDifferences) {
+TEST(DistanceField, GradientAndHessianAgreeWithDifferences) {
     for (const NamedBody& each : all_bodies())
         for (const int m : {2, 3, 4}) {
-            const ImplicitField field = edge_field(each.part, edges_of(each.part), m);
+            const ImplicitField field = distance_field(each.part, m);
             expect_derivatives_around(each.part, field, 7, 100, each.name);
             PointsAround points(each.part, 8);
             for (int i = 0; i < 50; ++i) {
@@ -78,14 +94,31 @@ TEST(EdgeField, GradientAndHessianAgreeWithDifferences) {
         }
 }
 
-TEST(EdgeField, DoesNotDependOnUnitOrPlace) {
+TEST(DistanceField, IsSmoothAcrossTheBoundary) {
+    for (const NamedBody& each : all_bodies()) {
+        const ImplicitField field = distance_field(each.part, 2);
+        for (const Edge& edge : each.part.edges)
+            for (const double t : {0.3, 0.6}) {
+                const Vec2 p = point(edge.curve, t), n = outward_normal(edge.curve, t);
+                const double h = 1e-6 * size_of(each.part);
+                const FieldValue in = evaluate(field, p - h * n), on = evaluate(field, p), out = evaluate(field, p + h * n);
+                EXPECT_NEAR(in.value, h, 1e-4 * h);
+                EXPECT_NEAR(out.value, -h, 1e-4 * h);
+                // what changes smoothly changes evenly to both sides; a jump would be of the order of the Hessian itself
+                EXPECT_LE((in.hessian + out.hessian - 2 * on.hessian).norm(),
+                          1e-7 * (1 / size_of(each.part) + on.hessian.norm()))
+                    << each.name << " " << edge.name;
+            }
+    }
+}
+
+TEST(DistanceField, DoesNotDependOnUnitOrPlace) {
     const Similarity map{0.6, 0.8, {300, -20}, 1000, true};
     for (const NamedBody& each : all_bodies()) {
         Part image;
         for (const Edge& edge : each.part.edges) image.edges.push_back({reversed(transformed(edge.curve, map)), "", ""});
         for (const Loop& loop : each.part.loops) image.loops.push_back({{loop.edges.rbegin(), loop.edges.rend()}});
-        const ImplicitField field = edge_field(each.part, edges_of(each.part), 2),
-                            moved = edge_field(image, edges_of(image), 2);
+        const ImplicitField field = distance_field(each.part, 2), moved = distance_field(image, 2);
         PointsAround points(each.part, 9);
         for (int i = 0; i < 100; ++i) {
             const Vec2 p = points();
@@ -94,31 +127,11 @@ TEST(EdgeField, DoesNotDependOnUnitOrPlace) {
     }
 }
 
-TEST(EdgeField, CornersAreZeroWithoutDerivatives) {
-    const ImplicitField field = edge_field(body({closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})}), {0, 1, 2, 3}, 2);
+TEST(DistanceField, CornersAreZeroWithoutDerivatives) {
+    const ImplicitField field = distance_field(body({closed_polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}})}), 2);
     const FieldValue w = evaluate(field, {1, 0});
     EXPECT_EQ(w.value, 0);
     EXPECT_FALSE(w.gradient.allFinite());
-}
-
-TEST(EdgeField, TheHarnessSeesWrongDerivatives) {
-    const Part ell = round_bodies().front().part;
-    const ImplicitField field = edge_field(ell, edges_of(ell), 2);
-    const Vec2 p(0.6, 1.7);
-    const auto errors_with = [&](double gradient_error, double hessian_error) {
-        return derivative_errors(
-            [&](const Vec2& q) {
-                FieldValue w = evaluate(field, q);
-                w.gradient.x() += gradient_error;
-                w.hessian(0, 1) += hessian_error;
-                return w;
-            },
-            p, 5);
-    };
-    EXPECT_TRUE(errors_with(0, 0).right());
-    EXPECT_TRUE(errors_with(0, 0).tell_something());
-    EXPECT_FALSE(errors_with(1e-7, 0).right());
-    EXPECT_FALSE(errors_with(0, 1e-7).right());
 }
 
 TEST(EdgeField, VanishesOnItsEdgesOnlyWithUnitNormalDerivative) {
@@ -142,12 +155,13 @@ TEST(EdgeField, VanishesOnItsEdgesOnlyWithUnitNormalDerivative) {
 
 TEST(EdgeField, IsPositiveOnBothSides) {
     for (const NamedBody& each : all_bodies()) {
-        const ImplicitField field = edge_field(each.part, edges_of(each.part), 2);
-        PointsAround points(each.part, 3);
-        for (int i = 0; i < 400; ++i) {
+        const ImplicitField field = edge_field(each.part, edges_of(each.part), 2), whole = distance_field(each.part, 2);
+        PointsAround points(each.part, 10);
+        for (int i = 0; i < 100; ++i) {
             const Vec2 p = points();
-            EXPECT_GT(value(field, p), 0) << each.name << " at " << p.transpose();
+            EXPECT_EQ(value(field, p), std::abs(value(whole, p))) << each.name;
         }
+        expect_derivatives_around(each.part, field, 11, 50, each.name);
     }
 }
 
@@ -190,29 +204,20 @@ TEST(WholeField, IsZeroAllAlongWhatAnEdgeLiesOn) {
         }
 }
 
-TEST(WholeField, IsTheNormalisedFunctionOfACurve) {
-    const double turn = 2 * std::numbers::pi;
-    const auto ellipse = [&](const Vec2& center, double a, double b) {
-        return whole_field(EllipticArc{center, {a, 0}, {0, b}, 0, turn});
-    };
-    const Vec2 p(0.7, -0.4);
-    const ImplicitField circle = whole_field(Arc{{1, 2}, 3, 0, turn});
-    EXPECT_NEAR(value(circle, p), (9 - (p - Vec2(1, 2)).squaredNorm()) / 6, 1e-15);
-    // with equal radii an ellipse is the circle, and goes over into it
-    EXPECT_NEAR(value(ellipse({1, 2}, 3, 3), p), value(circle, p), 1e-15);
-    EXPECT_NEAR(value(ellipse({1, 2}, 3, 3 + 1e-9), p), value(circle, p), 1e-8);
-    // F / sqrt(|grad F|^2 + 2 F / A^2)
-    const double a = 3, b = 2, x = p.x(), y = p.y(), f = (1 - x * x / (a * a) - y * y / (b * b)) / 2;
-    const double slope = std::hypot(x / (a * a), y / (b * b));
-    EXPECT_NEAR(value(ellipse({0, 0}, a, b), p), f / std::sqrt(slope * slope + 2 * f / (a * a)), 1e-15);
+TEST(Equivalence, JoinsFields) {
+    const Part ell = round_bodies().front().part;
+    const ImplicitField a = edge_field(ell, {0}, 2), b = edge_field(ell, {3}, 2), both = edge_field(ell, {0, 3}, 2);
+    PointsAround points(ell, 14);
+    for (int i = 0; i < 50; ++i) {
+        const Vec2 p = points();
+        EXPECT_NEAR(value(equivalence({a, b}, 2), p), value(both, p), 1e-14);
+    }
 }
 
-TEST(EdgeField, RefusesWhatItCannotTell) {
+TEST(DistanceField, RefusesWhatItCannotTell) {
     const Part part = round_bodies().front().part;
-    EXPECT_THROW(edge_field(part, {0}, 0), std::logic_error);
-    EXPECT_THROW(conjunction(std::vector<ImplicitField>{}), std::logic_error);
-    EXPECT_THROW(point_field({{0, 0}, {1, 0}}, -1), std::logic_error);
-    EXPECT_THROW(point_field({{0, 0}, {1, 0}}, 1.5), std::logic_error);
+    EXPECT_THROW(distance_field(Part{}, 2), std::logic_error);
+    EXPECT_THROW(distance_field(part, 0), std::logic_error);
     EXPECT_THROW(edge_field(part, {}, 2), std::logic_error);
     EXPECT_THROW(edge_field(part, {99}, 2), std::logic_error);
     EXPECT_THROW(point_field({}), std::logic_error);

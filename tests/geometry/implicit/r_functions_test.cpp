@@ -70,31 +70,41 @@ TEST(RFunctions, AreTheFormulasOfTheDissertation) {
             // rounding of the squares under the root, as the direct form passes it on
             const double rounding = 2e-15 * (x * x + y * y + root) / (root * (1 + alpha));
             EXPECT_NEAR(conjunction(x, y, alpha), (x + y - root) / (1 + alpha), rounding);
+            EXPECT_NEAR(disjunction(x, y, alpha), (x + y + root) / (1 + alpha), rounding);
         }
 }
 
 TEST(RFunctions, HaveTheSignsOfTheBooleans) {
     for (const double alpha : alphas)
-        for (const auto& [x, y] : random_pairs(300)) { EXPECT_EQ(conjunction(x, y, alpha) > 0, x > 0 && y > 0); }
+        for (const auto& [x, y] : random_pairs(300)) {
+            EXPECT_EQ(conjunction(x, y, alpha) > 0, x > 0 && y > 0);
+            EXPECT_EQ(disjunction(x, y, alpha) > 0, x > 0 || y > 0);
+            EXPECT_EQ(negation(x) > 0, x < 0);
+        }
 }
 
-TEST(RFunctions, AreMinimumForAlphaOne) {
-    for (const auto& [x, y] : random_pairs(300)) EXPECT_NEAR(conjunction(x, y, 1.0), std::min(x, y), 1e-15);
+TEST(RFunctions, AreMinimumAndMaximumForAlphaOne) {
+    for (const auto& [x, y] : random_pairs(300)) {
+        EXPECT_NEAR(conjunction(x, y, 1.0), std::min(x, y), 1e-15);
+        EXPECT_NEAR(disjunction(x, y, 1.0), std::max(x, y), 1e-15);
+    }
 }
 
 TEST(RFunctions, KeepTinyValuesAndTheirSlope) {
     for (const double alpha : alphas)
         for (const double y : {1e-3, 1.0, 1e3}) {
             EXPECT_EQ(conjunction(0.0, y, alpha), 0);
+            EXPECT_EQ(disjunction(0.0, -y, alpha), 0);
             const double x = 1e-20 * y;
             EXPECT_NEAR(conjunction(x, y, alpha) / x, 1, 1e-14);
+            EXPECT_NEAR(disjunction(x, -y, alpha) / x, 1, 1e-14);
         }
 }
 
 TEST(RFunctions, VanishAtCornersWithoutDerivatives) {
     const Jet x(0, 1, 0, 0, 0, 0), y(0, 0, 1, 0, 0, 0);
     const std::vector<Jet> both{x, y};
-    for (const Jet& w : {conjunction(x, y, 0), equivalence(std::span<const Jet>(both), 2)}) {
+    for (const Jet& w : {conjunction(x, y, 0), disjunction(x, y, 0), equivalence(std::span<const Jet>(both), 2)}) {
         EXPECT_EQ(w.v, 0);
         EXPECT_FALSE(std::isfinite(w.x));
         EXPECT_FALSE(std::isfinite(w.yy));
@@ -104,6 +114,7 @@ TEST(RFunctions, VanishAtCornersWithoutDerivatives) {
 TEST(RFunctions, CoincidentBoundariesLoseTheirNormalisationAsStated) {
     for (const double alpha : {-0.5, 0.0, 0.5}) {
         EXPECT_NEAR(conjunction(0.3, 0.3, alpha), (2 - std::sqrt(2 - 2 * alpha)) / (1 + alpha) * 0.3, 1e-15);
+        EXPECT_EQ(disjunction(0.0, 0.0, alpha), 0);
     }
 }
 
@@ -119,6 +130,7 @@ TEST(RFunctions, JetsAgreeWithEigensNestedAutoDiff) {
         const double corner = std::hypot(ja.v, jb.v);
         for (const double alpha : {-0.5, 0.0, 0.5}) {
             expect_same(conjunction(ja, jb, alpha), conjunction(na, nb, alpha), 1e-12 / corner);
+            expect_same(disjunction(ja, jb, alpha), disjunction(na, nb, alpha), 1e-12 / corner);
         }
     }
 }
