@@ -227,10 +227,7 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
                     own = std::max(own, std::min(c.errors->force, c.errors->pressure));
         }
         // what lifts off goes by where its contacts end, of which energies know little
-        const std::size_t n = out.passes.size();
-        if (n > 1)
-            own = std::max(own, missing_of_displacement * change_of_displacement(out.passes[n - 1], out.passes[n - 2], k) /
-                                    p.max_displacement.value);
+        if (k < error.moved.size()) own = std::max(own, missing_of_displacement * error.moved[k] / p.max_displacement.value);
         p.max_displacement_error = std::min(1.0, own);
     }
     if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;

@@ -133,8 +133,10 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     ErrorEstimate e;
     const PassRecord& now = passes.back();
     e.contacts.resize(now.contacts.size());
+    e.moved.resize(now.moved.size());
     if (passes.size() < 2) return e;
     const PassRecord& before = passes[passes.size() - 2];
+    for (std::size_t k = 0; k < e.moved.size(); ++k) e.moved[k] = change_of_displacement(now, before, k);
     double strongest = 0, largest_peak = 0;  // of all, bonds among them
     double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {

@@ -40,6 +40,7 @@ struct ErrorEstimate {
     std::optional<double> energy;                       ///< strain energy; not by estimate_errors
     std::optional<double> stress;                       ///< in the energy norm: the root of the energy's
     std::vector<double> own_energy{};                   ///< by solved grid: the strain energy's, of that part's own
+    std::vector<double> moved{};             ///< by part of the grids: the largest change of its edges' displacement, absolute
     std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
 };
 

@@ -104,6 +104,7 @@ void append_error(ErrorEstimate& to, const ErrorEstimate& from) {
     take_larger(to.stress, from.stress);
     take_larger(to.largest_stress, from.largest_stress);
     to.own_energy.insert(to.own_energy.end(), from.own_energy.begin(), from.own_energy.end());
+    to.moved.insert(to.moved.end(), from.moved.begin(), from.moved.end());
 }
 
 void append_pass(PassRecord& to, const PassRecord& from) {
