@@ -80,6 +80,7 @@ std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure
     std::vector<PressedStretch> stretches;
     const int n = static_cast<int>(coefficients.size()), p = pressure.degree;
     const double limit = open_fraction * std::max(0.0, coefficients.maxCoeff());
+    const bool has_seam = pressure.knots.front() < pressure.breakpoints.front();  // of a zone that goes all the way round
     for (int k = 0; k < n; ++k) {
         if (!(coefficients[k] > limit)) continue;
         int last = k;
@@ -102,11 +103,11 @@ std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure
         const double most = length / (2 * fit_to), inside = std::nextafter(stretch.end, stretch.begin);
         const auto knots_at = [&](double s) { return std::min(spacing_at(pressure, s), most); };
         if (stretch.from_start)
-            stretch.at_begin = fixed_end(from_begin, length);
+            stretch.at_begin = has_seam ? StretchEnd{} : fixed_end(from_begin, length);
         else
             stretch.begin += free_end(from_begin, knots_at(stretch.begin), stretch.at_begin);
         if (stretch.to_end)
-            stretch.at_end = fixed_end(from_end, length);
+            stretch.at_end = has_seam ? StretchEnd{} : fixed_end(from_end, length);
         else
             stretch.end -= free_end(from_end, knots_at(inside), stretch.at_end);
     }

@@ -13,7 +13,7 @@ struct StretchEnd {
     enum class Kind {
         free,    ///< the gap opens: the pressure ends like the root of the distance
         corner,  ///< the interface ends and the pressure rises towards it: it may have no limit there
-        plain    ///< the interface ends, and nothing happens: a symmetry plane
+        plain    ///< the interface ends, and nothing happens: a symmetry plane, or the seam of one that goes all the way round
     };
     Kind kind = Kind::plain;
     double reach = 0;  ///< how far into the contact the end's own error counts apart from the rest: free ends and corners

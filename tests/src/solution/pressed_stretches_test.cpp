@@ -108,6 +108,19 @@ TEST(PressedStretchs, APressureThatRisesToTheEndStandsAtACorner) {
     EXPECT_EQ(stretches_of(60, [](double) { return 1.0; })[0].at_begin.kind, StretchEnd::Kind::plain);
 }
 
+/// Wherever a zone that goes all the way round begins, there is no end.
+TEST(PressedStretches, ASeamIsNoCorner) {
+    std::vector<double> lines;
+    for (int k = 0; k <= 40; ++k) lines.push_back(k / 40.0);
+    const solver::KnotVector knots = solver::periodic_knots(lines, 2);
+    Eigen::VectorXd c(knots.n_functions());
+    for (int i = 0; i < c.size(); ++i) c[i] = 2 + std::cos(2 * std::numbers::pi * solver::greville(knots, i));
+    const std::vector<PressedStretch> stretches = pressed_stretches(knots, c);
+    ASSERT_EQ(stretches.size(), 1U);
+    EXPECT_EQ(stretches[0].at_begin.kind, StretchEnd::Kind::plain);
+    EXPECT_EQ(stretches[0].at_end.kind, StretchEnd::Kind::plain);
+}
+
 TEST(PressedStretches, TwoStretches) {
     const std::vector<PressedStretch> stretches =
         stretches_of(80, [](double s) { return bump(0.25, 0.15)(s) + bump(0.7, 0.2)(s); });
