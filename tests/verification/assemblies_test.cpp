@@ -41,7 +41,8 @@ void expect_sound(const std::string& kind, std::uint64_t first, std::uint64_t co
             all += "\n  " + line;
         const auto known = differing.find(kind + " " + std::to_string(seed));
         if (known != differing.end()) {
-            std::cout << (all.empty() ? "no longer differs: " : "left out: ") << known->first << ": " << known->second << all << "\n";
+            std::cout << (all.empty() ? "no longer differs: " : "left out: ") << known->first << ": " << known->second << all
+                      << "\n";
             continue;
         }
         EXPECT_TRUE(all.empty()) << kind << " " << seed << ":" << all << "\n" << scene;
