@@ -66,7 +66,8 @@ void fill_contact(const ContactError& e, double of_force, double target, std::si
 
 std::string why_it_ended(const Outcome& out) {
     const PathEnd end = out.end;
-    if (end == PathEnd::too_deep) return out.too_small;
+    if (end == PathEnd::too_deep) return out.why;
+    if (end == PathEnd::finer_failed) return "finer grids gave no answer: " + out.why;
     if (end == PathEnd::out_of_budget && out.next)
         return "the next grids, " + cost_text(*out.next) + ", would go beyond the budget";
     if (end == PathEnd::out_of_cells)
@@ -93,12 +94,6 @@ ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved
         if (!c.at_corner) e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
     }
     return e;
-}
-
-/// What the target is an error of.
-std::optional<double> steering(const ErrorEstimate& e) {
-    if (e.contact_pressure) return std::max(*e.contact_pressure, *e.peak);
-    return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
 }
 
 std::string moved_text(std::size_t k, const Result& result) {

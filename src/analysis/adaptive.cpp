@@ -2,6 +2,7 @@
 #include "src/analysis/adaptive.hpp"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 
 #include "solver/linear_algebra/blas_threads.hpp"
@@ -32,19 +33,54 @@ void tell_pass(const GridWalk& walk, const PassAsk& ask, const AnalyzeOptions& o
     options.progress("pass " + std::to_string(walk.n_passes() + 1) + (ask.cost ? " " + cost_text(*ask.cost) : ""));
 }
 
+/// Takes passes until take_pass says that one was the last. Where one fails by its grids or numbers after others gave answers,
+/// the last of these is taken again, which costs its time but no memory beside the passes after it, and is the end. What
+/// moves because nothing holds it moves on any grid: that is the answer however late it is found.
+template <class TakePass>
+void walk_to_end(std::vector<GridWalk>& walks, TakePass take_pass) {
+    std::vector<GridWalk> good;  // before the last pass with answers
+    for (bool is_last = false; !is_last;) {
+        std::vector<GridWalk> before;
+        for (GridWalk& walk : walks) before.push_back(walk.unsolved());
+        std::string failed;
+        try {
+            is_last = take_pass();
+            for (std::size_t k = walks.size(); k-- > 0;)
+                if (before[k].failed().empty() && !walks[k].failed().empty()) failed = walks[k].failed();
+        } catch (const std::bad_alloc&) {
+            if (good.empty()) throw;
+            failed = "they need more memory than there is";
+        }
+        if (!failed.empty() && !good.empty()) {
+            walks = std::exchange(good, {});
+            for (GridWalk& walk : walks) walk.end_with_next(failed);
+            is_last = false;
+        } else if (!std::equal(walks.begin(), walks.end(), before.begin(), before.end(),
+                               [](const GridWalk& a, const GridWalk& b) { return a.n_widenings() == b.n_widenings(); })) {
+            good.clear();
+        } else if (std::all_of(walks.begin(), walks.end(), [](const GridWalk& w) { return w.is_over() || w.has_answer(); })) {
+            good = std::move(before);
+        }
+    }
+}
+
 /// Nothing where a wider search met parts of other groups: these are one problem.
 std::optional<Outcome> walk_group(const CaseProblem& problem, const PartGroup& group, const std::vector<Candidate>& candidates,
                                   const AnalyzeOptions& options, Stopwatches& seconds) {
     const int threads = solver::usable_threads(options.threads);
-    GridWalk walk(*problem.scene, *problem.conditions, seconds, group, candidates, threads);
-    for (bool is_last = false; !is_last && !walk.meets_others();) {
+    std::vector<GridWalk> walks;
+    walks.emplace_back(*problem.scene, *problem.conditions, seconds, group, candidates, threads);
+    if (walks[0].meets_others()) return std::nullopt;
+    walk_to_end(walks, [&] {
+        GridWalk& walk = walks[0];
         const PassAsk ask = walk.ask();
         tell_pass(walk, ask, options);
-        is_last = walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
-                                       ask.coarseness, seconds, threads));
-    }
-    if (walk.meets_others()) return std::nullopt;
-    return walk.take_outcome();
+        return walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
+                                    ask.coarseness, seconds, threads)) ||
+               walk.meets_others();
+    });
+    if (walks[0].meets_others()) return std::nullopt;
+    return walks[0].take_outcome();
 }
 
 }  // namespace
@@ -84,24 +120,27 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
     const ResolvedConditions held{cases.front().conditions->supports, {}};
     // All answers are of the same last grids. On those before, only cases that lack something are solved: the others have
     // nothing to ask for.
-    std::vector<bool> has_all(cases.size(), false);
-    const auto lacks = [](bool has) { return !has; };
-    while (std::any_of(has_all.begin(), has_all.end(), lacks)) {
+    const auto have_all = [&] {
+        return std::all_of(walks.begin(), walks.end(), [](const GridWalk& w) { return w.is_over(); });
+    };
+    walk_to_end(walks, [&] {
         const PassAsk ask = joined(walks);
         tell_pass(walks.front(), ask, options);
         const SolvedAssembly prepared =
             prepare_parts(unloaded, held, walks.front().candidates(), ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         const auto solve = [&](std::size_t k) {
-            has_all[k] = walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
-                                                                   k > 0 ? &walks[k - 1].last() : nullptr)
-                                                      : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                                   walks[k].ask().parts, prepared, {}, seconds, threads));
+            walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
+                                                      k > 0 ? &walks[k - 1].last() : nullptr)
+                                         : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
+                                                      walks[k].ask().parts, prepared, {}, seconds, threads));
         };
         std::vector<std::size_t> now, later;
-        for (std::size_t k = 0; k < cases.size(); ++k) (has_all[k] && !scene.in_steps ? later : now).push_back(k);
+        for (std::size_t k = 0; k < cases.size(); ++k) (walks[k].is_over() && !scene.in_steps ? later : now).push_back(k);
         std::for_each(now.begin(), now.end(), solve);
-        if (std::none_of(has_all.begin(), has_all.end(), lacks)) std::for_each(later.begin(), later.end(), solve);
-    }
+        if (!have_all()) return false;
+        std::for_each(later.begin(), later.end(), solve);
+        return have_all();
+    });
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {
         outcomes.push_back(walk.take_outcome());

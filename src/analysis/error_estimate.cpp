@@ -128,6 +128,11 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
 
 }  // namespace
 
+std::optional<double> steering(const ErrorEstimate& e) {
+    if (e.contact_pressure) return std::max(*e.contact_pressure, *e.peak);
+    return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
+}
+
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before,
                               std::span<const std::optional<PlanePressure>> theory) {
     ErrorEstimate e;

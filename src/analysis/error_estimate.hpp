@@ -44,6 +44,9 @@ struct ErrorEstimate {
     std::optional<double> largest_stress{};  ///< of the largest von Mises stress, where it has a limit (largest_stress)
 };
 
+/// What the target is an error of.
+std::optional<double> steering(const ErrorEstimate& e);
+
 /// Estimates the errors of the last pass's contacts. passes: those on the same candidates; before: the estimate of the last but
 /// one, which stands where a contact's cells stayed as they were; theory: by candidate, or empty. It knows nothing of the
 /// grids: a solution that is nearer to it than the change says is that near to the truth, but for what both are off by in the

@@ -109,6 +109,25 @@ public:
     const std::vector<Candidate>& candidates() const { return out_.candidates; }
     bool meets_others() const { return meets_others_; }
     std::size_t n_passes() const { return out_.passes.size(); }
+    bool is_over() const { return is_over_; }
+    bool has_answer() const {
+        if (!is_answered_ || any_missed(missed_)) return false;
+        const std::optional<double> error = steering(out_.errors.back());
+        return error && *error <= most_target;
+    }
+    int n_widenings() const { return widenings_; }
+    const std::string& failed() const { return failed_; }
+    std::unique_ptr<Path> unsolved() {
+        SolvedAssembly solved = std::exchange(out_.solved, {}), last = std::exchange(last_, {});
+        auto copy = std::make_unique<Path>(*this);
+        std::swap(out_.solved, solved);
+        std::swap(last_, last);
+        return copy;
+    }
+    void end_with_next(const std::string& finer_failed) {
+        finer_failed_ = finer_failed;
+        is_over_ = false;
+    }
     const SolvedAssembly& last() const { return last_; }
     Outcome take_outcome() {
         recover_stress(out_.solved);
@@ -121,7 +140,10 @@ public:
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         add_uses(out_.uses, now.uses);
-        return step(std::move(now));
+        is_answered_ = false;
+        failed_.clear();
+        is_over_ = step(std::move(now));
+        return is_over_;
     }
 
 private:
@@ -215,6 +237,11 @@ private:
     }
 
     bool end(SolvedAssembly&& now, PathEnd why) {
+        if (!meets_others_ && now.solution.mechanism.empty() && !now.is_lost) {
+            failed_ = now.failure;
+            if (failed_.empty() && !now.solution.converged && now.solution.sliding.empty())
+                failed_ = "the contact iterations did not converge";
+        }
         out_.solved = std::move(now);
         out_.end = why;
         return true;
@@ -337,22 +364,25 @@ private:
 
     /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
     /// displacements have it.
-    std::string lost_part(const SolvedAssembly& now) const {
-        if (!is_solved(now)) return "";
+    void look_for_lost(SolvedAssembly& now) const {
+        if (!is_solved(now)) return;
         for (std::size_t k = 0; k < now.grids.size(); ++k) {
             const solver::RigidMotion motion = rigid_motion_of(now, k);
             const double farthest = motion.translation.norm(), turn = std::abs(motion.rotation);
             if (farthest <= now.grids[k].size && turn <= 1) continue;
-            if (!std::isfinite(farthest + turn))
-                return "the solution of part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
-                       " is no number: a place in it asks for cells that coordinates hardly tell apart. Ask for less accuracy, "
-                       "or round the corner where contact ends";
-            return "part " + scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name +
-                   (turn > 1 ? " turns by more than a radian"
-                             : " moves by " + number_text(farthest, 3) + ", more than its own size,") +
-                   " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest";
+            const std::string& name = scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name;
+            now.is_lost = std::isfinite(farthest + turn);
+            now.failure =
+                now.is_lost
+                    ? "part " + name +
+                          (turn > 1 ? " turns by more than a radian"
+                                    : " moves by " + number_text(farthest, 3) + ", more than its own size,") +
+                          " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest"
+                    : "the solution of part " + name +
+                          " is no number: a place in it asks for cells that coordinates hardly tell apart. Ask for less "
+                          "accuracy, or round the corner where contact ends";
+            return;
         }
-        return "";
     }
 
     /// What slides on the first cells may rest on those that follow the contacts; where it does not, that is the motion.
@@ -387,8 +417,13 @@ private:
         out_.search_too_short = !stuck && searches_contacts(scene_) && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         tell_sliding(now);
-        if (now.failure.empty() && !slides) now.failure = lost_part(now);
+        if (now.failure.empty() && !slides) look_for_lost(now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
+        is_answered_ = now.solution.converged;
+        if (!finer_failed_.empty()) {
+            out_.why = finer_failed_;
+            return end(std::move(now), PathEnd::finer_failed);
+        }
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
         if (!is_in_contact(now)) return step_without_contact(std::move(now));
@@ -420,18 +455,17 @@ private:
     bool end_too_deep(SolvedAssembly&& now) {
         for (const PartOnGrid& g : now.grids)
             if (g.too_fine > 0)
-                out_.too_small +=
-                    (out_.too_small.empty() ? "a contact or another place is too small beside its part: it asks for "
-                                              "cells below what coordinates can tell apart, of "
-                                            : ", ") +
-                    number_text(g.too_fine, 2) + " in " + scene_.parts[static_cast<std::size_t>(g.part)].name + " (" +
-                    number_text(g.too_fine / g.size, 2) + " of its size)";
-        out_.too_small += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
+                out_.why += (out_.why.empty() ? "a contact or another place is too small beside its part: it asks for "
+                                                "cells below what coordinates can tell apart, of "
+                                              : ", ") +
+                            number_text(g.too_fine, 2) + " in " + scene_.parts[static_cast<std::size_t>(g.part)].name + " (" +
+                            number_text(g.too_fine / g.size, 2) + " of its size)";
+        out_.why += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
         const auto could_be_aimed_at = [](const ErrorEstimate& e) {
             return e.contact_pressure && std::max(*e.contact_pressure, *e.peak) <= most_target;
         };
         if (out_.errors.back().contact_pressure && std::none_of(out_.errors.begin(), out_.errors.end(), could_be_aimed_at))
-            now.failure = out_.too_small;
+            now.failure = out_.why;
         return end(std::move(now), PathEnd::too_deep);
     }
 
@@ -491,6 +525,8 @@ private:
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
     int widenings_ = 0;
+    bool is_over_ = false, is_answered_ = false;
+    std::string failed_, finer_failed_;
     bool meets_others_ = false;
     std::size_t comparable_from_ = 0;  // passes before have other candidates
     std::size_t settled_from_ = 0;     // passes before closed or missed other contacts
@@ -499,6 +535,7 @@ private:
 GridWalk::GridWalk(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,
                    const std::vector<Candidate>& candidates, int threads)
     : path_(std::make_unique<Path>(scene, conditions, seconds, std::move(group), candidates, threads)) {}
+GridWalk::GridWalk(std::unique_ptr<Path> path) : path_(std::move(path)) {}
 GridWalk::GridWalk(GridWalk&&) noexcept = default;
 GridWalk& GridWalk::operator=(GridWalk&&) noexcept = default;
 GridWalk::~GridWalk() = default;
@@ -511,6 +548,24 @@ const std::vector<Candidate>& GridWalk::candidates() const {
 }
 bool GridWalk::take(SolvedAssembly solved) {
     return path_->take(std::move(solved));
+}
+bool GridWalk::is_over() const {
+    return path_->is_over();
+}
+bool GridWalk::has_answer() const {
+    return path_->has_answer();
+}
+int GridWalk::n_widenings() const {
+    return path_->n_widenings();
+}
+const std::string& GridWalk::failed() const {
+    return path_->failed();
+}
+GridWalk GridWalk::unsolved() {
+    return GridWalk(path_->unsolved());
+}
+void GridWalk::end_with_next(const std::string& finer_failed) {
+    path_->end_with_next(finer_failed);
 }
 bool GridWalk::meets_others() const {
     return path_->meets_others();

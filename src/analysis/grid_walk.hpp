@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "src/analysis/outcome.hpp"
@@ -38,6 +39,16 @@ public:
     /// Takes a solution on grids that are as fine as asked for, or finer. True: it may be the last one, and is if no other
     /// follows.
     bool take(SolvedAssembly solved);
+    bool is_over() const;  ///< as take said last
+    /// Has the last solution taken an answer, with an error that somebody could aim at?
+    bool has_answer() const;
+    int n_widenings() const;  ///< of the search: answers before have other candidates
+    /// What failed where the walk is over: the grids or numbers of the last solution. Empty: nothing, or mechanics.
+    const std::string& failed() const;
+    /// The walk as it stands, without what it has solved.
+    GridWalk unsolved();
+    /// Whatever the next pass gives is the last, since finer ones failed so.
+    void end_with_next(const std::string& finer_failed);
     /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.
     bool meets_others() const;
     std::size_t n_passes() const;
@@ -48,6 +59,7 @@ public:
 
 private:
     class Path;
+    explicit GridWalk(std::unique_ptr<Path> path);
     std::unique_ptr<Path> path_;
 };
 

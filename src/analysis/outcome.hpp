@@ -24,7 +24,8 @@ enum class PathEnd {
     out_of_cells,   ///< the grids may have no more cells
     out_of_passes,  ///< the errors do not fall: the pressure has no limit somewhere
     out_of_digits,  ///< rounding hides what finer grids would change
-    out_of_budget   ///< the next grids would take more time or memory than the user gives
+    out_of_budget,  ///< the next grids would take more time or memory than the user gives
+    finer_failed    ///< the next grids gave no answer
 };
 
 /// The last solution with its stresses and errors, and the way there.
@@ -37,7 +38,7 @@ struct Outcome {
     EffectUses uses;  ///< of all passes and searches
     PathEnd end = PathEnd::no_need;
     std::optional<PassCost> next{};     ///< of the next pass, where the user gives a budget
-    std::string too_small{};            ///< what asks for cells that are too small, where that is the end
+    std::string why{};                  ///< where that is the end: what asks for too small cells, or failed on finer grids
     double target = 0;                  ///< estimated relative error aimed at
     bool search_too_short = false;      ///< contact reaches the end of what was searched
     std::vector<SeenContact> seen{};    ///< of the last solution, by contact

@@ -199,7 +199,7 @@ Outcome merged(std::vector<Outcome> groups) {
         whole.iterations += g.iterations;
         whole.end = worse(whole.end, g.end);
         if (g.end == PathEnd::out_of_budget) whole.next = g.next;
-        if (whole.too_small.empty()) whole.too_small = g.too_small;
+        if (whole.why.empty()) whole.why = g.why;
         whole.search_too_short = whole.search_too_short || g.search_too_short;
     }
     sort_contacts(whole);

@@ -62,6 +62,7 @@ SolvedAssembly solve_step(const StepOnGrids& step, const SolvedAssembly* before)
     SolvedAssembly none;
     none.solver_part.assign(step.scene.parts.size(), -1);
     none.failure = "the step before it, '" + step.scene.cases[step.step - 1].name + "', has no answer";
+    none.is_lost = true;  // as it is, or for what is told of that step
     return none;
 }
 

@@ -128,6 +128,7 @@ private:
                 solved_.failure = "part " + name(k) +
                                   " cannot be tightened: nothing presses back on it however far it is shortened; see that both "
                                   "its ends meet other parts or supports";
+            solved_.is_lost = !solved_.failure.empty();
         }
         return step;
     }
@@ -148,7 +149,8 @@ private:
                 force[k] = solver::force_across(pull(k), solution.displacement[at(cut(k).grid)]);
             pull(k).shortening = 0;
         }
-        if (!solution.mechanism.empty())
+        solved_.is_lost = !solution.mechanism.empty();
+        if (solved_.is_lost)
             solved_.failure = "tightening moves part " +
                               scene_.parts[at(solved_.grids[at(solution.mechanism.front().part)].part)].name +
                               ", which nothing holds; see that all that a preload clamps lies between parts or supports";

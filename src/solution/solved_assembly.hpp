@@ -36,6 +36,7 @@ struct SolvedAssembly {
     PressedStretches stretches;
     std::vector<PreloadState> preloads;
     std::string failure;               ///< not empty: not solvable, and why
+    bool is_lost = false;              ///< that is no matter of grids or numbers: something moves that nothing holds
     int refined_for_walls = 0;         ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;                   ///< of the effects' code in this pass
     int increments = 1;                ///< of the step that this is the end of

@@ -89,9 +89,11 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
                                      {PathEnd::out_of_passes, "do not bring it down"},
                                      {PathEnd::out_of_digits, "rounding"},
                                      {PathEnd::out_of_budget, "of about 12000 unknowns, in 3.1 s and 0.036 GB"},
+                                     {PathEnd::finer_failed, "gave no answer: a basis"},
                                      {PathEnd::fixed_grids, "adapt"}}) {
         Outcome out = outcome(0.03, 0.002, end);
         if (end == PathEnd::out_of_budget) out.next = PassCost{12000, 3.1, 36e6};
+        if (end == PathEnd::finer_failed) out.why = "a basis";
         const Result result = filled(out);
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;

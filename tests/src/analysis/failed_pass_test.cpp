@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Passes that fail after others gave answers.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <new>
+#include <string>
+
+#include "src/analysis/analysis.hpp"
+#include "src/analysis/grid_walk.hpp"
+#include "src/plan/plan.hpp"
+#include "src/scene/read_scene.hpp"
+
+namespace abut::failed_pass_test {
+namespace {
+
+Scene scene_named(const std::string& name) {
+    Scene scene = read_scene(std::string(ABUT_SOURCE_DIR) + "/data/scenes/" + name);
+    scene.accuracy.target = 0.002;
+    return scene;
+}
+
+/// Memory that ends with the pass of that number.
+AnalyzeOptions without_memory_from(int pass) {
+    AnalyzeOptions options;
+    options.progress = [n = 0, pass](const std::string&) mutable {
+        if (++n == pass) throw std::bad_alloc();
+    };
+    return options;
+}
+
+/// What a walk over solutions that are changed so says of its end; all ends of contact are at corners.
+template <class Change>
+std::string failed_by(Change change) {
+    const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [
+        {"name": "low", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [4, 1]}}},
+        {"name": "high", "material": "m", "geometry": {"rectangle": {"min": [1, 1], "max": [3, 2]}}}],
+        "supports": [{"on": "low/bottom", "fix": ["x", "y"]}, {"on": "high/left", "fix": ["x"]}],
+        "loads": [{"on": "high/top", "pressure": 10}]})", "");
+    const ResolvedConditions conditions = resolve_conditions(scene);
+    Stopwatches seconds;
+    EffectUses uses;
+    GridWalk walk(scene, conditions, seconds, PartGroup(scene.parts.size(), true), search_scene(scene, 1, seconds, uses), 1);
+    for (bool is_over = false; !is_over;) {
+        const PassAsk ask = walk.ask();
+        SolvedAssembly s = solve_pass(scene, conditions, walk.candidates(), ask.parts, ask.wanted, ask.coarseness, seconds);
+        change(s);
+        is_over = walk.take(std::move(s));
+    }
+    return walk.failed();
+}
+
+}  // namespace
+
+TEST(FailedPass, TheLastAnswerStandsAndSaysWhatFailed) {
+    const Scene scene = scene_named("vise.json");
+    const Result whole = analyze(scene, {}), cut = analyze(scene, without_memory_from(4));
+    ASSERT_GE(whole.passes.size(), 4u);
+    ASSERT_EQ(cut.status, "ok") << cut.message;
+    EXPECT_FALSE(cut.accuracy.reached);
+    EXPECT_NE(cut.accuracy.why.find("more memory than there is"), std::string::npos) << cut.accuracy.why;
+    ASSERT_FALSE(cut.reasons.empty());
+    EXPECT_EQ(cut.reasons[0].kind, "accuracy");
+    // the same grids, and the same answer on them
+    ASSERT_EQ(cut.passes.size(), 3u);
+    EXPECT_EQ(cut.passes[2].unknowns, whole.passes[2].unknowns);
+    EXPECT_EQ(cut.accuracy.estimate, whole.passes[2].estimated_error);
+    EXPECT_FALSE(cut.fields.empty());
+}
+
+TEST(FailedPass, TheFirstPassesFailAsAWhole) {
+    const Scene scene = scene_named("vise.json");
+    EXPECT_THROW(analyze(scene, without_memory_from(1)), std::bad_alloc);
+    EXPECT_THROW(analyze(scene, without_memory_from(2)), std::bad_alloc);  // of the first nobody knows the error
+}
+
+TEST(FailedPass, CasesEndOnTheSameGrids) {
+    const Scene scene = scene_named("pin_bracket_cases.json");
+    const std::vector<CaseResult> cut = analyze_cases(scene, without_memory_from(4));
+    for (const CaseResult& c : cut) {
+        ASSERT_EQ(c.result.status, "ok") << c.result.message;
+        EXPECT_EQ(c.result.passes.size(), 3u);
+        EXPECT_EQ(c.result.passes.back().unknowns, cut[0].result.passes.back().unknowns);
+        EXPECT_FALSE(c.result.fields.empty());
+    }
+    EXPECT_NE(cut[0].result.accuracy.why.find("more memory than there is"), std::string::npos);
+}
+
+TEST(FailedPass, GridsAndNumbersFailButMechanicsAreTheAnswer) {
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) { s.failure = "no basis"; }), "no basis");
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) { s.solution.converged = false; }), "the contact iterations did not converge");
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) {
+                  for (Eigen::VectorXd& u : s.solution.displacement) u.array() *= std::numeric_limits<double>::quiet_NaN();
+              }).substr(0, 16),
+              "the solution of ");
+    EXPECT_EQ(failed_by([](SolvedAssembly&) {}), "");
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) { s.solution.mechanism.push_back({}); }), "");
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) {
+                  s.failure = "tightening moves part a";
+                  s.is_lost = true;
+              }),
+              "");
+    EXPECT_EQ(failed_by([](SolvedAssembly& s) { s.solution.displacement[0].array() += 100; }), "");  // farther than its size
+}
+
+}  // namespace abut::failed_pass_test
