@@ -113,13 +113,13 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
            "what leads and turns is known of every part");
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
-    const auto resists_turn = [&](const MovingPart& p) { return !by.turns.empty() && by.turns[at(p.part)] > 0; };
+    const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
     Index n = static_cast<Index>(gaps.size()) + moving.n;
     for (const MovingPart& p : moving.list) {
         smallest = std::min(smallest, p.size);
         pull += p.pull;
         for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
-        n += resists_turn(p) ? 1 : 0;
+        n += turn_back(p) > 0 ? 1 : 0;
     }
     if (pull == 0) pull = 1;  // prescribed motions alone
     const double stiffness = pull / (by.closing * smallest);
@@ -133,7 +133,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
         constexpr Index turn = 2;
-        if (resists_turn(p)) rows.lead(p, turn, 0, by.turns[at(p.part)] / (p.arm * p.arm));
+        if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
         for (Index j = p.first; j < p.first + p.n(); ++j)
@@ -215,7 +215,6 @@ Step step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, con
             step.amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(settled.amplitudes);
         add_turns(own, rows, settled.multipliers, step.turns);
     }
-    for (double& turn : step.turns) turn = std::max(turn, 0.0);
     return step;
 }
 

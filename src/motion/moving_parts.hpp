@@ -50,8 +50,9 @@ inline constexpr double step_fraction = 0.1;
 /// drag: of the parts' loads over a step's length, on every motion.
 struct Resisted {
     double closing, drag;
-    std::vector<double> turns{};  ///< by part: moment over a turn that forces in the gaps resist it by; empty: not known
-    Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
+    std::vector<double>
+        turns{};  ///< by part: moment over a turn that forces in the gaps resist it by, beside loads; empty: not known
+    Eigen::VectorXd towards{};  ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
@@ -62,7 +63,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);
 /// A step, and the moment over a turn that the forces in its gaps resist a turn of each part by: those that stretch it turn it
-/// back, as a link between its pins, which its gaps alone would let go. 0 where they do not.
+/// back, as a link between its pins, which its gaps alone would let go. Below 0 where they press it.
 struct Step {
     Eigen::VectorXd amplitudes;
     std::vector<double> turns;  ///< by part of the scene

@@ -28,7 +28,7 @@ struct LoadSum {
     }
     RigidLoad resultant() const {
         return {load.force.norm() > balanced * forces ? load.force : Vec2(0, 0),
-                std::abs(load.moment) > balanced * moments ? load.moment : 0};
+                std::abs(load.moment) > balanced * moments ? load.moment : 0, load.stretch};
     }
 };
 
@@ -38,6 +38,7 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
     const geometry::GaussRule& rule = geometry::gauss_rule(points);
     if (portions.empty()) return;
     const EdgeTraction spread = edge_traction(scene, load, portions);
+    const bool keeps_direction = load.kind == Load::Kind::traction || load.kind == Load::Kind::edge_force;
     for (const EdgePortion& p : portions) {
         const geometry::Curve& curve = part_of(scene, p.part).edges[at(p.edge)].curve;
         const double h = (p.t1 - p.t0) / pieces;
@@ -47,7 +48,9 @@ void add_edge_load(const Scene& scene, const Load& load, const std::vector<EdgeP
                 const Vec2 x = point(curve, t);
                 const double area = h * rule.weights[q] * derivative(curve, t).norm() * scene_part(scene, p.part).thickness;
                 const Vec2 force = area * traction_at(load, spread, x, outward_normal(curve, t));
-                on[at(p.part)].add(force, geometry::cross(x - centers[at(p.part)], force));
+                const Vec2 arm = x - centers[at(p.part)];
+                on[at(p.part)].add(force, geometry::cross(arm, force));
+                if (keeps_direction) on[at(p.part)].load.stretch += arm.dot(force);
             }
     }
 }

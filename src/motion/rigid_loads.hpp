@@ -11,6 +11,9 @@ namespace abut {
 struct RigidLoad {
     Vec2 force{0, 0};
     double moment = 0;  ///< about the part's centroid
+    /// What the moment falls by over a turn of the part: forces that keep their direction turn back what they stretch. Of those
+    /// that are given; pressures go along, and what acts in the centroid does neither.
+    double stretch = 0;
 };
 
 /// The resultant of the loads on each part. Loads that vary by the place are not resolved (why_not_followed).

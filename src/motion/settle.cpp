@@ -239,7 +239,8 @@ private:
                 if (group[i] != number) continue;
                 const MovingPart& b = moving_.list[i];
                 const Eigen::Vector3d m = b.motion(a);
-                sum += b.load.force.dot(Placement{share * m[2], {0, 0}}.turned(m.head<2>())) + b.load.moment * m[2];
+                sum += b.load.force.dot(Placement{share * m[2], {0, 0}}.turned(m.head<2>())) +
+                       (b.load.moment - b.load.stretch * std::sin(share * m[2])) * m[2];
             }
             return sum;
         };

@@ -239,6 +239,24 @@ TEST(Settle, AnArmHangsBelowItsPin) {
     EXPECT_NE(upright.why.find("unstable"), std::string::npos) << upright.why;
 }
 
+TEST(Settle, WhatIsPulledApartTurnsBackByItsLoads) {
+    // about the middle of the slot's end: 1000 (40 s + 7.5 c) + 2000 (60 s + 7.5 c) = 0
+    const double turn = -std::atan(22.5 / 160);
+    const std::string plate = part(
+        "plate", R"({"difference": [{"polygon": [[-50, -15], [50, -15], [50, 0], [50, 15], [-50, 15], [-50, 0]], "name": "o"},
+                         {"slot": {"from": [-10, 0], "to": [10, 0], "radius": 5}, "name": "s"}]})");
+    for (const double r : {4.5, 4.99})
+        for (const double x : {0.0, 10.0}) {
+            const std::string bolt = part(
+                "bolt", R"({"circle": {"center": [)" + std::to_string(x) + R"(, 0], "radius": )" + std::to_string(r) + "}}");
+            const Settling settling = settling_of(
+                scene_of(plate + ", " + bolt, R"({"part": "bolt", "rigid": {"translation": [0, 0], "rotation": 0}})",
+                         R"({"on": "plate/o/e2", "force": [1000, 0]}, {"on": "plate/o/e5", "force": [-2000, 0]})"));
+            ASSERT_EQ(settling.end, Settling::End::rests) << r << " " << x << settling.why;
+            EXPECT_NEAR(settling.placements.at(0).angle, turn, 1e-4);
+        }
+}
+
 TEST(Settle, AColumnOfManyDiscsIsUnstable) {
     constexpr int n = 50;
     std::string parts = floor_part;
@@ -399,6 +417,15 @@ TEST(RigidLoads, AreForcesAndMomentsAboutTheMiddle) {
     const RigidLoad load = rigid_loads(scene, resolve_conditions(scene)).at(0);
     EXPECT_NEAR((load.force - Vec2(-3 * 2 + 4, -10 * 2 * 8)).norm(), 0, 1e-11);
     EXPECT_NEAR(load.moment, 7 - 4 * 1, 1e-11);
+    EXPECT_NEAR(load.stretch, 0, 1e-11);
+}
+
+TEST(RigidLoads, TurnBackWhatTheyStretch) {
+    const Scene scene = scene_of(part("plate", R"({"rectangle": {"min": [1, 2], "max": [5, 4]}})"),
+                                 R"({"on": "plate/bottom", "fix": ["x", "y"]})",
+                                 R"({"on": "plate/right", "traction": [3, 0]}, {"on": "plate/left", "force": [-5, 0]},
+                                    {"on": "plate/top", "force": [2, -4]}, {"on": "plate/right", "pressure": 3})");
+    EXPECT_NEAR(rigid_loads(scene, resolve_conditions(scene)).at(0).stretch, 3 * 2 * 2 + 5 * 2 - 4 * 1, 1e-11);
 }
 
 }  // namespace
