@@ -90,6 +90,7 @@ void pair_end(const Part& part1, const Part& part2, const FacingZone& zone, doub
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
     ENSURE(zone.begin1 < zone.end1 && !zone.chain1.edges.empty() && !zone.chain2.edges.empty(),
            "a zone is a stretch of two chains");
+    const FacingZone found = zone;
     zone.at_corner = is_gap_least_at_corner(part1, part2, zone);
     zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
                       flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
@@ -101,7 +102,8 @@ FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
     } else {
         pair_end(part1, part2, zone, zone.end1, zone.end2);
     }
-    return zone;
+    const bool has_pairs = zone.begin1 < zone.end1 && zone.begin2 > zone.end2;
+    return has_pairs ? zone : found;
 }
 
 }  // namespace abut::geometry

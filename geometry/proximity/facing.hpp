@@ -97,7 +97,8 @@ std::vector<FacingZone> find_own_facing_zones(const Part& part, double distance)
 
 /// The zone with pairs along the lines that contact forces act on, its ends paired anew. Where its gap is least at a corner of
 /// one side the other side lends its normal to all of it: a corner's curvature has no bound. Where both sides are straight, the
-/// side that is nowhere curved in the zone does.
+/// side that is nowhere curved in the zone does. A zone beside a corner that these lines pass by, so that its ends would pass
+/// each other, stays as it was found.
 FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone);
 
 }  // namespace abut::geometry

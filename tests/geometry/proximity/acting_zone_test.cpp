@@ -98,5 +98,32 @@ TEST(ActingZone, ExchangingThePartsGivesTheSamePairs) {
     }
 }
 
+TEST(ActingZone, NoneIsInsideOut) {
+    // wedges whose tips lie beyond the end of an arc: its normals may have no pair on the faces that its middle normals meet
+    const auto direction = [](double angle) { return Vec2(std::cos(angle), std::sin(angle)); };
+    constexpr double up = 0.5 * std::numbers::pi, half = 0.5, steep = 1.2;
+    const Vec2 right = direction(up - half), left = direction(up + half), below(0, -0.5);
+    Part dome;
+    test::add_loop(dome, {Arc{{0, 0}, 1, up - half, 2 * half}, Segment{left, left + below},
+                          Segment{left + below, right + below}, Segment{right + below, right}});
+    int n_zones = 0;
+    for (const double at : {0.5, 0.53, 0.56, 0.6})
+        for (const double tilt : {-0.5, -0.3, -0.1, 0.0, 0.2, 0.4})
+            for (const double gap : {0.05, 0.1, 0.15})
+                for (const double side : {0.3, 1.0}) {
+                    const Vec2 tip = (1 + gap) * direction(up + at);
+                    const double axis = up + at + tilt;
+                    const Part wedge = polygon({tip + side * direction(axis + steep), tip, tip + side * direction(axis - steep),
+                                                tip + 3 * direction(axis)});
+                    for (const auto& [a, b] : {std::pair<const Part*, const Part*>(&dome, &wedge), {&wedge, &dome}})
+                        for (const FacingZone& zone : acting_zones(*a, *b, 0.25)) {
+                            ++n_zones;
+                            EXPECT_LT(zone.begin1, zone.end1) << at << " " << tilt << " " << gap << " " << side;
+                            EXPECT_GT(zone.begin2, zone.end2) << at << " " << tilt << " " << gap << " " << side;
+                        }
+                }
+    EXPECT_GT(n_zones, 100);
+}
+
 }  // namespace
 }  // namespace abut::geometry::acting_zone_test
