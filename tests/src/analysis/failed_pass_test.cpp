@@ -36,7 +36,8 @@ std::string failed_by(Change change) {
         {"name": "low", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [4, 1]}}},
         {"name": "high", "material": "m", "geometry": {"rectangle": {"min": [1, 1], "max": [3, 2]}}}],
         "supports": [{"on": "low/bottom", "fix": ["x", "y"]}, {"on": "high/left", "fix": ["x"]}],
-        "loads": [{"on": "high/top", "pressure": 10}]})", "");
+        "loads": [{"on": "high/top", "pressure": 10}]})",
+                                        "");
     const ResolvedConditions conditions = resolve_conditions(scene);
     Stopwatches seconds;
     EffectUses uses;
