@@ -118,10 +118,12 @@ public:
     int n_widenings() const { return widenings_; }
     const std::string& failed() const { return failed_; }
     std::unique_ptr<Path> unsolved() {
-        SolvedAssembly solved = std::exchange(out_.solved, {}), last = std::exchange(last_, {});
+        auto solved = std::exchange(out_.solved, {}), last = std::exchange(last_, {});
+        auto stress = std::exchange(out_.stress, {});  // as large as the solution, and the next pass begins without
         auto copy = std::make_unique<Path>(*this);
         std::swap(out_.solved, solved);
         std::swap(last_, last);
+        std::swap(out_.stress, stress);
         return copy;
     }
     void end_with_next(const std::string& finer_failed) {

@@ -50,9 +50,8 @@ inline constexpr double step_fraction = 0.1;
 /// drag: of the parts' loads over a step's length, on every motion.
 struct Resisted {
     double closing, drag;
-    std::vector<double>
-        turns{};  ///< by part: moment over a turn that forces in the gaps resist it by, beside loads; empty: not known
-    Eigen::VectorXd towards{};  ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
+    std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
+    Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
