@@ -58,6 +58,12 @@ TEST(AccuracyResults, ForcesErrLikeTheEnergyAndNoLessThanTheirChangeSays) {
     }
 }
 
+TEST(AccuracyResults, WhatHardlyMissesTheTargetIsToldFromIt) {
+    const Result result = filled(outcome(0.010004, 0.002, PathEnd::out_of_passes));
+    ASSERT_FALSE(result.reasons.empty());
+    EXPECT_NE(result.reasons[0].text.find("known to 1.0004 %, not to 1 %"), std::string::npos) << result.reasons[0].text;
+}
+
 TEST(AccuracyResults, ReachedTargetsWarnOfNothing) {
     const Result result = filled(outcome(0.008, 0.002, PathEnd::reached));
     EXPECT_TRUE(result.warnings.empty());
