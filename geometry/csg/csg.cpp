@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "geometry/brep/touching_loops.hpp"
@@ -152,6 +153,15 @@ MergedBoundary merged_boundary(const CsgNode& tree, const std::vector<Primitive>
 }
 
 }  // namespace
+
+CsgNode moved(CsgNode tree, double c, double s, const Vec2& d) {
+    Placed place;
+    place.rotate = std::atan2(s, c) * (180 / std::numbers::pi);
+    place.translate = d;
+    const std::string where = tree.where;
+    place.of.push_back(std::move(tree));
+    return {std::move(place), "", where};
+}
 
 CsgResult evaluate(const CsgNode& tree) {
     CsgResult result;

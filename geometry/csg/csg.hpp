@@ -76,6 +76,9 @@ struct CsgNode {
     std::string where;  ///< JSON pointer of the node, for errors
 };
 
+/// The tree rotated about the origin by the angle of cosine c and sine s, then moved by d.
+CsgNode moved(CsgNode tree, double c, double s, const Vec2& d);
+
 /// What is wrong with a model, and where in the plane.
 struct GeometryProblem {
     std::string where;  ///< JSON pointer or edge names

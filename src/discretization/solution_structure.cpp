@@ -95,9 +95,16 @@ bool prescribes_zero(const Support& s) {
     return (!s.x || zero(s.value[0])) && (!s.y || zero(s.value[1]));
 }
 
+/// The part's geometry in the grid's frame.
+geometry::CsgNode local_tree(const Scene& scene, const PartOnGrid& g) {
+    const ScenePart& part = scene.parts[at(g.part)];
+    if (!part.tree) return {geometry::Imported{g.local}, "", part.where};
+    return geometry::moved(*part.tree, g.frame.c, -g.frame.s, -g.frame.shift);
+}
+
 std::vector<WeightField> fields_of(const Scene& scene, const HeldByWeight& held, const PartOnGrid& g) {
     if (held.edges.empty()) return {point_weight(held.points, g.size)};
-    return edge_fields(g.local, held.edges, g.size, edge_weights(scene.accuracy.weights));
+    return edge_fields(g.local, held.edges, g.size, edge_weights(scene.accuracy.weights), local_tree(scene, g));
 }
 
 /// phi of a component; empty where nothing but zeros is prescribed.
@@ -120,7 +127,7 @@ JetField data_of(const Scene& scene, const std::vector<HeldByWeight>& held, cons
 /// Untrimmed weights must not hold the part where no support does.
 void check_whole(const Scene& scene, const std::vector<HeldByWeight>& held, const std::vector<int>& edges,
                  const PartOnGrid& g) {
-    const std::optional<int> more = edge_that_holds_more(g.local, edges, g.size);
+    const std::optional<int> more = edge_that_holds_more(g.local, edges, g.size, local_tree(scene, g));
     if (!more) return;
     const auto its = std::find_if(held.begin(), held.end(), [&](const HeldByWeight& h) {
         return std::find(h.edges.begin(), h.edges.end(), *more) != h.edges.end();
@@ -140,7 +147,7 @@ WeightField weight_of(const Scene& scene, const std::vector<HeldByWeight>& held,
     }
     const EdgeWeights how = edge_weights(scene.accuracy.weights);
     if (how == EdgeWeights::r_function) check_whole(scene, held, edges, g);
-    std::vector<WeightField> fields = edge_fields(g.local, edges, g.size, how);
+    std::vector<WeightField> fields = edge_fields(g.local, edges, g.size, how, local_tree(scene, g));
     if (!points.empty()) fields.push_back(point_weight(points, g.size));
     return conjoined(fields);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/implicit/blended_distance.hpp"
+#include "geometry/implicit/node_fields.hpp"
 #include "geometry/implicit/r_functions.hpp"
 #include "src/base/index.hpp"
 
@@ -13,6 +14,7 @@ namespace abut {
 
 namespace {
 
+using geometry::CsgNode;
 using geometry::Curve;
 using geometry::Jet;
 using geometry::Part;
@@ -73,14 +75,7 @@ Jet jet_of(const geometry::FieldValue& f, double unit) {
     return {f.value / unit, f.gradient.x() / unit, f.gradient.y() / unit, 0, 0, 0};
 }
 
-WeightField distance_to(const Part& part, int edge, double size) {
-    const geometry::ImplicitField field = geometry::edge_field(part, {edge}, geometry::leaf_join_order);
-    return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
-}
-
-WeightField whole(const Curve& curve, double size) {
-    const geometry::ImplicitField field = geometry::whole_field(curve);
-    const bool is_linear = std::holds_alternative<Segment>(curve);
+WeightField weight(const geometry::ImplicitField& field, double size, bool is_linear = false) {
     return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, is_linear};
 }
 
@@ -103,23 +98,21 @@ bool lies_along(const geometry::ImplicitField& field, const Curve& curve, double
     return std::max(-range.least, range.largest) < merge;
 }
 
-/// Each line, circle or ellipse once.
-std::vector<WeightField> whole_fields(const Part& part, std::vector<int> edges, double size) {
+/// Nodes first, then each line, circle or ellipse once.
+std::vector<WeightField> r_functions(const Part& part, const std::vector<int>& held, double size, const CsgNode& tree) {
     const double merge = geometry::merge_fraction * size;
+    const geometry::HeldNodes nodes = geometry::held_nodes(tree, part, held);
     std::vector<WeightField> fields;
+    for (const geometry::ImplicitField& node : nodes.fields) fields.push_back(weight(node, size));
+    std::vector<int> edges = nodes.rest;
     while (!edges.empty()) {
         const Curve& curve = part.edges[at(edges.front())].curve;
-        fields.push_back(whole(curve, size));
+        fields.push_back(weight(geometry::whole_field(curve), size, std::holds_alternative<Segment>(curve)));
         const geometry::ImplicitField field = geometry::whole_field(curve);
         edges.erase(edges.begin());
         std::erase_if(edges, [&](int e) { return lies_along(field, part.edges[at(e)].curve, merge); });
     }
     return fields;
-}
-
-WeightField blended_weight(const Part& part, const std::vector<int>& edges, double size) {
-    const geometry::ImplicitField field = geometry::blended_edge_distance(part, edges);
-    return {[field, size](const Vec2& p) { return jet_of(geometry::evaluate(field, p), size); }, false};
 }
 
 bool is_finite(const Jet& j) {
@@ -133,9 +126,9 @@ EdgeWeights edge_weights(const std::string& word) {
     return word == "blended" ? EdgeWeights::blended : EdgeWeights::joined;
 }
 
-std::optional<int> edge_that_holds_more(const Part& part, const std::vector<int>& edges, double size) {
+std::optional<int> edge_that_holds_more(const Part& part, const std::vector<int>& edges, double size, const CsgNode& tree) {
     const double merge = geometry::merge_fraction * size;
-    for (const int e : edges) {
+    for (const int e : geometry::held_nodes(tree, part, edges).rest) {
         const geometry::ImplicitField field = geometry::whole_field(part.edges[at(e)].curve);
         for (std::size_t k = 0; k < part.edges.size(); ++k) {
             const FieldRange range = range_along(field, part.edges[k].curve);
@@ -146,10 +139,11 @@ std::optional<int> edge_that_holds_more(const Part& part, const std::vector<int>
     return std::nullopt;
 }
 
-std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& edges, double size, EdgeWeights how) {
+std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& edges, double size, EdgeWeights how,
+                                     const CsgNode& tree) {
     if (edges.empty()) return {};
-    if (how == EdgeWeights::r_function) return whole_fields(part, edges, size);
-    if (how == EdgeWeights::blended) return {blended_weight(part, edges, size)};
+    if (how == EdgeWeights::r_function) return r_functions(part, edges, size, tree);
+    if (how == EdgeWeights::blended) return {weight(geometry::blended_edge_distance(part, edges), size)};
     const double merge = geometry::merge_fraction * size;
     std::vector<WeightField> fields;
     std::vector<int> rest = edges;
@@ -160,7 +154,7 @@ std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& e
         if (std::holds_alternative<Segment>(curve)) on_line = edges_on_hull_line(part, edges, line_of(curve), merge);
         if (on_line.empty()) {
             on_line = {edge};
-            fields.push_back(distance_to(part, edge, size));
+            fields.push_back(weight(geometry::edge_field(part, {edge}, geometry::leaf_join_order), size));
         } else {
             const Line line = line_of(curve);
             fields.push_back({[line, size](const Vec2& p) { return linear(line, size, p); }, true});
@@ -172,8 +166,7 @@ std::vector<WeightField> edge_fields(const Part& part, const std::vector<int>& e
 
 WeightField point_weight(const std::vector<Vec2>& points, double size) {
     const geometry::ImplicitField field = geometry::point_field(points);
-    const double unit = size * size;
-    return {[field, unit](const Vec2& p) { return jet_of(geometry::evaluate(field, p), unit); }, false};
+    return weight(field, size * size);
 }
 
 WeightField conjoined(const std::vector<WeightField>& fields) {

@@ -26,19 +26,22 @@ enum class EdgeWeights {
     /// All collinear edges whose line leaves the part on one side, and touches it nowhere else, as one linear field; each other
     /// one as geometry::edge_field, which is trimmed to it. Cost of making it O(edges^2).
     joined,
-    /// The whole lines, circles and ellipses that edges lie on, each once [Grishin10, eqs 4.12-4.13]: nothing is trimmed.
+    /// R-functions of the tree's nodes that the edges bound the part by (geometry::held_nodes); of the others the whole lines,
+    /// circles and ellipses that they lie on, each once [Grishin10, eqs 3.3-3.7, 4.12-4.13]: nothing is trimmed.
     r_function,
     /// One blended distance to all of them [Grishin10, eqs 3.18-3.19].
     blended
 };
 EdgeWeights edge_weights(const std::string& word);
 
-/// The weights of whole edges.
-std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size, EdgeWeights how);
+/// The weights of whole edges. `tree`: what the part is the value of, at the same place; only r_function asks for it.
+std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vector<int>& edges, double size, EdgeWeights how,
+                                     const geometry::CsgNode& tree);
 
-/// The first of the edges whose whole line, circle or ellipse passes through the part where no edge of them is: as an
-/// r_function it would hold the part there, too. Looked at: `whole_samples` points of every edge.
-std::optional<int> edge_that_holds_more(const geometry::Part& part, const std::vector<int>& edges, double size);
+/// The first of the edges whose whole line, circle or ellipse is needed and passes through the part where no edge of them is:
+/// as an r_function it would hold the part there, too. Looked at: `whole_samples` points of every edge.
+std::optional<int> edge_that_holds_more(const geometry::Part& part, const std::vector<int>& edges, double size,
+                                        const geometry::CsgNode& tree);
 inline constexpr int whole_samples = 32;  ///< of circles against splines; one would do between lines
 
 /// The weight of held points: zero at each of them.

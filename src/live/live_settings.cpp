@@ -61,7 +61,7 @@ void move_selection(Selector& selector, const std::string& part, const Vec2& by)
 
 void move_part(Scene& scene, const std::string& name, const Vec2& by) {
     for (ScenePart& part : scene.parts)
-        if (part.name == name) part.part = geometry::transformed(part.part, 1, 0, by);
+        if (part.name == name) turn_and_shift(part, 1, 0, by);
     for (Probe& probe : scene.output.probes)
         if (probe.part == name) probe.at += by;
     for (Support& support : scene.supports) {

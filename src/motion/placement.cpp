@@ -148,7 +148,7 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
         const Placement& p = placements[i];
         if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
         ScenePart& part = scene.parts[i];
-        part.part = geometry::transformed(part.part, direction(p.angle).x(), direction(p.angle).y(), p.shift);
+        turn_and_shift(part, direction(p.angle).x(), direction(p.angle).y(), p.shift);
         for (Probe& probe : scene.output.probes)
             if (probe.part == part.name) probe.at = p.of(probe.at);
         for (Support& support : scene.supports)

@@ -90,19 +90,23 @@ void read_part(SceneReading& reading, Imports& imports, const JsonValue& value, 
     const auto material = material_name ? read_material_name(reading, *material_name, scene) : std::nullopt;
     thickness = member_or(reading, value, "thickness", thickness, read_positive, dimension::length);
     Levels level = member_or(reading, value, "level", Levels(), read_levels);
-    const std::optional<geometry::CsgNode> tree = read_tree(reading, imports, value);
-    if (!tree) return;
+    std::optional<geometry::CsgNode> read = read_tree(reading, imports, value);
+    if (!read) return;
+    const auto tree = std::make_shared<const geometry::CsgNode>(std::move(*read));
     const bool is_array = find_member(value, "array") != nullptr;
     if (copies.empty()) evaluated(reading, value, *tree);  // for its problems
     for (NamedCopy& copy : copies) {
-        if (is_array) copy.place.of.push_back(*tree);
-        std::optional<geometry::CsgResult> result =
-            evaluated(reading, value, is_array ? geometry::CsgNode{std::move(copy.place), "", value.pointer} : *tree);
+        auto own = tree;
+        if (is_array) {
+            copy.place.of.push_back(*tree);
+            own = std::make_shared<const geometry::CsgNode>(geometry::CsgNode{std::move(copy.place), "", value.pointer});
+        }
+        std::optional<geometry::CsgResult> result = evaluated(reading, value, *own);
         if (!result) return;
         result->part.name = copy.name;
         if (!result->repairs.empty()) scene.warnings.push_back(repairs_warning(copy.name, result->repairs));
         scene.parts.push_back({copy.name, std::move(result->part), material.value_or(-1), thickness, value.pointer,
-                               std::move(result->repairs), level});
+                               std::move(result->repairs), level, std::move(own)});
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -47,7 +48,15 @@ struct ScenePart {
     std::string where;                        ///< JSON pointer
     std::vector<geometry::Repair> repairs{};  ///< what its geometry was mended by; those of imports are in Scene::imports
     Levels level{};                           ///< parts without a common one have nothing to do with each other
+    /// What the part is the value of, at its place; none: an import's part, which is known by its edges.
+    std::shared_ptr<const geometry::CsgNode> tree{};
 };
+
+/// Rotates a part about the origin by the angle of cosine c and sine s, then moves it by d.
+inline void turn_and_shift(ScenePart& part, double c, double s, const Vec2& d) {
+    part.part = geometry::transformed(part.part, c, s, d);
+    if (part.tree) part.tree = std::make_shared<const geometry::CsgNode>(geometry::moved(*part.tree, c, s, d));
+}
 
 /// One item of an "on": exactly one of the four ways is set.
 struct Selector {

@@ -176,5 +176,27 @@ TEST(DissertationMethod, RefusesWholeLinesThatGoOnInside) {
     EXPECT_EQ(analyze(scene("blended"), {}).status, "ok");
 }
 
+/// All sides of a window together are the R-function of its rectangle: no line goes on through the part.
+TEST(DissertationMethod, HoldsAWindowByItsTree) {
+    const auto scene = [](const std::string& weights, const std::string& held) {
+        return read_scene_text(
+            R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [{"name": "p", "material": "m",
+            "geometry": {"difference": [{"rectangle": {"min": [0, 0], "max": [6, 4]}, "name": "plate"},
+                                        {"rectangle": {"min": [2, 1], "max": [4, 2]}, "name": "window"}]}}],
+            "supports": [{"on": ")" +
+                held + R"(", "fix": ["x", "y"]}], "loads": [{"on": "p/plate/top", "pressure": 1}],
+            "output": {"probes": [{"part": "p", "at": [3, 3.9]}]},
+            "accuracy": {"method": "dissertation", "cell_size": 0.1, "weights": ")" +
+                weights + "\"}}",
+            "s.json");
+    };
+    const Result tree = analyze(scene("r_function", "p/window/*"), {}), joined = analyze(scene("joined", "p/window/*"), {});
+    ASSERT_EQ(tree.status, "ok") << tree.message;
+    ASSERT_EQ(joined.status, "ok") << joined.message;
+    EXPECT_NE(tree.probes[0].displacement.y(), joined.probes[0].displacement.y());
+    EXPECT_NEAR(tree.probes[0].displacement.y() / joined.probes[0].displacement.y(), 1, 0.02);
+    EXPECT_THROW(analyze(scene("r_function", "p/window/left"), {}), InputError);
+}
+
 }  // namespace
 }  // namespace abut::dissertation_method_test
