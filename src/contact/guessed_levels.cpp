@@ -207,9 +207,24 @@ void tell_empty_eyes(const Scene& scene, const Encounter& m, GuessedLevels& gues
                                     "], \"radius\": " + number_text(eye.radius, digits) + "}}}]"});
 }
 
+/// Do any two parts with holes overlap? Others are no plates that a pin joins; asked first, since it costs far less than all
+/// encounters.
+bool have_overlapping_plates(const Scene& scene) {
+    const SearchDistances distances(scene);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        for (std::size_t k = i + 1; k < scene.parts.size(); ++k) {
+            const geometry::Part &a = scene.parts[i].part, &b = scene.parts[k].part;
+            if (a.loops.size() < 2 || b.loops.size() < 2) continue;
+            const double touching = distances.touching(static_cast<int>(i), static_cast<int>(k));
+            if (overlap(a, b, touching).depth > touching) return true;
+        }
+    return false;
+}
+
 GuessedLevels guess_levels(const Scene& scene, const std::string& what_of_it, const std::string& hint) {
-    const LevelStack stack(scene);
     GuessedLevels guessed{std::vector<Levels>(scene.parts.size()), {}};
+    if (!have_overlapping_plates(scene)) return guessed;
+    const LevelStack stack(scene);
     for (const PartSet& group : stack.groups()) {
         const std::map<int, int> level = stack.levels_of(group);
         const PartSet pins = stack.pins_of(group);
