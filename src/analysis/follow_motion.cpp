@@ -87,7 +87,7 @@ bool is_round(const geometry::Part& part) {
 /// A part that falls over is no longer the assembly that was drawn, however well it is balanced where it comes to lie.
 void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
     constexpr double tipping = std::numbers::pi / 4;  // from there on another side of a square is nearer to where it was
-    if (std::any_of(drawn.supports.begin(), drawn.supports.end(), [&](const Support& s) { return is_led_far(drawn, s); }))
+    if (std::any_of(drawn.supports.begin(), drawn.supports.end(), [](const Support& s) { return s.rigid_rotation.value_or(0) != 0; }))
         return;
     std::vector<Finding> tipped;
     for (std::size_t i = 0; i < drawn.parts.size(); ++i) {
@@ -118,7 +118,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
-        const std::optional<std::vector<Placement>> more = placements_of(drawn, out.solved);
+        const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);

@@ -32,8 +32,9 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
     return motion;
 }
 
-std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved) {
-    if (!why_not_followed(scene).empty()) return std::nullopt;
+std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
+                                                    const SolvedAssembly& solved) {
+    if (!why_not_followed(scene, conditions).empty()) return std::nullopt;
     std::vector<Placement> placements(scene.parts.size());
     bool any = false;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {

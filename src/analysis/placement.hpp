@@ -17,6 +17,7 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 /// Where a solution has the parts that move by more than `placed_fraction` of their own size, by part of the scene that was
 /// solved; others stay: what they move by belongs to the answer, as bending does. Nothing where no part moves so far, or parts
 /// are not followed (why_not_followed).
-std::optional<std::vector<Placement>> placements_of(const Scene& scene, const SolvedAssembly& solved);
+std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
+                                                    const SolvedAssembly& solved);
 
 }  // namespace abut

@@ -131,7 +131,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     for (const MovingPart& p : moving.list) {
         const Lead& lead = leads[at(p.part)];
         for (Index c = 0; c < 3; ++c)
-            if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.left[c], stiffness);
+            if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
         constexpr Index turn = 2;
         if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
@@ -177,7 +177,7 @@ MovingParts only(const MovingParts& moving, const std::vector<int>& group, int n
 
 bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
     return std::any_of(moving.list.begin(), moving.list.end(),
-                       [&](const MovingPart& p) { return leads[at(p.part)].left.norm() > 0; });
+                       [&](const MovingPart& p) { return leads[at(p.part)].to.norm() > 0; });
 }
 
 /// Adds to `turns` what the forces along these gaps resist each part's turning by: the sum of force times the distance that it

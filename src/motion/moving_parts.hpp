@@ -2,20 +2,14 @@
 // The parts of a scene that may move as rigid bodies, and one step of their motion.
 #pragma once
 #include <Eigen/Core>
-#include <array>
 #include <vector>
 
 #include "solver/contact/contact_qp.hpp"
 #include "src/motion/closing_rows.hpp"
+#include "src/motion/leads.hpp"
 #include "src/motion/rigid_loads.hpp"
 
 namespace abut {
-
-/// What supports prescribe of a part's motion (translation of its middle, turn), and what of it is still to come.
-struct Lead {
-    std::array<bool, 3> is_given{false, false, false};
-    Eigen::Vector3d left{0, 0, 0};
-};
 
 /// A part that may move: what its supports leave it to do, about its middle.
 struct MovingPart {
@@ -52,10 +46,11 @@ struct Resisted {
     double closing, drag;
     std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
     Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
+    double leading = 1;           ///< what leads is as stiff as gaps, times this
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
-/// as this step is to go.
+/// as this step is to take them.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
                                const Resisted& by);
 

@@ -8,6 +8,7 @@
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
+#include "src/motion/leads.hpp"
 #include "src/scene/dissertation_method.hpp"
 
 namespace abut {
@@ -32,20 +33,23 @@ bool varies_by_place(const Load& load) {
     return !load.value[0].is_constant() || !load.value[1].is_constant();
 }
 
-bool prescribes_motion(const Support& s) {
-    const auto is_zero = [](const Expression& e) { return e.is_constant() && e.constant() == 0; };
-    if (s.kind == Support::Kind::displacement) return (s.x && !is_zero(s.value[0])) || (s.y && !is_zero(s.value[1]));
-    return s.rigid_x.value_or(0) != 0 || s.rigid_y.value_or(0) != 0 || s.rigid_rotation.value_or(0) != 0;
+/// What is left of a prescribed motion.
+double rest_of(double prescribed, double done, double size) {
+    constexpr double rounding = 1e-11;
+    const double rest = prescribed - done;
+    return std::abs(rest) > rounding * size ? rest : 0;
 }
 
-bool has_small_motion(const Scene& scene) {
-    return std::any_of(scene.supports.begin(), scene.supports.end(),
-                       [&](const Support& s) { return prescribes_motion(s) && !is_led_far(scene, s); });
-}
-
-void hold_there(Support& s) {
-    for (std::optional<double>* value : {&s.rigid_x, &s.rigid_y, &s.rigid_rotation})
-        if (*value) *value = 0;
+/// Supports prescribe motions from where their parts are drawn.
+void take_off(const Placement& p, const ScenePart& drawn, Support& s) {
+    const Vec2 center = centroid(drawn.part), done = p.of(center) - center;
+    const double size = bounding_box(drawn.part).diagonal();
+    if (s.rigid_x) s.rigid_x = rest_of(*s.rigid_x, done.x(), size);
+    if (s.rigid_y) s.rigid_y = rest_of(*s.rigid_y, done.y(), size);
+    if (s.rigid_rotation) s.rigid_rotation = rest_of(*s.rigid_rotation, p.angle, 1);
+    if (s.kind != Support::Kind::displacement || !prescribes_motion(s)) return;
+    if (s.x) s.value[0] = Expression(rest_of(s.value[0].constant(), done.x(), size));
+    if (s.y) s.value[1] = Expression(rest_of(s.value[1].constant(), done.y(), size));
 }
 
 bool is_by_place(const PairRule& rule) {
@@ -107,14 +111,6 @@ bool is_far(const Vec2& translation, double turn, double size) {
     return std::max(translation.norm(), 0.5 * size * std::abs(turn)) > placed_fraction * size || std::abs(turn) > placed_turn;
 }
 
-bool is_led_far(const Scene& scene, const Support& support) {
-    if (support.kind != Support::Kind::rigid) return false;
-    return std::any_of(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& part) {
-        return part.name == support.part && is_far({support.rigid_x.value_or(0), support.rigid_y.value_or(0)},
-                                                   support.rigid_rotation.value_or(0), bounding_box(part.part).diagonal());
-    });
-}
-
 bool has_fits(const ContactOptions& contacts) {
     return contacts.overlap != "report" ||
            std::any_of(contacts.pairs.begin(), contacts.pairs.end(), [](const PairRule& r) { return r.interference != 0; });
@@ -125,14 +121,14 @@ bool has_friction(const ContactOptions& contacts) {
                                                 [](const PairRule& r) { return r.friction.value_or(0) > 0; });
 }
 
-std::string why_not_followed(const Scene& scene) {
+std::string why_not_followed(const Scene& scene, const ResolvedConditions& conditions) {
     if (!scene.follows_motion) return "\"motion\" is \"off\"";
     if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
     if (scene.in_steps && has_friction(scene.contacts)) return "steps with friction are followed from where parts are drawn";
     if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
         return "a load is given by expressions of the place";
-    if (has_small_motion(scene)) return "a support prescribes a motion";
+    if (const std::string why = leads_of(scene, conditions).why_not; !why.empty()) return why;
     const std::vector<PairRule>& rules = scene.contacts.pairs;
     if (std::any_of(rules.begin(), rules.end(), is_by_place)) return "a rule of contacts.pairs is for edges at a place";
     if (std::any_of(rules.begin(), rules.end(), [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; }))
@@ -154,11 +150,15 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
         for (Support& support : scene.supports)
             if (support.part == part.name)
                 for (Vec2& x : support.at) x = p.of(x);
+        for (std::size_t k = 0; k < scene.supports.size(); ++k) {
+            const std::vector<EdgePortion>& on = conditions.supports[k];
+            const bool is_its = scene.supports[k].part == part.name ||
+                                (!on.empty() && on.front().part == static_cast<int>(i));
+            if (is_its) take_off(p, drawn.parts[i], scene.supports[k]);
+        }
         if (const auto grid = scene.accuracy.grids.find(part.name); grid != scene.accuracy.grids.end())
             move_grid(p, grid->second);
     }
-    for (Support& support : scene.supports)
-        if (is_led_far(drawn, support)) hold_there(support);
     for (std::size_t k = 0; k < scene.loads.size(); ++k) move_load(drawn, conditions.loads[k], placements, scene.loads[k]);
     return scene;
 }

@@ -40,21 +40,18 @@ inline constexpr double placed_turn = 0.01;
 /// Is a motion farther than the pairing of edges where a part stood before is good for? size: the diagonal of the part's box.
 bool is_far(const Vec2& translation, double turn, double size);
 
-/// Does a support prescribe so large a motion of its part as a whole that the part is moved there, and held?
-bool is_led_far(const Scene& scene, const Support& support);
-
 /// Has any pair of edges friction?
 bool has_friction(const ContactOptions& contacts);
 /// May any pair of them be pressed apart: by an interference, or since parts are drawn over each other?
 bool has_fits(const ContactOptions& contacts);
 
 /// Why parts are taken where they are drawn, however far they go; empty: they are followed. Something is given that means
-/// another thing elsewhere (a load by expressions of the place, a prescribed motion, a rule for edges near a point), bonds hold
-/// as drawn, or the scene asks for it.
-std::string why_not_followed(const Scene& scene);
+/// another thing elsewhere (a load by expressions of the place, a prescribed motion that deforms its part, a rule for edges near a
+/// point), bonds hold as drawn, or the scene asks for it.
+std::string why_not_followed(const Scene& scene, const ResolvedConditions& conditions);
 
 /// The scene with its parts moved from where they are drawn, by part. What belongs to a part goes with it: probes, held points,
-/// lines of action, cuts, grids; supports that prescribed a large motion hold it there. Edges keep their numbers and
+/// lines of action, cuts, grids; supports prescribe what is left of their motions. Edges keep their numbers and
 /// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements);
 

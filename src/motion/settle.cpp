@@ -34,13 +34,15 @@ constexpr double rest_digits = 1e-11, moved_at_all = 1e-7;
 /// Of a part's loads: what drives it less is the rounding of drawings, and holds as balanced. The drag is that of the loads
 /// over a step's length times a factor between this and one.
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
+/// Of the stiffness of gaps: what leads parts on the way gives way to gaps, and to nothing else.
+constexpr double soft_lead = 1e-3;
 /// Of a part's size: a step that goes less far ends the search.
 constexpr double settled = 1e-4;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
 
-std::string why_not_settled(const Scene& scene) {
-    if (const std::string why = why_not_followed(scene); !why.empty()) return why;
+std::string why_not_settled(const Scene& scene, const ResolvedConditions& conditions) {
+    if (const std::string why = why_not_followed(scene, conditions); !why.empty()) return why;
     if (scene.parts.size() < 2) return "there is nothing to rest on";
     if (has_friction(scene.contacts)) return "friction may hold parts where they are drawn";
     if (has_fits(scene.contacts)) return "fits hold parts where they are drawn";
@@ -75,15 +77,17 @@ public:
           conditions_(conditions),
           rules_(drawn),
           placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from),
-          leads_(drawn.parts.size()) {
+          pushes_(drawn.parts.size(), Vec2(0, 0)) {
         for (const ScenePart& part : drawn.parts) {
             sizes_.push_back(bounding_box(part.part).diagonal());
             centers_.push_back(centroid(part.part));
         }
-        for (Support& s : drawn_.supports)
-            if (is_led_far(drawn_, s)) take_lead(s);
+        paired_ = sizes_;
+        const Leads leads = leads_of(drawn, conditions);
+        leads_ = leads.of;
+        drawn_ = without_leads(drawn, leads);
         scene_ = from.empty() ? drawn_ : placed(drawn_, conditions_, from);
-        moving_ = moving_parts(scene_, conditions_, sizes_);
+        find_moving();
     }
 
     Settling follow(bool to_the_end) {
@@ -95,37 +99,32 @@ public:
         look();
         if (closing_.deepest > precision_fraction && is_as_drawn())
             return {Settling::End::not_asked, "parts overlap where they are drawn"};
-        Settling end = to_the_end || !is_where_led() || goes_far(step_under(least_drag)) ? walk() : rest();
+        Settling end = to_the_end || is_led_far() || goes_far(step_under(least_drag)) ? walk() : rest();
         const bool is_at_rest = end.end == Settling::End::rests || end.end == Settling::End::stays;
         return is_at_rest ? pushed(std::move(end)) : end;
     }
 
 private:
-    /// The support leads its part instead of holding it.
-    void take_lead(Support& s) {
-        for (std::size_t i = 0; i < drawn_.parts.size(); ++i) {
-            if (drawn_.parts[i].name != s.part) continue;
-            const std::array<std::optional<double>*, 3> given{&s.rigid_x, &s.rigid_y, &s.rigid_rotation};
-            for (std::size_t c = 0; c < 3; ++c) {
-                if (!*given[c]) continue;
-                leads_[i].is_given[c] = true;
-                leads_[i].left[static_cast<Index>(c)] = **given[c];
-                given[c]->reset();
-            }
-        }
-    }
-
     bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || is_led()); }
 
     bool is_led() const {
-        return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.left.norm() > 0; });
+        return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.to.norm() > 0; });
+    }
+
+    bool is_led_far() const {
+        const std::vector<Lead> leads = leads_from_here();
+        for (std::size_t i = 0; i < leads.size(); ++i) {
+            const auto way = [&](std::size_t c) { return leads[i].is_given[c] ? leads[i].to[static_cast<Index>(c)] : 0; };
+            if (is_far({way(0), way(1)}, way(2), paired_[i])) return true;
+        }
+        return false;
     }
 
     /// What is still to come of the prescribed motions.
     std::vector<Lead> leads_from_here() const {
         std::vector<Lead> leads = leads_;
         for (std::size_t i = 0; i < leads.size(); ++i)
-            leads[i].left -= Eigen::Vector3d(moved(i).x(), moved(i).y(), placements_[i].angle);
+            leads[i].to -= Eigen::Vector3d(moved(i).x(), moved(i).y(), placements_[i].angle);
         return leads;
     }
 
@@ -133,12 +132,12 @@ private:
     std::vector<Lead> leads_of_step(double share) const {
         std::vector<Lead> leads = leads_from_here();
         for (std::size_t i = 0; i < leads.size(); ++i)
-            leads[i].left *= share / std::max(1.0, steps_to(leads[i], sizes_[i]) / reach_);
+            leads[i].to *= share / std::max(1.0, steps_to(leads[i], sizes_[i]) / reach_);
         return leads;
     }
 
     static double steps_to(const Lead& lead, double size) {
-        Eigen::Vector3d way = lead.left;
+        Eigen::Vector3d way = lead.to;
         way[2] *= 0.5 * size;
         for (std::size_t c = 0; c < 3; ++c)
             if (!lead.is_given[c]) way[static_cast<Index>(c)] = 0;
@@ -169,7 +168,11 @@ private:
         std::vector<double> may_move(scene_.parts.size(), 0);
         for (const MovingPart& b : moving_.list) may_move[at(b.part)] = step_fraction * b.size;
         closing_ = closing_rows(scene_, rules_, may_move);
-        for (ClosingRow& row : closing_.rows) row.gap -= apart_;
+        for (ClosingRow& row : closing_.rows) {
+            row.gap -= apart_;
+            const double smaller = std::min(sizes_[at(row.first)], sizes_[at(row.second)]);
+            for (const int part : {row.first, row.second}) paired_[at(part)] = std::min(paired_[at(part)], smaller);
+        }
     }
 
     bool is_as_drawn() const {
@@ -180,7 +183,7 @@ private:
     /// Is any part far from where it was drawn?
     bool is_placed() const {
         for (std::size_t i = 0; i < placements_.size(); ++i)
-            if (is_far(moved(i), placements_[i].angle, sizes_[i])) return true;
+            if (is_far(moved(i), placements_[i].angle, paired_[i])) return true;
         return false;
     }
 
@@ -193,6 +196,10 @@ private:
         reach_ = 1;
         for (int k = 0; k < max_steps; ++k) {
             VectorXd a = next_step(drag);
+            if (drag <= least_drag && push_where_blocked(a)) {
+                drag = 1;
+                continue;
+            }
             const double far = farthest(a);
             const bool is_near = drag <= least_drag && is_where_led() && far < 0.5 * reach_;
             if (!is_near || (far > before && !relaxation.turns_back(a))) relaxation = {};
@@ -220,6 +227,30 @@ private:
     }
     Settling walk() {
         return walk([] { return false; });
+    }
+
+    /// Parts that are led and do not get there by rigid motions, since something stops them, press on that: from here on they are
+    /// pushed as loads would, and what is left of the way is for the bodies to give in. Is any of them new?
+    bool push_where_blocked(const VectorXd& step) {
+        constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
+        constexpr double strength = 10;     // beside all loads
+        double loads = 0;
+        for (const MovingPart& b : moving_.list) loads += b.pull;
+        bool any = false;
+        const std::vector<Lead> asked = leads_of_step(1);
+        for (const MovingPart& b : moving_.list) {
+            Lead& lead = leads_[at(b.part)];
+            Vec2 way(0, 0);
+            for (int c = 0; c < 2; ++c)
+                if (lead.is_given[at(c)]) way[c] = asked[at(b.part)].to[c];
+            if (way.norm() <= settled * b.size || b.motion(step).head<2>().dot(way) >= gets_there * way.squaredNorm()) continue;
+            for (int c = 0; c < 2; ++c)
+                if (way[c] != 0) lead.is_given[at(c)] = false;
+            pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * way.normalized();
+            any = true;
+        }
+        if (any) find_moving();
+        return any;
     }
 
     /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what
@@ -263,6 +294,7 @@ private:
         constexpr double apart = 3;  // times what the springs are pressed by
         apart_ = apart * spring_closing * *std::min_element(sizes_.begin(), sizes_.end());
         end_leads();
+        leading_ = 1;
         Relaxation relaxation;
         double drag = 1;
         for (int k = 0; k < most_steps; ++k) {
@@ -277,6 +309,7 @@ private:
             if (k + 1 >= least_steps && (far > reach_ || far * step_fraction <= rest_digits)) break;
         }
         apart_ = 0;
+        leading_ = soft_lead;
         end_leads();
     }
 
@@ -370,7 +403,9 @@ private:
     /// the loads drive the step to its end.
     VectorXd step_under(double drag, double share = 0, int most_raises = 0) {
         const auto step = [&] {
-            Step next = step_of(moving_, closing_.rows, leads_of_step(share), {spring_closing, drag, turns_});
+            Resisted by{spring_closing, drag, turns_};
+            by.leading = leading_;
+            Step next = step_of(moving_, closing_.rows, leads_of_step(share), by);
             turns_ = std::move(next.turns);
             return next.amplitudes;
         };
@@ -395,7 +430,7 @@ private:
     bool goes_far(const VectorXd& a) const {
         return std::any_of(moving_.list.begin(), moving_.list.end(), [&](const MovingPart& b) {
             const Eigen::Vector3d motion = b.motion(a);
-            return is_far(motion.head<2>(), motion[2], b.size);
+            return is_far(motion.head<2>(), motion[2], paired_[at(b.part)]);
         });
     }
 
@@ -417,8 +452,18 @@ private:
 
     void put() {
         scene_ = placed(drawn_, conditions_, placements_);
-        moving_ = moving_parts(scene_, conditions_, sizes_);
+        find_moving();
         look();
+    }
+
+    void find_moving() {
+        moving_ = moving_parts(scene_, conditions_, sizes_);
+        for (MovingPart& b : moving_.list) {
+            if (pushes_[at(b.part)] == Vec2(0, 0)) continue;
+            b.load.force += pushes_[at(b.part)];
+            b.pull = b.load.force.norm() + std::abs(b.load.moment) / b.arm;
+            moving_.pull = std::max(moving_.pull, b.pull);
+        }
     }
 
     Vec2 moved(std::size_t part) const { return placements_[part].of(centers_[part]) - centers_[part]; }
@@ -468,7 +513,7 @@ private:
                                           : x || y || turn
                                               ? placements_[i]
                                               : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
-            if (!is_far(moved(i), placements_[i].angle, sizes_[i])) continue;
+            if (!is_far(moved(i), placements_[i].angle, paired_[i])) continue;
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
         }
@@ -486,12 +531,15 @@ private:
     std::vector<Lead> leads_;  // from where parts are drawn
     Scene scene_;              // with the parts there
     std::vector<double> sizes_;
+    std::vector<double> paired_;  // by part: the least size of it and what it came near to
     std::vector<Vec2> centers_;  // as drawn
     MovingParts moving_;
     Closing closing_;
     double reach_ = 1;           // of a step
     std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;
+    std::vector<Vec2> pushes_;  // by part: forces in place of leads that something stops
+    double leading_ = soft_lead;
 };
 
 /// The middle of an assembly that is drawn farther from the origin than it is large: there its coordinates lose the digits that
@@ -506,8 +554,11 @@ std::optional<Vec2> far_middle(const Scene& scene) {
 /// The scene with its parts elsewhere, and its prescribed motions as they were.
 Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Vec2& by) {
     Scene scene = placed(drawn, conditions, std::vector<Placement>(drawn.parts.size(), Placement{0, by}));
-    for (std::size_t i = 0; i < scene.supports.size(); ++i)
-        if (scene.supports[i].kind == Support::Kind::rigid) scene.supports[i] = drawn.supports[i];
+    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+        scene.supports[i].rigid_x = drawn.supports[i].rigid_x;
+        scene.supports[i].rigid_y = drawn.supports[i].rigid_y;
+        scene.supports[i].value = drawn.supports[i].value;
+    }
     return scene;
 }
 
@@ -516,7 +567,7 @@ Scene shifted(const Scene& drawn, const ResolvedConditions& conditions, const Ve
 Settling settle(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& from, bool to_the_end) {
     ENSURE(is_resolved(drawn, conditions), "conditions are resolved for this scene");
     ENSURE(from.empty() || from.size() == drawn.parts.size(), "every part has a place before, or none has");
-    if (const std::string why = why_not_settled(drawn); !why.empty()) return {Settling::End::not_asked, why};
+    if (const std::string why = why_not_settled(drawn, conditions); !why.empty()) return {Settling::End::not_asked, why};
     const std::optional<Vec2> middle = far_middle(drawn);
     if (!middle) return Way(drawn, conditions, from).follow(to_the_end);
     std::vector<Placement> about_middle = from;

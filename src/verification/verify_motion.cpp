@@ -185,6 +185,25 @@ VerifyProblem turned() {
     return problem;
 }
 
+/// Led by edges as far as the bolt, and a hundredth on: what the bodies give in by is all that presses.
+VerifyProblem led() {
+    constexpr double there = 3.05;
+    VerifyProblem problem{"L7-edge",
+                          "a slotted strap led by its end against a bolt, drawn where they touch and elsewhere",
+                          {{"verification/led_strap.json", {{"s", there}}},
+                           {"verification/led_strap.json"},
+                           {"verification/led_strap.json", {{"s", 1.7}}},
+                           {"verification/led_strap.json", {{"s", -2}}}},
+                          {}};
+    for (std::size_t run = 1; run < problem.runs.size(); ++run) {
+        problem.quantities.push_back({"force over that drawn there" + from(run),
+                                      [=](const Answers& a) { return force_of(a, run, 0) / force_of(a, 0, 0); }, 1, statics});
+        problem.quantities.push_back({"peak over that drawn there" + from(run),
+                                      [=](const Answers& a) { return peak_of(a, run, 0) / peak_of(a, 0, 0); }, 1, stated});
+    }
+    return problem;
+}
+
 /// Each from three drawn places.
 std::vector<VerifyProblem> no_rest() {
     const auto named = [](const std::string& part) {
@@ -211,7 +230,7 @@ std::vector<VerifyProblem> no_rest() {
 
 std::vector<VerifyProblem> motion_problems() {
     using namespace verify_motion;
-    std::vector<VerifyProblem> problems{loose_pin(), lever(), groove(), tilted_block(), pile(), turned()};
+    std::vector<VerifyProblem> problems{loose_pin(), lever(), groove(), tilted_block(), pile(), turned(), led()};
     for (VerifyProblem& problem : no_rest()) problems.push_back(std::move(problem));
     return problems;
 }

@@ -84,12 +84,13 @@ TEST(Placement, IsForEveryPartOfTheSceneThatConditionsAreOf) {
 
 TEST(Placement, SaysWhyPartsAreNotFollowed) {
     Scene scene = read_scene_text(scene_text, "s.json");
-    EXPECT_EQ(why_not_followed(scene), "");
+    const ResolvedConditions conditions = resolve_conditions(scene);
+    EXPECT_EQ(why_not_followed(scene, conditions), "");
     scene.follows_motion = false;
-    EXPECT_NE(why_not_followed(scene).find("off"), std::string::npos);
+    EXPECT_NE(why_not_followed(scene, conditions).find("off"), std::string::npos);
     scene.follows_motion = true;
     scene.loads.at(0).value[1] = parse_expression_with_unit("-x", {}, true).value;
-    EXPECT_NE(why_not_followed(scene).find("expressions"), std::string::npos);
+    EXPECT_NE(why_not_followed(scene, conditions).find("expressions"), std::string::npos);
 }
 
 }  // namespace

@@ -379,6 +379,44 @@ TEST(Settle, PrescribedMotionsTakePartsAlong) {
     EXPECT_NEAR(settling.placements.at(1).angle, std::numbers::pi / 2, 1e-9);
 }
 
+/// By edges, as far as something stops it: what is left of the way is for the bodies to give in.
+TEST(Settle, EdgesLeadTheirPartAsAWhole) {
+    const std::string block = part("block", R"({"rectangle": {"min": [0, 0], "max": [20, 10]}})"),
+                      jaw = part("jaw", R"({"rectangle": {"min": [23, 2], "max": [38, 8]}})"),
+                      held = R"({"on": "block/left", "fix": ["x", "y"]}, )";
+    const auto led = [&](const std::string& support) { return scene_of(block + ", " + jaw, held + support, ""); };
+    const Scene stopped = led(R"({"on": "jaw/right", "displacement": {"x": -3.01, "y": 0}})");
+    const Settling settling = settling_of(stopped);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(stopped, settling, 1) - Vec2(-3, 0)).norm(), 0, 16 * of_size);
+    const Scene there = placed(stopped, resolve_conditions(stopped), settling.placements);
+    EXPECT_NEAR(there.supports.at(1).value[0].constant(), -0.01, 16 * of_size);
+    const Scene free = led(R"({"on": "jaw/right", "displacement": {"x": 4, "y": 1}})");
+    EXPECT_EQ((way(free, settling_of(free), 1)), Vec2(4, 1));
+    const Scene guided = led(R"({"on": "jaw/right", "displacement": {"x": -2}}, {"on": "jaw/bottom", "fix": ["y"]})");
+    EXPECT_EQ((way(guided, settling_of(guided), 1)), Vec2(-2, 0));
+}
+
+/// Far is what is far beside the smaller of two parts that come near each other.
+TEST(Settle, AnEyeGoesFarBesideItsPin) {
+    const Scene scene = read_scene(ABUT_SOURCE_DIR "/data/verification/led_strap.json");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR((way(scene, settling, 1) - Vec2(3.05, 0)).norm(), 0, 85 * of_size);
+}
+
+TEST(Settle, IsNotAskedWhereWhatIsPrescribedDeforms) {
+    const std::string bar = part("bar", R"({"rectangle": {"min": [0, 0], "max": [20, 4]}})"),
+                      disc = part("disc", R"({"circle": {"center": [10, 8], "radius": 3}})");
+    for (const char* support : {R"({"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "displacement": {"y": -5}})",
+                                R"({"on": "bar/bottom", "spring": {"normal": 10}}, {"on": "bar/right", "displacement": {"y": -5}})",
+                                R"({"on": "bar/right", "displacement": {"y": "-5 + x/100", "x": 0}})",
+                                R"({"on": "bar/bottom", "displacement": {"x": -5}})"})
+        EXPECT_EQ(settling_of(scene_of(bar + ", " + disc, support, R"({"part": "disc", "force": [0, -1]})")).end,
+                  Settling::End::not_asked)
+            << support;
+}
+
 TEST(Settle, OnePartPushesAnother) {
     const Scene scene = scene_of(floor_part + ", " + part("stop", R"({"rectangle": {"min": [12, 0], "max": [22, 10]}})") +
                                      ", " + part("first", R"({"rectangle": {"min": [-14, 0], "max": [-4, 6]}})") + ", " +

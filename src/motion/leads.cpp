@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/leads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "src/base/index.hpp"
+#include "src/plan/support_components.hpp"
+#include "src/plan/support_wrenches.hpp"
+
+namespace abut {
+
+namespace {
+
+bool is_zero(const Expression& e) {
+    return e.is_constant() && e.constant() == 0;
+}
+
+std::set<int> parts_of(const Scene& scene, const Support& s, const std::vector<EdgePortion>& on) {
+    std::set<int> parts;
+    for (const EdgePortion& portion : on) parts.insert(portion.part);
+    for (std::size_t i = 0; i < scene.parts.size(); ++i)
+        if (scene.parts[i].name == s.part) parts.insert(static_cast<int>(i));
+    return parts;
+}
+
+void take_rigid(const Support& s, Lead& lead) {
+    const std::array<std::optional<double>, 3> given{s.rigid_x, s.rigid_y, s.rigid_rotation};
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!given[c]) continue;
+        lead.is_given[c] = true;
+        lead.to[static_cast<Eigen::Index>(c)] = *given[c];
+    }
+}
+
+/// False: it is not the same everywhere, or differs from what is given already.
+bool take_displacement(const Support& s, Lead& lead) {
+    for (std::size_t c = 0; c < 2; ++c) {
+        if (!(c == 0 ? s.x : s.y)) continue;
+        const Expression& value = s.value[c];
+        const auto k = static_cast<Eigen::Index>(c);
+        if (!value.is_constant() || (lead.is_given[c] && lead.to[k] != value.constant())) return false;
+        lead.is_given[c] = true;
+        lead.to[k] = value.constant();
+    }
+    lead.is_given[2] = true;
+    return true;
+}
+
+/// Do the other supports let the part go there, and does nothing let it turn?
+bool goes_as_a_whole(const Scene& scene, const Leads& leads, const ResolvedConditions& conditions, int part) {
+    constexpr double across = 1e-9;  // sine
+    const geometry::ScrewScale scale = screw_scale(scene);
+    const std::vector<geometry::Screw> all = support_wrenches(scene, conditions)[at(part)];
+    const std::vector<geometry::Screw> others = support_wrenches(without_leads(scene, leads), conditions)[at(part)];
+    const Vec2 way = leads.of[at(part)].to.head<2>();
+    const std::vector<geometry::Screw> free = twist_space(all, scale);
+    return std::all_of(free.begin(), free.end(), [](const geometry::Screw& twist) { return twist[2] == 0; }) &&
+           std::all_of(others.begin(), others.end(), [&](const geometry::Screw& wrench) {
+               return std::abs(wrench.head<2>().dot(way)) <= across * way.norm() * wrench.head<2>().norm();
+           });
+}
+
+}  // namespace
+
+bool prescribes_motion(const Support& s) {
+    if (s.kind == Support::Kind::displacement) return (s.x && !is_zero(s.value[0])) || (s.y && !is_zero(s.value[1]));
+    return s.rigid_x.value_or(0) != 0 || s.rigid_y.value_or(0) != 0 || s.rigid_rotation.value_or(0) != 0;
+}
+
+Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
+    Leads leads{std::vector<Lead>(scene.parts.size()), {}};
+    std::set<int> by_edges, deformed;
+    for (std::size_t k = 0; k < scene.supports.size(); ++k) {
+        const Support& s = scene.supports[k];
+        leads.is_leading.push_back(prescribes_motion(s));
+        if (!leads.is_leading.back()) continue;
+        for (const int part : parts_of(scene, s, conditions.supports[k])) {
+            if (s.kind == Support::Kind::rigid) {
+                take_rigid(s, leads.of[at(part)]);
+                continue;
+            }
+            by_edges.insert(part);
+            if (!take_displacement(s, leads.of[at(part)])) deformed.insert(part);
+        }
+    }
+    for (const int part : by_edges)
+        if (deformed.contains(part) || !goes_as_a_whole(scene, leads, conditions, part)) {
+            leads.why_not = "what supports prescribe deforms " + scene.parts[at(part)].name + ", or may turn it";
+            break;
+        }
+    return leads;
+}
+
+Scene without_leads(const Scene& scene, const Leads& leads) {
+    Scene free = scene;
+    for (std::size_t k = 0; k < free.supports.size(); ++k) {
+        if (!leads.is_leading[k]) continue;
+        Support& s = free.supports[k];
+        s.x = s.y = false;
+        s.rigid_x = s.rigid_y = s.rigid_rotation = std::nullopt;
+    }
+    return free;
+}
+
+}  // namespace abut
