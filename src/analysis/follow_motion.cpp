@@ -87,7 +87,8 @@ bool is_round(const geometry::Part& part) {
 /// A part that falls over is no longer the assembly that was drawn, however well it is balanced where it comes to lie.
 void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
     constexpr double tipping = std::numbers::pi / 4;  // from there on another side of a square is nearer to where it was
-    if (std::any_of(drawn.supports.begin(), drawn.supports.end(), [](const Support& s) { return s.rigid_rotation.value_or(0) != 0; }))
+    if (std::any_of(drawn.supports.begin(), drawn.supports.end(),
+                    [](const Support& s) { return s.rigid_rotation.value_or(0) != 0; }))
         return;
     std::vector<Finding> tipped;
     for (std::size_t i = 0; i < drawn.parts.size(); ++i) {

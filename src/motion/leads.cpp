@@ -91,6 +91,12 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
             leads.why_not = "what supports prescribe deforms " + scene.parts[at(part)].name + ", or may turn it";
             break;
         }
+    for (Lead& lead : leads.of) {
+        const Vec2 way = lead.to.head<2>();
+        if (!lead.is_given[0] || !lead.is_given[1] || way == Vec2(0, 0)) continue;
+        lead.axis = way.normalized();
+        lead.to.head<2>() = Vec2(way.norm(), 0);
+    }
     return leads;
 }
 

@@ -13,10 +13,19 @@ namespace abut {
 /// Does it displace anything: by edges, or a part as a whole?
 bool prescribes_motion(const Support& support);
 
-/// What supports prescribe of a part's motion: of the translation of its middle and the turn, from where it is drawn.
+/// What supports prescribe of a part's motion: of the translation of its middle along an axis and to the left of that, and of
+/// the turn, from where it is drawn.
 struct Lead {
     std::array<bool, 3> is_given{false, false, false};
     Eigen::Vector3d to{0, 0, 0};  ///< radians for the turn
+    Vec2 axis{1, 0};              ///< the way, where it is given as a whole: what stops a part leaves it on its line
+
+    /// A translation, and a turn, by these coordinates.
+    Eigen::Vector3d of(const Vec2& translation, double turn) const {
+        return {axis.dot(translation), geometry::left_of(axis).dot(translation), turn};
+    }
+    /// The translation of some coordinates.
+    Vec2 translation(const Vec2& along) const { return along.x() * axis + along.y() * geometry::left_of(axis); }
 };
 
 /// The leads of a scene's parts.

@@ -55,9 +55,9 @@ public:
         side(row.second, row.x2, row.normal);
         qp_.foundation[k_++] = stiffness;
     }
-    /// A part's motion (translation, turn times arm) by so much.
-    void lead(const MovingPart& p, Index component, double by, double stiffness) {
-        qp_.modes.row(k_).segment(p.first, p.n()) = p.motions.row(component);
+    /// A part's motion (translation, turn times arm) in a direction by so much.
+    void lead(const MovingPart& p, const Eigen::Vector3d& direction, double by, double stiffness) {
+        qp_.modes.row(k_).segment(p.first, p.n()) = direction.transpose() * p.motions;
         qp_.drawn_gap[k_] = -by;
         qp_.foundation[k_++] = stiffness;
     }
@@ -127,12 +127,16 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     qp.mode_load = VectorXd::Zero(moving.n);
     qp.load_scale = pull;
     Rows rows(moving, n, qp);
+    const Eigen::Vector3d turn = Eigen::Vector3d::UnitZ();
     for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
     for (const MovingPart& p : moving.list) {
         const Lead& lead = leads[at(p.part)];
+        const Vec2 across = geometry::left_of(lead.axis);
+        const std::array<Eigen::Vector3d, 3> directions{Eigen::Vector3d(lead.axis.x(), lead.axis.y(), 0),
+                                                        Eigen::Vector3d(across.x(), across.y(), 0), turn};
         for (Index c = 0; c < 3; ++c)
-            if (lead.is_given[static_cast<std::size_t>(c)]) rows.lead(p, c, (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
-        constexpr Index turn = 2;
+            if (lead.is_given[at(c)])
+                rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
         if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;

@@ -152,8 +152,7 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
                 for (Vec2& x : support.at) x = p.of(x);
         for (std::size_t k = 0; k < scene.supports.size(); ++k) {
             const std::vector<EdgePortion>& on = conditions.supports[k];
-            const bool is_its = scene.supports[k].part == part.name ||
-                                (!on.empty() && on.front().part == static_cast<int>(i));
+            const bool is_its = scene.supports[k].part == part.name || (!on.empty() && on.front().part == static_cast<int>(i));
             if (is_its) take_off(p, drawn.parts[i], scene.supports[k]);
         }
         if (const auto grid = scene.accuracy.grids.find(part.name); grid != scene.accuracy.grids.end())

@@ -123,8 +123,7 @@ private:
     /// What is still to come of the prescribed motions.
     std::vector<Lead> leads_from_here() const {
         std::vector<Lead> leads = leads_;
-        for (std::size_t i = 0; i < leads.size(); ++i)
-            leads[i].to -= Eigen::Vector3d(moved(i).x(), moved(i).y(), placements_[i].angle);
+        for (std::size_t i = 0; i < leads.size(); ++i) leads[i].to -= leads[i].of(moved(i), placements_[i].angle);
         return leads;
     }
 
@@ -151,10 +150,12 @@ private:
         put();
     }
     void end_lead(std::size_t part) {
-        const auto& [is_given, to] = leads_[part];
-        const Vec2 by(is_given[0] ? to[0] : moved(part).x(), is_given[1] ? to[1] : moved(part).y());
-        if (is_given[0] || is_given[1] || is_given[2])
-            placements_[part] = about_center(centers_[part], by, is_given[2] ? to[2] : placements_[part].angle);
+        const Lead& lead = leads_[part];
+        if (!lead.is_given[0] && !lead.is_given[1] && !lead.is_given[2]) return;
+        Eigen::Vector3d by = lead.of(moved(part), placements_[part].angle);
+        for (Index c = 0; c < 3; ++c)
+            if (lead.is_given[at(c)]) by[c] = lead.to[c];
+        placements_[part] = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
     }
 
     bool is_where_led() const {
@@ -229,8 +230,8 @@ private:
         return walk([] { return false; });
     }
 
-    /// Parts that are led and do not get there by rigid motions, since something stops them, press on that: from here on they are
-    /// pushed as loads would, and what is left of the way is for the bodies to give in. Is any of them new?
+    /// Parts that are led and do not get there by rigid motions, since something stops them, press on that: from here on they
+    /// are pushed as loads would, and what is left of the way is for the bodies to give in. Is any of them new?
     bool push_where_blocked(const VectorXd& step) {
         constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
         constexpr double strength = 10;     // beside all loads
@@ -240,14 +241,15 @@ private:
         const std::vector<Lead> asked = leads_of_step(1);
         for (const MovingPart& b : moving_.list) {
             Lead& lead = leads_[at(b.part)];
-            Vec2 way(0, 0);
-            for (int c = 0; c < 2; ++c)
-                if (lead.is_given[at(c)]) way[c] = asked[at(b.part)].to[c];
-            if (way.norm() <= settled * b.size || b.motion(step).head<2>().dot(way) >= gets_there * way.squaredNorm()) continue;
-            for (int c = 0; c < 2; ++c)
-                if (way[c] != 0) lead.is_given[at(c)] = false;
-            pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * way.normalized();
-            any = true;
+            const Eigen::Vector3d goes = lead.of(b.motion(step).head<2>(), 0);
+            for (int c = 0; c < 2; ++c) {  // one of them: the other is given as none, or not at all
+                const double way = asked[at(b.part)].to[c];
+                if (!lead.is_given[at(c)] || lead.to[c] == 0 || std::abs(way) <= settled * b.size) continue;
+                if (goes[c] * way >= gets_there * way * way) continue;
+                lead.is_given[at(c)] = false;
+                pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(c) * (way > 0 ? 1 : -1));
+                any = true;
+            }
         }
         if (any) find_moving();
         return any;
@@ -508,9 +510,9 @@ private:
         Settling settling{Settling::End::rests, "", {}, {}, ""};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
             const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < moved_at_all * sizes_[i];
-            const auto& [x, y, turn] = leads_[i].is_given;
+            const auto& [along, across, turn] = leads_[i].is_given;
             settling.placements.push_back(is_rounding ? Placement{}
-                                          : x || y || turn
+                                          : along || across || turn
                                               ? placements_[i]
                                               : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
             if (!is_far(moved(i), placements_[i].angle, paired_[i])) continue;
@@ -532,7 +534,7 @@ private:
     Scene scene_;              // with the parts there
     std::vector<double> sizes_;
     std::vector<double> paired_;  // by part: the least size of it and what it came near to
-    std::vector<Vec2> centers_;  // as drawn
+    std::vector<Vec2> centers_;   // as drawn
     MovingParts moving_;
     Closing closing_;
     double reach_ = 1;           // of a step

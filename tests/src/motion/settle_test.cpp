@@ -393,6 +393,14 @@ TEST(Settle, EdgesLeadTheirPartAsAWhole) {
     EXPECT_NEAR(there.supports.at(1).value[0].constant(), -0.01, 16 * of_size);
     const Scene free = led(R"({"on": "jaw/right", "displacement": {"x": 4, "y": 1}})");
     EXPECT_EQ((way(free, settling_of(free), 1)), Vec2(4, 1));
+    // what it slides along does not take it off its line
+    const Scene oblique = scene_of(part("block", R"({"polygon": [[0, 0], [20, 0], [10, 10], [0, 10]]})") + ", " + jaw,
+                                   R"({"on": "block/e3", "fix": ["x", "y"]}, )"
+                                   R"({"on": "jaw/right", "displacement": {"x": -8, "y": -4}})",
+                                   "");
+    const Vec2 gone = way(oblique, settling_of(oblique), 1);
+    EXPECT_NEAR(gone.y(), gone.x() / 2, 16 * of_size);
+    EXPECT_NEAR(gone.x() + gone.y(), -5, 16 * of_size);
     const Scene guided = led(R"({"on": "jaw/right", "displacement": {"x": -2}}, {"on": "jaw/bottom", "fix": ["y"]})");
     EXPECT_EQ((way(guided, settling_of(guided), 1)), Vec2(-2, 0));
 }
@@ -408,10 +416,11 @@ TEST(Settle, AnEyeGoesFarBesideItsPin) {
 TEST(Settle, IsNotAskedWhereWhatIsPrescribedDeforms) {
     const std::string bar = part("bar", R"({"rectangle": {"min": [0, 0], "max": [20, 4]}})"),
                       disc = part("disc", R"({"circle": {"center": [10, 8], "radius": 3}})");
-    for (const char* support : {R"({"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "displacement": {"y": -5}})",
-                                R"({"on": "bar/bottom", "spring": {"normal": 10}}, {"on": "bar/right", "displacement": {"y": -5}})",
-                                R"({"on": "bar/right", "displacement": {"y": "-5 + x/100", "x": 0}})",
-                                R"({"on": "bar/bottom", "displacement": {"x": -5}})"})
+    for (const char* support :
+         {R"({"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "displacement": {"y": -5}})",
+          R"({"on": "bar/bottom", "spring": {"normal": 10}}, {"on": "bar/right", "displacement": {"y": -5}})",
+          R"({"on": "bar/right", "displacement": {"y": "-5 + x/100", "x": 0}})",
+          R"({"on": "bar/bottom", "displacement": {"x": -5}})"})
         EXPECT_EQ(settling_of(scene_of(bar + ", " + disc, support, R"({"part": "disc", "force": [0, -1]})")).end,
                   Settling::End::not_asked)
             << support;
