@@ -10,6 +10,7 @@
 #include "geometry/brep/part.hpp"
 #include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/placement.hpp"
+#include "src/analysis/turned_contacts.hpp"
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/io/number_text.hpp"
@@ -113,7 +114,8 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
                    const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     constexpr int most_placements = 5;
-    if (settling.end == Settling::End::stays && (!has_answer(out) || is_paired_astray(drawn, out))) {
+    if (settling.end == Settling::End::stays &&
+        (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);

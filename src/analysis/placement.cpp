@@ -6,7 +6,7 @@
 
 #include "solver/linear_algebra/dense.hpp"
 #include "src/base/index.hpp"
-#include "src/motion/settle.hpp"
+#include "src/motion/moving_parts.hpp"
 
 namespace abut {
 
@@ -35,14 +35,17 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved) {
     if (!why_not_followed(scene, conditions).empty()) return std::nullopt;
+    const Bodies bodies = bodies_of(scene);
     std::vector<Placement> placements(scene.parts.size());
     bool any = false;
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const int part = solved.grids[k].part;
+        if (std::count(bodies.of_part.begin(), bodies.of_part.end(), bodies.of_part[at(part)]) > 1) continue;
         const double size = solved.grids[k].size;
         const solver::RigidMotion motion = rigid_motion_of(solved, k);
         if (std::max(motion.translation.norm(), 0.5 * size * std::abs(motion.rotation)) <= placed_fraction * size) continue;
         any = true;
-        placements[at(solved.grids[k].part)] =
+        placements[at(part)] =
             without_rounding(about_center(motion.center, motion.translation, motion.rotation), motion.center, size);
     }
     if (!any) return std::nullopt;

@@ -15,8 +15,8 @@ Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t gr
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid);
 
 /// Where a solution has the parts that move by more than `placed_fraction` of their own size, by part of the scene that was
-/// solved; others stay: what they move by belongs to the answer, as bending does. Nothing where no part moves so far, or parts
-/// are not followed (why_not_followed).
+/// solved; others stay: what they move by belongs to the answer, as bending does, and so do bonded parts. Nothing where no part
+/// moves so far, or parts are not followed (why_not_followed).
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved);
 

@@ -212,15 +212,38 @@ double turned_lever(const SolvedAssembly& solved, std::size_t contact, const std
     return friction > 0 ? std::abs(motions[at(part[0])].rotation - motions[at(part[1])].rotation) / friction : 0;
 }
 
+/// What is balanced, by which forces, where their parts have gone.
+struct Turned {
+    Balance balance;
+    std::vector<solver::RigidMotion> motions;
+    std::vector<MovedForce> lines;
+};
+
+Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
+    Turned turned{balance_of(solved), {}, {}};
+    if (turned.balance.part.empty()) return turned;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) turned.motions.push_back(rigid_motion_of(solved, i));
+    turned.lines = moved_forces(scene, solved, turned.motions);
+    return turned;
+}
+
 }  // namespace
+
+bool are_forces_turned(const Scene& scene, const Outcome& out) {
+    const auto [balance, motions, lines] = turned_of(scene, out.solved);
+    if (lines.empty()) return false;
+    const Rebalanced moved = rebalanced(out.solved, balance, lines, motions);
+    double largest = 0, most = 0;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        largest = std::max(largest, lines[k].force.norm());
+        most = std::max(most, moved.change[k].norm());
+    }
+    return most > noted_turn * out.target * largest;
+}
 
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
-    const Balance balance = balance_of(solved);
-    if (balance.part.empty()) return;
-    std::vector<solver::RigidMotion> motions;
-    for (std::size_t i = 0; i < solved.grids.size(); ++i) motions.push_back(rigid_motion_of(solved, i));
-    const std::vector<MovedForce> lines = moved_forces(scene, solved, motions);
+    const auto [balance, motions, lines] = turned_of(scene, solved);
     if (lines.empty()) return;
     double largest = 0, pressing = 0;
     for (const MovedForce& l : lines) {

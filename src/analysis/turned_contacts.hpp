@@ -7,6 +7,9 @@
 
 namespace abut {
 
+/// Do rigid motions of parts turn the normals of contacts so that forces change by more than they are to be known to?
+bool are_forces_turned(const Scene& scene, const Outcome& out);
+
 /// Warns, with a reason against the answer, where the rigid motions of parts that are not followed turn a contact's normal by
 /// more than forces are to be known to, or turn a round part so far that its friction has another lever.
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result);

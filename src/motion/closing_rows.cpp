@@ -116,15 +116,17 @@ void append_corner(const Encounter& m, double touching, std::vector<ClosingRow>&
 
 }  // namespace
 
-Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move) {
-    ENSURE(may_move.size() == scene.parts.size(), "of every part it is known how far it may move");
+Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<int>& bodies,
+                     const std::vector<double>& may_move) {
+    ENSURE(may_move.size() == scene.parts.size() && bodies.size() == scene.parts.size(),
+           "of every part it is known how far it may move, and with which");
     Closing closing;
     const SearchDistances distances(scene);
     const int n = static_cast<int>(scene.parts.size());
     for (int i = 0; i < n; ++i)
         for (int j = i + 1; j < n; ++j) {
             const double far = may_move[at(i)] + may_move[at(j)];
-            if (far == 0 || !distances.within(i, j, far)) continue;
+            if (far == 0 || bodies[at(i)] == bodies[at(j)] || !distances.within(i, j, far)) continue;
             const Encounter m = encounter_of(scene, rules, distances, i, j, {far, far, far});
             for (const Candidate& c : m.candidates) ZoneRows(scene, c, far, closing.rows).append();
             append_corner(m, distances.touching(i, j), closing.rows);

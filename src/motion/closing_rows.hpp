@@ -23,9 +23,11 @@ struct Closing {
     double deepest = 0;
 };
 
-/// Finds the gaps that parts can close by moving as far as `may_move` says, by part (0: it does not). Along curved faces the
+/// Finds the gaps that parts can close by moving as far as `may_move` says, by part (0: it does not). bodies: by part; those of
+/// one body do not meet. Along curved faces the
 /// points lie closer and closer to where the gap is least, so that forces there find their direction. rules: of the drawn
 /// scene.
-Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<double>& may_move);
+Closing closing_rows(const Scene& scene, const PairRules& rules, const std::vector<int>& bodies,
+                     const std::vector<double>& may_move);
 
 }  // namespace abut

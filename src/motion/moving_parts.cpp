@@ -10,6 +10,7 @@
 #include "solver/linear_algebra/dense.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
+#include "src/contact/candidates.hpp"
 #include "src/plan/support_wrenches.hpp"
 
 namespace abut {
@@ -37,6 +38,26 @@ Eigen::Matrix3Xd free_motions(const std::vector<Screw>& wrenches, const Vec2& ce
 /// A force's power in a part's motions.
 VectorXd power(const MovingPart& p, const Vec2& force, double moment) {
     return p.motions.transpose() * Eigen::Vector3d(force.x(), force.y(), moment / p.arm);
+}
+
+/// The centroid of a part, or of some.
+Vec2 middle_of(const Scene& scene, const std::vector<std::size_t>& parts) {
+    if (parts.size() == 1) return centroid(scene.parts[parts.front()].part);
+    Vec2 sum(0, 0);
+    double all = 0;
+    for (const std::size_t i : parts) {
+        const double own = area(scene.parts[i].part);
+        sum += own * centroid(scene.parts[i].part);
+        all += own;
+    }
+    return sum / all;
+}
+
+/// The same load about another point than `from`.
+RigidLoad about(const Vec2& center, RigidLoad load, const Vec2& from) {
+    load.moment += geometry::cross(from - center, load.force);
+    load.stretch += load.force.dot(from - center);
+    return load;
 }
 
 /// The rows of a step's problem, one after the other.
@@ -87,22 +108,58 @@ Eigen::Vector3d MovingPart::motion(const VectorXd& amplitudes) const {
     return m;
 }
 
-MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes) {
+Bodies bodies_of(const Scene& drawn) {
+    Bodies bodies{std::vector<int>(drawn.parts.size()), {}};
+    std::iota(bodies.of_part.begin(), bodies.of_part.end(), 0);
+    const std::vector<PairRule>& rules = drawn.contacts.pairs;
+    if (std::any_of(rules.begin(), rules.end(), [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; }))
+        for (const Candidate& c : find_candidates_anyway(drawn, 1)) {
+            if (!c.bonded) continue;
+            const int one = bodies.of_part[at(c.first)], other = bodies.of_part[at(c.second)];
+            std::replace(bodies.of_part.begin(), bodies.of_part.end(), std::max(one, other), std::min(one, other));
+        }
+    std::vector<geometry::Box2> boxes(drawn.parts.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[at(bodies.of_part[i])].extend(bounding_box(drawn.parts[i].part));
+    for (const int body : bodies.of_part) bodies.size.push_back(boxes[at(body)].diagonal());
+    return bodies;
+}
+
+MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const Bodies& bodies) {
     ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
-    ENSURE(sizes.size() == scene.parts.size(), "every part has a size");
+    ENSURE(bodies.of_part.size() == scene.parts.size(), "every part has a body");
     const std::vector<std::vector<Screw>> held = support_wrenches(scene, conditions);
     const std::vector<RigidLoad> loads = rigid_loads(scene, conditions);
+    const auto members = [&](std::size_t body) {
+        std::vector<std::size_t> parts;
+        for (std::size_t i = body; i < scene.parts.size(); ++i)
+            if (at(bodies.of_part[i]) == body) parts.push_back(i);
+        return parts;
+    };
     MovingParts moving;
     moving.of_part.assign(scene.parts.size(), -1);
-    for (std::size_t i = 0; i < held.size(); ++i) {
-        MovingPart p{static_cast<int>(i), centroid(scene.parts[i].part), sizes[i], 0.5 * sizes[i], {}, moving.n, loads[i]};
-        p.motions = free_motions(held[i], p.center, p.arm);
+    for (std::size_t body = 0; body < held.size(); ++body) {
+        const std::vector<std::size_t> parts = members(body);
+        if (parts.empty()) continue;
+        MovingPart p{
+            static_cast<int>(body), middle_of(scene, parts), bodies.size[body], 0.5 * bodies.size[body], {}, moving.n, {}};
+        std::vector<Screw> wrenches;
+        for (const std::size_t i : parts) wrenches.insert(wrenches.end(), held[i].begin(), held[i].end());
+        p.motions = free_motions(wrenches, p.center, p.arm);
         if (p.n() == 0) continue;
-        p.pull = p.load.force.norm() + std::abs(p.load.moment) / p.arm;
+        RigidLoad all;
+        const std::size_t first = moving.list.size();
+        for (const std::size_t i : parts) {
+            p.part = static_cast<int>(i);
+            p.load = about(p.center, loads[i], centroid(scene.parts[i].part));
+            all.force += p.load.force;
+            all.moment += p.load.moment;
+            moving.of_part[i] = static_cast<int>(moving.list.size());
+            moving.list.push_back(p);
+        }
+        for (std::size_t k = first; k < moving.list.size(); ++k)
+            moving.list[k].pull = all.force.norm() + std::abs(all.moment) / p.arm;
         moving.n += p.n();
-        moving.pull = std::max(moving.pull, p.pull);
-        moving.of_part[i] = static_cast<int>(moving.list.size());
-        moving.list.push_back(std::move(p));
+        moving.pull = std::max(moving.pull, moving.list[first].pull);
     }
     return moving;
 }
@@ -114,8 +171,9 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
-    Index n = static_cast<Index>(gaps.size()) + moving.n;
+    Index n = static_cast<Index>(gaps.size());
     for (const MovingPart& p : moving.list) {
+        n += p.n();
         smallest = std::min(smallest, p.size);
         pull += p.pull;
         for (bool is_given : leads[at(p.part)].is_given) n += is_given ? 1 : 0;
@@ -138,7 +196,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
             if (lead.is_given[at(c)])
                 rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
         if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
-        if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) = power(p, p.load.force, p.load.moment);
+        if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) += power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;
         for (Index j = p.first; j < p.first + p.n(); ++j)
             rows.drag(j, by.towards.size() > 0 ? by.towards[j] : 0, by.drag * own / (step_fraction * p.size));
@@ -150,6 +208,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps) {
     std::vector<int> group(moving.list.size());
     std::iota(group.begin(), group.end(), 0);
+    for (std::size_t i = 1; i < group.size(); ++i)  // parts of one body stand side by side
+        if (moving.list[i].first == moving.list[i - 1].first) group[i] = group[i - 1];
     const auto first_of = [&](int part) {
         while (group[at(part)] != part) part = group[at(part)];
         return part;
@@ -168,12 +228,15 @@ namespace {
 MovingParts only(const MovingParts& moving, const std::vector<int>& group, int number) {
     MovingParts own;
     own.of_part.assign(moving.of_part.size(), -1);
+    Index of_body = -1;
     for (std::size_t i = 0; i < moving.list.size(); ++i) {
         if (group[i] != number) continue;
         own.of_part[at(moving.list[i].part)] = static_cast<int>(own.list.size());
         own.list.push_back(moving.list[i]);
-        own.list.back().first = own.n;
-        own.n += own.list.back().n();
+        MovingPart& added = own.list.back();
+        if (added.first != of_body) own.n += added.n();
+        of_body = added.first;
+        added.first = own.n - added.n();
         own.pull = std::max(own.pull, own.list.back().pull);
     }
     return own;

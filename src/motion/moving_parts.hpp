@@ -11,15 +11,23 @@
 
 namespace abut {
 
-/// A part that may move: what its supports leave it to do, about its middle.
+/// Parts that move as one, being bonded to each other.
+struct Bodies {
+    std::vector<int> of_part;  ///< the first part of each part's body
+    std::vector<double> size;  ///< by part: the diagonal of its body's box as drawn
+};
+/// Finds them.
+Bodies bodies_of(const Scene& drawn);
+
+/// A part that may move: what supports leave its body to do, about the body's middle.
 struct MovingPart {
     int part;
-    Vec2 center;
-    double size, arm;          ///< diagonal of its box as drawn, and half of it: turns times arm count like translations
+    Vec2 center;               ///< of the body
+    double size, arm;          ///< the body's, and half of it: turns times arm count like translations
     Eigen::Matrix3Xd motions;  ///< orthonormal; rows: translation of the middle, turn times arm
-    Eigen::Index first = 0;    ///< among all amplitudes
-    RigidLoad load{};
-    double pull = 0;  ///< the size of its loads
+    Eigen::Index first = 0;    ///< among all amplitudes, which parts of one body share
+    RigidLoad load{};          ///< of the part, about the body's middle
+    double pull = 0;           ///< the size of the body's loads
 
     Eigen::Index n() const { return motions.cols(); }
     Eigen::VectorXd own(const Eigen::VectorXd& amplitudes) const { return amplitudes.segment(first, n()); }
@@ -35,8 +43,8 @@ struct MovingParts {
     double pull = 0;             ///< of the strongest loads
 };
 
-/// Finds what may move in a scene; sizes: by part, diagonals of boxes as drawn.
-MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<double>& sizes);
+/// Finds what may move in a scene.
+MovingParts moving_parts(const Scene& scene, const ResolvedConditions& conditions, const Bodies& bodies);
 
 /// How far a part may go in a step, as a fraction of its size.
 inline constexpr double step_fraction = 0.1;

@@ -131,8 +131,6 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
     if (const std::string why = leads_of(scene, conditions).why_not; !why.empty()) return why;
     const std::vector<PairRule>& rules = scene.contacts.pairs;
     if (std::any_of(rules.begin(), rules.end(), is_by_place)) return "a rule of contacts.pairs is for edges at a place";
-    if (std::any_of(rules.begin(), rules.end(), [](const PairRule& r) { return r.kind == PairRule::Kind::bonded; }))
-        return "bonds hold as drawn";
     return "";
 }
 

@@ -47,7 +47,7 @@ bool has_fits(const ContactOptions& contacts);
 
 /// Why parts are taken where they are drawn, however far they go; empty: they are followed. Something is given that means
 /// another thing elsewhere (a load by expressions of the place, a prescribed motion that deforms its part, a rule for edges
-/// near a point), bonds hold as drawn, or the scene asks for it.
+/// near a point), or the scene asks for it.
 std::string why_not_followed(const Scene& scene, const ResolvedConditions& conditions);
 
 /// The scene with its parts moved from where they are drawn, by part. What belongs to a part goes with it: probes, held points,

@@ -83,6 +83,7 @@ public:
             centers_.push_back(centroid(part.part));
         }
         paired_ = sizes_;
+        bodies_ = bodies_of(drawn);
         const Leads leads = leads_of(drawn, conditions);
         leads_ = leads.of;
         drawn_ = without_leads(drawn, leads);
@@ -149,13 +150,16 @@ private:
         for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
         put();
     }
+    /// Bonded parts go where one of them is led.
     void end_lead(std::size_t part) {
         const Lead& lead = leads_[part];
         if (!lead.is_given[0] && !lead.is_given[1] && !lead.is_given[2]) return;
         Eigen::Vector3d by = lead.of(moved(part), placements_[part].angle);
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[at(c)]) by[c] = lead.to[c];
-        placements_[part] = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
+        const Placement there = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
+        for (std::size_t i = 0; i < placements_.size(); ++i)
+            if (bodies_.of_part[i] == bodies_.of_part[part]) placements_[i] = there;
     }
 
     bool is_where_led() const {
@@ -165,10 +169,18 @@ private:
         return true;
     }
 
+    const Lead& lead_of_body(std::size_t part) const {
+        for (std::size_t i = 0; i < leads_.size(); ++i) {
+            const auto& [along, across, turn] = leads_[i].is_given;
+            if (bodies_.of_part[i] == bodies_.of_part[part] && (along || across || turn)) return leads_[i];
+        }
+        return leads_[part];
+    }
+
     void look() {
         std::vector<double> may_move(scene_.parts.size(), 0);
         for (const MovingPart& b : moving_.list) may_move[at(b.part)] = step_fraction * b.size;
-        closing_ = closing_rows(scene_, rules_, may_move);
+        closing_ = closing_rows(scene_, rules_, bodies_.of_part, may_move);
         for (ClosingRow& row : closing_.rows) {
             row.gap -= apart_;
             const double smaller = std::min(sizes_[at(row.first)], sizes_[at(row.second)]);
@@ -459,11 +471,11 @@ private:
     }
 
     void find_moving() {
-        moving_ = moving_parts(scene_, conditions_, sizes_);
+        moving_ = moving_parts(scene_, conditions_, bodies_);
         for (MovingPart& b : moving_.list) {
             if (pushes_[at(b.part)] == Vec2(0, 0)) continue;
             b.load.force += pushes_[at(b.part)];
-            b.pull = b.load.force.norm() + std::abs(b.load.moment) / b.arm;
+            b.pull = std::max(b.pull, pushes_[at(b.part)].norm());
             moving_.pull = std::max(moving_.pull, b.pull);
         }
     }
@@ -474,7 +486,7 @@ private:
     double distance_to_others(std::size_t part) const {
         geometry::Box2 others;
         for (std::size_t i = 0; i < scene_.parts.size(); ++i)
-            if (i != part) others.extend(bounding_box(scene_.parts[i].part));
+            if (bodies_.of_part[i] != bodies_.of_part[part]) others.extend(bounding_box(scene_.parts[i].part));
         const geometry::Box2 own = bounding_box(scene_.parts[part].part);
         return (own.min - others.max).cwiseMax(others.min - own.max).cwiseMax(0).norm();
     }
@@ -509,12 +521,14 @@ private:
     Settling rest() {
         Settling settling{Settling::End::rests, "", {}, {}, ""};
         for (std::size_t i = 0; i < placements_.size(); ++i) {
-            const bool is_rounding = moved(i).norm() + sizes_[i] * std::abs(placements_[i].angle) < moved_at_all * sizes_[i];
-            const auto& [along, across, turn] = leads_[i].is_given;
+            const std::size_t body = at(bodies_.of_part[i]);
+            const bool is_rounding =
+                moved(body).norm() + sizes_[body] * std::abs(placements_[body].angle) < moved_at_all * sizes_[body];
+            const auto& [along, across, turn] = lead_of_body(i).is_given;
             settling.placements.push_back(is_rounding ? Placement{}
                                           : along || across || turn
                                               ? placements_[i]
-                                              : without_rounding(placements_[i], centers_[i], sizes_[i], rest_digits));
+                                              : without_rounding(placements_[body], centers_[body], sizes_[body], rest_digits));
             if (!is_far(moved(i), placements_[i].angle, paired_[i])) continue;
             settling.parts.push_back(drawn_.parts[i].name);
             settling.why += (settling.why.empty() ? "" : ", ") + words(i);
@@ -533,6 +547,7 @@ private:
     std::vector<Lead> leads_;  // from where parts are drawn
     Scene scene_;              // with the parts there
     std::vector<double> sizes_;
+    Bodies bodies_;
     std::vector<double> paired_;  // by part: the least size of it and what it came near to
     std::vector<Vec2> centers_;   // as drawn
     MovingParts moving_;

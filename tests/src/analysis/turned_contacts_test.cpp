@@ -23,7 +23,7 @@ bool has_reason(const Result& r, const std::string& kind) {
 }
 
 /// A disc on two others, between walls that are so far from these.
-Result three_discs(double gap) {
+Result three_discs(double gap, const std::string& motion = "auto") {
     const double apart = 11, height = 10 + std::sqrt(400 - apart * apart), wall = apart + 10 + gap;
     const auto number = [](double v) { return std::to_string(v); };
     const std::string inner = number(wall), outer = number(wall + 15);
@@ -34,11 +34,12 @@ Result three_discs(double gap) {
             {"rectangle": {"min": [-)" +
                         inner + R"(, 0], "max": [)" + inner + R"(, 61]}}]}}, )" + circle("l", -apart, 10) + ", " +
                         circle("r", apart, 10) + ", " + circle("t", 0, height) + R"(],
-        "supports": [{"on": {"part": "box", "facing": [0, -1]}, "fix": ["x", "y"]}], "loads": [{"part": "t", "force": [0, -500]}]})");
+        "supports": [{"on": {"part": "box", "facing": [0, -1]}, "fix": ["x", "y"]}], "loads": [{"part": "t", "force": [0, -500]}], "motion": ")" +
+                        motion + "\"}");
 }
 
 /// A strut of length 50, up by 10 degrees, on a pin, with its round end so far from a wall, pressed down there.
-Result strut(double gap) {
+Result strut(double gap, const std::string& motion = "auto") {
     const double angle = std::numbers::pi / 18, x = 50 * std::cos(angle), y = 50 * std::sin(angle);
     const auto number = [](double v) { return std::to_string(v); };
     const std::string wall = number(x + 6 + gap), behind = number(x + 26 + gap);
@@ -53,7 +54,8 @@ Result strut(double gap) {
                         wall + R"(, -20], "max": [)" + behind + R"(, 40]}}}],
         "supports": [{"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}}, {"on": "wall/right", "fix": ["x", "y"]}],
         "loads": [{"on": {"part": "strut", "near": )" +
-                        test::pair_text(x + 6, y) + R"(}, "force": [0, -5], "at": )" + test::pair_text(x, y) + "}]}");
+                        test::pair_text(x + 6, y) + R"(}, "force": [0, -5], "at": )" + test::pair_text(x, y) +
+                        R"(}], "motion": ")" + motion + "\"}");
 }
 
 /// A disc between two plates, turned by this share of what friction holds.
@@ -79,12 +81,25 @@ void expect_told_where_parts_move(const Result& moved, const Result& at_rest) {
 
 /// The walls' forces at rest are 11 % above those of the places as drawn.
 TEST(TurnedContacts, DiscsThatMoveApartAreTold) {
-    expect_told_where_parts_move(three_discs(0.9), three_discs(0));
+    expect_told_where_parts_move(three_discs(0.9, "off"), three_discs(0));
+}
+
+TEST(TurnedContacts, DiscsThatMoveApartAreFollowed) {
+    const Result r = three_discs(0.9);
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_FALSE(has_reason(r, "turned_force"));
+    double sideways = 0;
+    for (const ContactResult& c : r.contacts)
+        if (c.parts[0] == "box") sideways += 0.5 * std::abs(c.force.x());
+    EXPECT_NEAR(sideways / (250 * std::tan(std::asin(11.9 / 20))), 1, 2e-3);
 }
 
 /// A strut's forces go as the cotangent of its angle, which pins that move in their holes change.
 TEST(TurnedContacts, StrutsThatTurnAreTold) {
-    expect_told_where_parts_move(strut(0.05), strut(0));
+    expect_told_where_parts_move(strut(0.05, "off"), strut(0));
+    const Result followed = strut(0.05);
+    ASSERT_EQ(followed.status, "ok") << followed.message;
+    EXPECT_FALSE(has_reason(followed, "turned_force"));
 }
 
 /// Pressure on a disc goes through its centre: friction alone bears the moment.

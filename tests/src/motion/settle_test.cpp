@@ -426,6 +426,31 @@ TEST(Settle, IsNotAskedWhereWhatIsPrescribedDeforms) {
             << support;
 }
 
+/// A lever with a nose of its own, bonded to it, falls on a stop as one of one piece does.
+TEST(Settle, BondedPartsMoveAsOne) {
+    const std::string arm = R"({"rectangle": {"min": [0, -4], "max": [100, 4]}}, {"circle": {"center": [0, 0], "radius": 10}})",
+                      nose = R"({"circle": {"center": [100, 0], "radius": 6}})",
+                      eye = R"({"circle": {"center": [0, 0], "radius": 5.005}})",
+                      others = part("stop", R"({"rectangle": {"min": [70, -40], "max": [110, -14]}})") + ", " +
+                               part("pin", R"({"circle": {"center": [0, 0], "radius": 5}})") + ", ",
+                      held = R"({"on": "stop/bottom", "fix": ["x", "y"]}, )"
+                             R"({"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}})",
+                      load = R"({"on": {"part": "arm", "near": [50, 4]}, "force": [0, -300], "at": [50, 4]})";
+    const auto less = [](const std::string& first, const std::string& rest) {
+        return R"({"difference": [{"union": [)" + first + "]}, " + rest + "]}";
+    };
+    const Scene one = scene_of(others + part("arm", less(arm + ", " + nose, eye)), held, load),
+                two = scene_of(others + part("arm", less(arm, eye + ", " + nose)) + ", " + part("nose", nose), held, load,
+                               R"(, "contacts": {"pairs": [{"between": ["arm/*", "nose/*"], "kind": "bonded"}]})");
+    const Settling whole = settling_of(one), bonded = settling_of(two);
+    ASSERT_EQ(whole.end, Settling::End::rests) << whole.why;
+    ASSERT_EQ(bonded.end, Settling::End::rests) << bonded.why;
+    const Placement &a = bonded.placements.at(2), &n = bonded.placements.at(3);
+    EXPECT_TRUE(a.angle == n.angle && a.shift == n.shift);
+    EXPECT_NEAR(a.angle, whole.placements.at(2).angle, 1e-8);
+    EXPECT_NEAR((a.shift - whole.placements.at(2).shift).norm(), 0, 1e-6);
+}
+
 TEST(Settle, OnePartPushesAnother) {
     const Scene scene = scene_of(floor_part + ", " + part("stop", R"({"rectangle": {"min": [12, 0], "max": [22, 10]}})") +
                                      ", " + part("first", R"({"rectangle": {"min": [-14, 0], "max": [-4, 6]}})") + ", " +
