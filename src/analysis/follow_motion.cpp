@@ -41,6 +41,13 @@ bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vec
     return true;
 }
 
+/// The scene without friction.
+Scene smooth(Scene scene) {
+    scene.contacts.friction = 0;
+    for (PairRule& rule : scene.contacts.pairs) rule.friction.reset();
+    return scene;
+}
+
 /// Is the target missed since pairs were found where the parts were?
 bool is_paired_astray(const Scene& scene, const Outcome& out) {
     const std::vector<double> of_pairs = moved_pair_errors(scene, out.solved);
@@ -120,6 +127,12 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
+    // friction may hold parts where they are drawn; where it does not, they go where the loads take them without it
+    if (!has_answer(out) && has_friction(drawn.contacts) && !drawn.in_steps) {
+        Settling loose = settle(smooth(drawn), conditions);
+        if (loose.end == Settling::End::rests)
+            solve_at(drawn, conditions, std::move(loose.placements), options, seconds, out, rest);
+    }
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
@@ -156,7 +169,8 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
         there.why = first_few(far.empty() ? near : far);
         row = large_motion_effect(there);
         result.warnings.push_back("analysed where the loads take it, " + there.why +
-                                  " from where it was drawn: places and displacements are those from there");
+                                  " from where it was drawn: places and displacements are those from there" +
+                                  (has_friction(drawn.contacts) ? ", and friction acts from there on" : ""));
         tell_tipping(drawn, *rest, result);
     }
     result.effects.push_back(std::move(row));

@@ -76,6 +76,12 @@ public:
         side(row.second, row.x2, row.normal);
         qp_.foundation[k_++] = stiffness;
     }
+    void across(const ClosingRow& row, double stiffness) {
+        const Vec2 t = geometry::left_of(row.normal);
+        side(row.first, row.pivot1, -t);
+        side(row.second, row.pivot2, t);
+        qp_.foundation[k_++] = stiffness;
+    }
     /// A part's motion (translation, turn times arm) in a direction by so much.
     void lead(const MovingPart& p, const Eigen::Vector3d& direction, double by, double stiffness) {
         qp_.modes.row(k_).segment(p.first, p.n()) = direction.transpose() * p.motions;
@@ -165,13 +171,13 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 }
 
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                               const Resisted& by) {
+                               const Resisted& by, const std::vector<double>& across) {
     ENSURE(leads.size() == moving.of_part.size() && (by.turns.empty() || by.turns.size() == moving.of_part.size()),
            "what leads and turns is known of every part");
     ENSURE(by.closing > 0 && by.drag >= 0, "springs are stiff, and drags do not drive");
     double smallest = moving.list.front().size, pull = 0;
     const auto turn_back = [&](const MovingPart& p) { return by.turns.empty() ? 0 : by.turns[at(p.part)] + p.load.stretch; };
-    Index n = static_cast<Index>(gaps.size());
+    Index n = static_cast<Index>(gaps.size()) + std::count_if(across.begin(), across.end(), [](double c) { return c > 0; });
     for (const MovingPart& p : moving.list) {
         n += p.n();
         smallest = std::min(smallest, p.size);
@@ -187,11 +193,13 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
     Rows rows(moving, n, qp);
     const Eigen::Vector3d turn = Eigen::Vector3d::UnitZ();
     for (const ClosingRow& row : gaps) rows.gap(row, stiffness);
+    for (std::size_t k = 0; k < across.size(); ++k)
+        if (across[k] > 0) rows.across(gaps[k], across[k]);
     for (const MovingPart& p : moving.list) {
         const Lead& lead = leads[at(p.part)];
-        const Vec2 across = geometry::left_of(lead.axis);
+        const Vec2 aside = geometry::left_of(lead.axis);
         const std::array<Eigen::Vector3d, 3> directions{Eigen::Vector3d(lead.axis.x(), lead.axis.y(), 0),
-                                                        Eigen::Vector3d(across.x(), across.y(), 0), turn};
+                                                        Eigen::Vector3d(aside.x(), aside.y(), 0), turn};
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[at(c)])
                 rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
@@ -242,6 +250,19 @@ MovingParts only(const MovingParts& moving, const std::vector<int>& group, int n
     return own;
 }
 
+/// A round part and the hollow about it hold each other by the line through their middles, which turns as one rolls in the
+/// other: force over the distance of these. Between round parts it drives them apart, which the next step sees.
+std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const VectorXd& force) {
+    std::vector<double> stiffness;
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+        const ClosingRow& row = gaps[k];
+        const double distance = (row.pivot1 - row.pivot2).dot(row.normal);
+        const bool is_round = row.pivot1 != row.x1 && row.pivot2 != row.x2;
+        stiffness.push_back(is_round && distance > 0 ? force[static_cast<Index>(k)] / distance : 0);
+    }
+    return stiffness;
+}
+
 bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
     return std::any_of(moving.list.begin(), moving.list.end(),
                        [&](const MovingPart& p) { return leads[at(p.part)].to.norm() > 0; });
@@ -277,7 +298,9 @@ Step step_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps, con
         std::copy_if(gaps.begin(), gaps.end(), std::back_inserter(rows), [&](const ClosingRow& row) {
             return own.of_part[at(row.first)] >= 0 || own.of_part[at(row.second)] >= 0;
         });
-        const solver::Settled settled = settle_rigidly(step_problem(own, rows, leads, by));
+        solver::Settled settled = settle_rigidly(step_problem(own, rows, leads, by));
+        if (by.curved)
+            settled = settle_rigidly(step_problem(own, rows, leads, by, stiffness_across(rows, settled.multipliers)));
         for (const MovingPart& p : own.list)
             step.amplitudes.segment(moving.list[at(moving.of_part[at(p.part)])].first, p.n()) = p.own(settled.amplitudes);
         add_turns(own, rows, settled.multipliers, step.turns);

@@ -55,12 +55,13 @@ struct Resisted {
     std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
     Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
     double leading = 1;           ///< what leads is as stiff as gaps, times this
+    bool curved = false;          ///< by forces in gaps between round parts and hollows, which turn as these roll in each other
 };
 
 /// The step of parts on stiff springs along the gaps, which come first among its rows, under the loads. leads: by part, as far
-/// as this step is to take them.
+/// as this step is to take them. across: by gap, the stiffness between its pivots across its normal; empty: none.
 solver::ContactQp step_problem(const MovingParts& moving, const std::vector<ClosingRow>& gaps, const std::vector<Lead>& leads,
-                               const Resisted& by);
+                               const Resisted& by, const std::vector<double>& across = {});
 
 /// The number of the group of each moving part. Parts that no gap joins do not know of each other.
 std::vector<int> groups_of(const MovingParts& moving, const std::vector<ClosingRow>& gaps);

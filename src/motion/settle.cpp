@@ -419,6 +419,7 @@ private:
         const auto step = [&] {
             Resisted by{spring_closing, drag, turns_};
             by.leading = leading_;
+            by.curved = apart_ > 0;
             Step next = step_of(moving_, closing_.rows, leads_of_step(share), by);
             turns_ = std::move(next.turns);
             return next.amplitudes;

@@ -46,6 +46,30 @@ TEST(FollowMotion, BendingIsNoMotionOfThePart) {
     }
 }
 
+/// A lever in mid-air, held by its pin alone, falls on its stop with or without friction, which acts on it there.
+TEST(FollowMotion, FrictionThatHoldsNothingLetsPartsGo) {
+    const auto falls = [](const std::string& friction) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "stop", "material": "m", "geometry": {"rectangle": {"min": [70, -40], "max": [130, -14]}}},
+            {"name": "pin", "material": "m", "geometry": {"circle": {"center": [0, 0], "radius": 5}}},
+            {"name": "arm", "material": "m", "geometry": {"difference": [
+                {"union": [{"slot": {"from": [0, 0], "to": [100, 0], "radius": 6}}, {"circle": {"center": [0, 0], "radius": 10}}]},
+                {"circle": {"center": [0, 0], "radius": 5.005}}]}}],
+            "supports": [{"on": "stop/bottom", "fix": ["x", "y"]},
+                         {"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}}],
+            "loads": [{"part": "arm", "force": [0, -300]}], "contacts": {"friction": )" +
+                            friction + R"(}, "accuracy": {"level": "draft"}})");
+    };
+    const Result smooth = falls("0"), held = falls("0.1");
+    ASSERT_EQ(smooth.status, "ok") << smooth.message;
+    ASSERT_EQ(held.status, "ok") << held.message;
+    ASSERT_TRUE(held.parts.at(2).placement);
+    EXPECT_NEAR(held.parts.at(2).placement->rotation, smooth.parts.at(2).placement->rotation, 1e-6);
+    EXPECT_TRUE(std::any_of(held.warnings.begin(), held.warnings.end(),
+                            [](const std::string& w) { return w.find("friction acts from there on") != std::string::npos; }));
+    EXPECT_NEAR(held.contacts.at(0).force.norm() / smooth.contacts.at(0).force.norm(), 1, 0.03);
+}
+
 /// A plate drawn on its corner, beyond the place where it would balance, falls on its long side; round parts turn as they like.
 TEST(FollowMotion, APartThatTipsOverIsAReason) {
     const auto falls = [](double degrees) {
