@@ -93,9 +93,12 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
         }
     for (Lead& lead : leads.of) {
         const Vec2 way = lead.to.head<2>();
-        if (!lead.is_given[0] || !lead.is_given[1] || way == Vec2(0, 0)) continue;
+        if (way == Vec2(0, 0)) continue;
+        lead.way = way.x() != 0 ? 0 : 1;
+        if (!lead.is_given[0] || !lead.is_given[1]) continue;
         lead.axis = way.normalized();
         lead.to.head<2>() = Vec2(way.norm(), 0);
+        lead.way = 0;
     }
     return leads;
 }

@@ -19,6 +19,7 @@ struct Lead {
     std::array<bool, 3> is_given{false, false, false};
     Eigen::Vector3d to{0, 0, 0};  ///< radians for the turn
     Vec2 axis{1, 0};              ///< the way, where it is given as a whole: what stops a part leaves it on its line
+    int way = -1;                 ///< the component of the translation that is not zero; -1: none
 
     /// A translation, and a turn, by these coordinates.
     Eigen::Vector3d of(const Vec2& translation, double turn) const {

@@ -202,7 +202,8 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
                                                         Eigen::Vector3d(aside.x(), aside.y(), 0), turn};
         for (Index c = 0; c < 3; ++c)
             if (lead.is_given[at(c)])
-                rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c], by.leading * stiffness);
+                rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c],
+                          (c == lead.way ? by.leading : 1) * stiffness);
         if (const double back = turn_back(p); back > 0) rows.lead(p, turn, 0, back / (p.arm * p.arm));
         if (by.towards.size() == 0) qp.mode_load.segment(p.first, p.n()) += power(p, p.load.force, p.load.moment);
         const double own = p.pull > 0 ? p.pull : moving.pull > 0 ? moving.pull : pull;

@@ -54,7 +54,7 @@ struct Resisted {
     double closing, drag;
     std::vector<double> turns{};  ///< by part: as of `Step`; empty: not known, and loads do not turn back either
     Eigen::VectorXd towards{};    ///< amplitudes that the drag pulls to instead of the loads; empty: the loads act
-    double leading = 1;           ///< what leads is as stiff as gaps, times this
+    double leading = 1;           ///< what takes a part its way is as stiff as gaps, times this
     bool curved = false;          ///< by forces in gaps between round parts and hollows, which turn as these roll in each other
 };
 

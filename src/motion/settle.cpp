@@ -226,6 +226,7 @@ private:
                 if (reach_ < settled) return lost();
                 continue;
             }
+            end_pushes();
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
             if (is_near && far * step_fraction <= settled) {
@@ -253,18 +254,29 @@ private:
         const std::vector<Lead> asked = leads_of_step(1);
         for (const MovingPart& b : moving_.list) {
             Lead& lead = leads_[at(b.part)];
-            const Eigen::Vector3d goes = lead.of(b.motion(step).head<2>(), 0);
-            for (int c = 0; c < 2; ++c) {  // one of them: the other is given as none, or not at all
-                const double way = asked[at(b.part)].to[c];
-                if (!lead.is_given[at(c)] || lead.to[c] == 0 || std::abs(way) <= settled * b.size) continue;
-                if (goes[c] * way >= gets_there * way * way) continue;
-                lead.is_given[at(c)] = false;
-                pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(c) * (way > 0 ? 1 : -1));
-                any = true;
-            }
+            if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
+            const double way = asked[at(b.part)].to[lead.way], goes = lead.of(b.motion(step).head<2>(), 0)[lead.way];
+            if (std::abs(way) <= settled * b.size || goes * way >= gets_there * way * way) continue;
+            lead.is_given[at(lead.way)] = false;
+            pushes_[at(b.part)] =
+                strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(lead.way) * (way > 0 ? 1 : -1));
+            any = true;
         }
         if (any) find_moving();
         return any;
+    }
+
+    /// What gives way takes a pushed part farther than it is led: there it is led again.
+    void end_pushes() {
+        for (std::size_t i = 0; i < pushes_.size(); ++i) {
+            Lead& lead = leads_[i];
+            if (pushes_[i] == Vec2(0, 0)) continue;
+            const double to = lead.to[lead.way];
+            if (lead.of(moved(i), 0)[lead.way] / to < 1) continue;
+            lead.is_given[at(lead.way)] = true;
+            pushes_[i] = Vec2(0, 0);
+            find_moving();
+        }
     }
 
     /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what

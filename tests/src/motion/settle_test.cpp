@@ -405,6 +405,21 @@ TEST(Settle, EdgesLeadTheirPartAsAWhole) {
     EXPECT_EQ((way(guided, settling_of(guided), 1)), Vec2(-2, 0));
 }
 
+/// A disc that nothing else holds is pushed across to the other jaw, and not squeezed out.
+TEST(Settle, AJawClosesOnWhatLiesLoose) {
+    const Scene scene = scene_of(part("fixed", R"({"rectangle": {"min": [-40, 0], "max": [-20, 20]}})") + ", " +
+                                     part("work", R"({"circle": {"center": [0, 8], "radius": 8}})") + ", " +
+                                     part("jaw", R"({"rectangle": {"min": [20, 0], "max": [40, 20]}})"),
+                                 R"({"on": "fixed/left", "fix": ["x", "y"]},
+                                    {"on": "jaw/right", "displacement": {"x": -24.02, "y": 0}})",
+                                 "");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_NEAR(way(scene, settling, 1).x(), -12, 16 * of_size);
+    EXPECT_NEAR(way(scene, settling, 1).y(), 0, 0.1);  // between flat faces it lies anywhere
+    EXPECT_NEAR((way(scene, settling, 2) - Vec2(-24, 0)).norm(), 0, 28 * of_size);
+}
+
 /// Far is what is far beside the smaller of two parts that come near each other.
 TEST(Settle, AnEyeGoesFarBesideItsPin) {
     const Scene scene = read_scene(ABUT_SOURCE_DIR "/data/verification/led_strap.json");
