@@ -71,11 +71,12 @@ bool share_from_inside(const Curve& a, const Curve& b, double tolerance) {
 
 std::vector<bool> shared_from_inside(const std::vector<SketchPiece>& entities, const std::vector<EntityChain>& chains,
                                      double tolerance) {
+    std::vector<bool> found(entities.size(), false);
+    if (chains.size() < 2) return found;
     const std::vector<Side> sides = sides_of(entities, chains);
     std::vector<OrientedTree::Item> items;
     for (const Side& side : sides) items.push_back({bounding_box(side.curve), oriented_box(side.curve)});
     const OrientedTree tree(items);
-    std::vector<bool> found(entities.size(), false);
     for (std::size_t i = 0; i < sides.size(); ++i)
         for (const int near : tree.near_after(i, tolerance)) {
             const auto k = static_cast<std::size_t>(near);
