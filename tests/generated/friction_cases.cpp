@@ -17,7 +17,8 @@ using Json = nlohmann::json;
 using std::numbers::pi;
 
 constexpr double young = 1e5;  // of the softer body
-constexpr double beyond = 1.0 / 16;
+constexpr double beyond = 1.0 / 16, given_grids = 0.7;
+constexpr double coarse = 0.2;  // cases are to be many
 
 /// What is drawn for every kind; the contact lies at the origin, the upper body above it.
 class Draw {
@@ -81,14 +82,13 @@ Bodies cylinder(Draw& d) {
 Bodies punch(Draw& d) {
     const double b = d.between(0.1, 0.5), r = d.between(0.3, 5), w = std::min(d.between(0.2, 0.5), 0.6 * r);
     const double up = r - std::sqrt(r * r - w * w), top = up + 1;
-    const Json upper{
-        {"loops",
-         {{{{"line", {{"from", {-b, 0}}, {"to", {b, 0}}}}},
-           {{"arc", {{"from", {b, 0}}, {"to", {b + w, up}}, {"center", {b, r}}, {"ccw", true}}}},
-           {{"line", {{"from", {b + w, up}}, {"to", {b + w, top}}}}},
-           {{"line", {{"from", {b + w, top}}, {"to", {-b - w, top}}}}},
-           {{"line", {{"from", {-b - w, top}}, {"to", {-b - w, up}}}}},
-           {{"arc", {{"from", {-b - w, up}}, {"to", {-b, 0}}, {"center", {-b, r}}, {"ccw", true}}}}}}}};
+    const Json upper{{"loops",
+                      {{{{"line", {{"from", {-b, 0}}, {"to", {b, 0}}}}},
+                        {{"arc", {{"from", {b, 0}}, {"to", {b + w, up}}, {"center", {b, r}}, {"ccw", true}}}},
+                        {{"line", {{"from", {b + w, up}}, {"to", {b + w, top}}}}},
+                        {{"line", {{"from", {b + w, top}}, {"to", {-b - w, top}}}}},
+                        {{"line", {{"from", {-b - w, top}}, {"to", {-b - w, up}}}}},
+                        {{"arc", {{"from", {-b - w, up}}, {"to", {-b, 0}}, {"center", {-b, r}}, {"ccw", true}}}}}}}};
     const double P = 2 * b * young * d.log_between(1e-4, 3e-3);
     return {upper, rectangle(-2, -2, 2, 0), P, load_share(d) * d.mu * P, 0, true, 1.3 * b};
 }
@@ -107,8 +107,7 @@ Bodies pin(Draw& d) {
     const double clearance = d.log_between(1e-3, 2e-2), P = young * d.log_between(1e-6, 1e-3);
     const double lever = std::sin(std::atan(d.mu)), share = d.way * (d.rests ? d.share : d.between(2, 3));
     const Json hole{
-        {"difference",
-         {rectangle(-3, -2, 3, 4), {{"circle", {{"center", {0, 1 + clearance}}, {"radius", 1 + clearance}}}}}}};
+        {"difference", {rectangle(-3, -2, 3, 4), {{"circle", {{"center", {0, 1 + clearance}}, {"radius", 1 + clearance}}}}}}};
     return {{{"circle", {{"center", {0, 1}}, {"radius", 1}}}}, hole, P, 0, share * lever * P, false, 0.5};
 }
 
@@ -164,8 +163,8 @@ FrictionCase friction_case(const std::string& kind, std::uint64_t seed) {
     if (history > 0.75) {
         if (d.rests) scene["steps"].push_back({{"name", "back"}, {"loads", {{"press", 1}, {"shear", -1}}}});
     }
-    scene["accuracy"] = {{"level", "draft"}};
-    if (d.chance(0.5)) {
+    scene["accuracy"] = {{"target", coarse}};
+    if (d.chance(given_grids)) {
         Json& grids = scene["accuracy"]["grids"] = Json::object();
         if (d.ratio != 0 || d.is_upper_stiffer) grids["lower"] = grid(d, b.size);
         if (d.ratio != 0 || !d.is_upper_stiffer) grids["upper"] = grid(d, b.size);
