@@ -257,15 +257,16 @@ VectorXd sliding_motion(const ContactQp& qp, const NonnegativeResult& balance) {
     constexpr double notable = 1e-3;
     const VectorXd motion = -balance.residual;
     std::vector<Index> pressed;
-    std::vector<char> is_held(qp.unilateral.size(), 1);
+    std::vector<char> has_friction(qp.unilateral.size(), 0);
+    auto n_edges = static_cast<Index>(2 * qp.friction.size());
     for (std::size_t k = 0; k < qp.friction.size(); ++k) {
-        is_held[static_cast<std::size_t>(qp.friction[k].normal)] =
-            is_held[static_cast<std::size_t>(qp.friction[k].tangential)] = 0;
+        has_friction[static_cast<std::size_t>(qp.friction[k].normal)] =
+            has_friction[static_cast<std::size_t>(qp.friction[k].tangential)] = 1;
         if (balance.x[static_cast<Index>(2 * k)] != 0 || balance.x[static_cast<Index>(2 * k + 1)] != 0)
             pressed.push_back(qp.friction[k].normal);
     }
-    for (std::size_t k = 0; k < is_held.size(); ++k)
-        if (is_held[k] && !qp.unilateral[k]) pressed.push_back(static_cast<Index>(k));
+    for (std::size_t k = 0; k < has_friction.size(); ++k)
+        if (!has_friction[k] && (balance.x[n_edges++] != 0 || !qp.unilateral[k])) pressed.push_back(static_cast<Index>(k));
     if (pressed.empty()) return motion;
     const MatrixXd rows = qp.modes(pressed, Eigen::all);
     const VectorXd sliding = motion - least_squares(rows, rows * motion);

@@ -118,7 +118,10 @@ public:
         }
         VectorXd q = VectorXd::Zero(n);
         q.head(u + f) = g_;
-        const std::optional<VectorXd> z = complementary(m, q, positive_in(expected, gap));
+        // a trifle of the pressures is none of the tractions' bounds where coefficients are small
+        VectorXd ties = VectorXd::Ones(n);
+        ties.tail(f) = mu.cwiseMin(1);
+        const std::optional<VectorXd> z = complementary(m, q, positive_in(expected, gap), ties);
         if (!z) return std::nullopt;
         const VectorXd w = m * *z + q;
         ActiveSet states = bilateral_rows(qp_);

@@ -162,15 +162,17 @@ std::optional<VectorXd> pivoted(MatrixXd table, const VectorXd& cover, std::vect
 
 }  // namespace
 
-std::optional<VectorXd> complementary(const MatrixXd& matrix, const VectorXd& q, const std::vector<char>& positive) {
+std::optional<VectorXd> complementary(const MatrixXd& matrix, const VectorXd& q, const std::vector<char>& positive,
+                                      const VectorXd& ties) {
     const Index n = q.size();
     ENSURE(matrix.rows() == n && matrix.cols() == n, "every row has a variable and a constant");
     ENSURE(positive.empty() || static_cast<Index>(positive.size()) == n, "every variable is expected or not, or none is");
+    ENSURE(ties.size() == 0 || ties.size() == n, "every row has its share of the trifle, or none has");
     if (n == 0) return VectorXd::Zero(0);
     VectorXd moved = q;
     const double largest = q.cwiseAbs().maxCoeff(), trifle = tie_fraction * largest;
     if (largest == 0) return VectorXd::Zero(n);
-    for (Index i = 0; i < n; ++i) moved[i] += trifle * spread(i);
+    for (Index i = 0; i < n; ++i) moved[i] += (ties.size() > 0 ? ties[i] : 1) * trifle * spread(i);
     std::vector<Index> basic(of(n));
     for (Index i = 0; i < n; ++i) basic[of(i)] = !positive.empty() && positive[of(i)] ? n + i : i;
     if (!positive.empty())

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coulomb friction: sheared cylinders (F1, F2), any profile by its pressures under two loads (F3), a cylinder sheared on a
 // block that is pulled (F4), blocks on slopes, ladders, wedges and cylinders at the limit of rest (F5 to F8), a shrink fit that
-// carries a moment (F9), a band around a drum (F10), rough faces (F11), what holds in every answer (F12), steps whose order
-// does not count (H3).
+// carries a moment (F9), a band around a drum (F10), rough faces (F11), what holds in every answer (F12), a vise (F13), steps
+// whose order does not count (H3).
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -266,6 +266,24 @@ std::vector<VerifyProblem> limits() {
                    {"in rotates about (0, 0)", "friction of 0.22 would hold it"})};
 }
 
+/// A workpiece between two faces, each pressed by the thrust, lifted by a hundredth less and more than 2 mu thrust.
+std::vector<VerifyProblem> vises() {
+    constexpr double thrust = 8000, mu = 0.15;
+    const std::string scene = "scenes/vise_friction.json";
+    const auto sum = [](const Answers& a, double FrictionResult::*of) {
+        double forces = 0;
+        for (const ContactResult& c : a[0].contacts) forces += c.friction ? std::abs((*c.friction).*of) : 0;
+        return forces;
+    };
+    return {
+        rests("F13-rests", "a workpiece in a vise, lifted by a hundredth less than friction bears", {scene, {{"share", 0.99}}},
+              {{"shear forces on both of its faces", [=](const Answers& a) { return sum(a, &FrictionResult::shear_force); },
+                0.99 * 2 * mu * thrust, 1e-6},
+               {"normal forces", [=](const Answers& a) { return sum(a, &FrictionResult::normal_force); }, 2 * thrust, 1e-6}}),
+        slides("F13-slides", "the same, lifted by a hundredth more", {scene, {{"share", 1.01}}},
+               {"workpiece slides along (0, 1)", "friction of 0.1515 would hold it"})};
+}
+
 /// Euler [1769]: slipping all over, tensions are as exp(mu beta); the band's thickness is a hundredth of the radius.
 VerifyProblem band() {
     const auto ratio = [](const Answers& a) { return 1000 / std::abs(a[0].reactions.at(1).force.x()); };
@@ -365,7 +383,8 @@ VerifyProblem pulled_block() {
 std::vector<VerifyProblem> friction_problems() {
     using namespace verify_friction;
     std::vector<VerifyProblem> problems{sheared_cylinders(0.2), sheared_cylinders(0.5), sheared_cylinders(0.9), cycles()};
-    for (const auto& group : {slopes(), ladders(), limits()}) problems.insert(problems.end(), group.begin(), group.end());
+    for (const auto& group : {slopes(), ladders(), limits(), vises()})
+        problems.insert(problems.end(), group.begin(), group.end());
     problems.push_back(band());
     problems.push_back(shrink_fit());
     problems.push_back(rough());

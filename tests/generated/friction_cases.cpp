@@ -11,14 +11,16 @@
 
 namespace abut::test {
 
+namespace friction_drawn {
+
 namespace {
 
 using Json = nlohmann::json;
 using std::numbers::pi;
 
 constexpr double young = 1e5;  // of the softer body
-constexpr double beyond = 1.0 / 16, given_grids = 0.7;
-constexpr double coarse = 0.2;  // cases are to be many
+constexpr double beyond = 1.0 / 16, given_grids = 0.85;
+constexpr double coarse = 0.4;  // cases are to be many
 
 /// What is drawn for every kind; the contact lies at the origin, the upper body above it.
 class Draw {
@@ -132,14 +134,7 @@ Json grid(Draw& d, double size) {
                {"levels", std::clamp(static_cast<int>(std::ceil(std::log2(4 * cell / size))), 1, 7)}}}}};
 }
 
-}  // namespace
-
-const std::vector<std::string>& friction_kinds() {
-    static const std::vector<std::string> names{"cylinder", "punch", "block", "pin"};
-    return names;
-}
-
-FrictionCase friction_case(const std::string& kind, std::uint64_t seed) {
+FrictionCase drawn(const std::string& kind, std::uint64_t seed) {
     Draw d(kind, seed);
     const Bodies b = kinds.at(kind)(d);
     const Json soft{{"E", young}, {"nu", d.between(0, 0.45)}}, stiff{{"E", d.ratio * young}, {"nu", d.between(0, 0.45)}};
@@ -170,6 +165,19 @@ FrictionCase friction_case(const std::string& kind, std::uint64_t seed) {
         if (d.ratio != 0 || !d.is_upper_stiffer) grids["upper"] = grid(d, b.size);
     }
     return {scene.dump(), d.rests, d.mu};
+}
+
+}  // namespace
+
+}  // namespace friction_drawn
+
+const std::vector<std::string>& friction_kinds() {
+    static const std::vector<std::string> names{"cylinder", "punch", "block", "pin"};
+    return names;
+}
+
+FrictionCase friction_case(const std::string& kind, std::uint64_t seed) {
+    return friction_drawn::drawn(kind, seed);
 }
 
 }  // namespace abut::test

@@ -209,6 +209,27 @@ TEST(Friction, IsSolvedByPivotsAlone) {
     EXPECT_GT(found, 95);
 }
 
+/// Two faces that are stretched slip against each other, both ways; one that is pressed a thousandth more sticks. What tells
+/// ties apart is larger than their tractions.
+TEST(Friction, OfTheSmallestCoefficientsIsSolvedByPivots) {
+    const ContactQp qp{MatrixXd(MatrixXd::Identity(4, 4)),
+                       VectorXd{{-1.001, 1, -1, -1}},
+                       VectorXd{{0, 1, 0, 1}},
+                       VectorXd::Zero(1),
+                       {1, 0, 1, 0},
+                       VectorXd::Ones(4),
+                       VectorXd::Zero(4),
+                       1,
+                       {},
+                       {},
+                       {{0, 1, 1e-9}, {2, 3, 1e-9}}};
+    const Proximal near_rest{MatrixXd::Constant(1, 1, 1e-4), VectorXd::Constant(1, -1)};
+    const auto states = pivoted_states({qp, qp.gap}, near_rest, {});
+    ASSERT_TRUE(states);
+    EXPECT_EQ((*states)[1], row_state::closed);
+    EXPECT_EQ((*states)[3], row_state::slips_backward);
+}
+
 /// Numbers that are none, as cells too small for their coordinates give them, are no motion.
 TEST(Friction, OfNoNumbersIsNotConverged) {
     for (const Index pairs : {0, 3}) {
