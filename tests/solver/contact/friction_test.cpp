@@ -224,7 +224,7 @@ TEST(Friction, OfTheSmallestCoefficientsIsSolvedByPivots) {
                        {},
                        {{0, 1, 1e-9}, {2, 3, 1e-9}}};
     const Proximal near_rest{MatrixXd::Constant(1, 1, 1e-4), VectorXd::Constant(1, -1)};
-    const auto states = pivoted_states({qp, qp.gap}, near_rest, {});
+    const auto states = pivoted_states({qp, qp.gap}, near_rest, bilateral_rows(qp));
     ASSERT_TRUE(states);
     EXPECT_EQ((*states)[1], row_state::closed);
     EXPECT_EQ((*states)[3], row_state::slips_backward);
