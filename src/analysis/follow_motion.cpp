@@ -127,8 +127,9 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
-    // friction may hold parts where they are drawn; where it does not, they go where the loads take them without it
-    if (!has_answer(out) && has_friction(drawn.contacts) && !drawn.in_steps) {
+    // friction may hold parts where they are drawn; where none would, they go where the loads take them without it
+    const bool would_slide = out.solved.solution.holding_factor > 0;
+    if (!has_answer(out) && !would_slide && has_friction(drawn.contacts) && !drawn.in_steps) {
         Settling loose = settle(smooth(drawn), conditions);
         if (loose.end == Settling::End::rests)
             solve_at(drawn, conditions, std::move(loose.placements), options, seconds, out, rest);
