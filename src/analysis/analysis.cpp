@@ -352,6 +352,16 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
             common.pop_back();
         }
     }
+    if (scene.in_steps && !any_rests)
+        if (const auto there = let_go(scenes.front(), begun.front().conditions, outcomes.front())) {
+            // friction remembers on grids that all steps share: all of them are where the first takes the parts
+            problems.clear();
+            for (std::size_t k = 0; k < scenes.size(); ++k) {
+                begun[k].rest = Rest{placed(scenes[k], begun[k].conditions, *there), *there};
+                problems.push_back({&begun[k].rest->scene, &begun[k].conditions});
+            }
+            outcomes = solve_cases_adaptively(placed(scene, resolve_conditions(scene), *there), problems, options, seconds);
+        }
     std::set<int> closed;
     for (std::size_t k = 0; k < scenes.size(); ++k) {
         follow_motion(scenes[k], begun[k].conditions, begun[k].settling, options, seconds, outcomes[k], begun[k].rest);

@@ -118,6 +118,15 @@ std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& condit
     return Rest{placed(drawn, conditions, settling.placements), settling.placements};
 }
 
+std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
+    const bool would_slide = out.solved.solution.holding_factor > 0;
+    if (would_slide || !has_friction(drawn.contacts)) return std::nullopt;
+    if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
+    Settling loose = settle(smooth(drawn), conditions);
+    if (loose.end != Settling::End::rests) return std::nullopt;
+    return std::move(loose.placements);
+}
+
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
                    const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     constexpr int most_placements = 5;
@@ -127,13 +136,9 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
-    // friction may hold parts where they are drawn; where none would, they go where the loads take them without it
-    const bool would_slide = out.solved.solution.holding_factor > 0;
-    if (!has_answer(out) && !would_slide && has_friction(drawn.contacts) && !drawn.in_steps) {
-        Settling loose = settle(smooth(drawn), conditions);
-        if (loose.end == Settling::End::rests)
-            solve_at(drawn, conditions, std::move(loose.placements), options, seconds, out, rest);
-    }
+    if (!drawn.in_steps)
+        if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
+            solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;

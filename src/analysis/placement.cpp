@@ -35,6 +35,10 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved) {
     if (!why_not_followed(scene, conditions).empty()) return std::nullopt;
+    return far_placements_of(scene, solved);
+}
+
+std::optional<std::vector<Placement>> far_placements_of(const Scene& scene, const SolvedAssembly& solved) {
     const Bodies bodies = bodies_of(scene);
     std::vector<Placement> placements(scene.parts.size());
     bool any = false;

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "src/results/verdict.hpp"
+#include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
 
 namespace abut::follow_motion_test {
@@ -68,6 +69,30 @@ TEST(FollowMotion, FrictionThatHoldsNothingLetsPartsGo) {
     EXPECT_TRUE(std::any_of(held.warnings.begin(), held.warnings.end(),
                             [](const std::string& w) { return w.find("friction acts from there on") != std::string::npos; }));
     EXPECT_NEAR(held.contacts.at(0).force.norm() / smooth.contacts.at(0).force.norm(), 1, 0.03);
+}
+
+/// A clamp drawn far above its strip, which lies above its base: the first step closes both gaps, and friction remembers there.
+TEST(FollowMotion, StepsWithFrictionGoOnFromWhereTheFirstTakesTheParts) {
+    const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [60, 0]}}},
+        {"name": "strip", "material": "m", "geometry": {"rectangle": {"min": [-50, 4], "max": [50, 8]}}},
+        {"name": "clamp", "material": "m", "geometry": {"rectangle": {"min": [-15, 14], "max": [15, 30]}}}],
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"on": ["clamp/left", "clamp/right"], "symmetry": true}],
+        "loads": [{"name": "clamp", "on": "clamp/top", "force": [0, -2000]}, {"name": "pull", "on": "strip/right", "force": [200, 0]},
+                  {"name": "weight", "on": "strip/bottom", "force": [0, -1]}],
+        "contacts": {"friction": 0.15}, "accuracy": {"level": "draft"},
+        "steps": [{"name": "clamp", "loads": {"clamp": 1, "weight": 1}}, {"name": "pull", "loads": {"clamp": 1, "weight": 1, "pull": 1}},
+                  {"name": "release", "loads": {"clamp": 1, "weight": 1}}]})",
+                                        "s.json");
+    const std::vector<CaseResult> steps = analyze_cases(scene, {});
+    ASSERT_EQ(steps.size(), 3U);
+    for (const CaseResult& step : steps) {
+        ASSERT_EQ(step.result.status, "ok") << step.result.message;
+        ASSERT_TRUE(step.result.parts.at(2).placement) << step.name;
+        EXPECT_NEAR(step.result.parts.at(2).placement->translation.y(), -10, 1e-3);
+        EXPECT_NEAR(step.result.parts.at(1).placement->translation.y(), -4, 1e-3);
+        EXPECT_LT(step.result.equilibrium.relative_residual, 1e-9);
+    }
 }
 
 /// A plate drawn on its corner, beyond the place where it would balance, falls on its long side; round parts turn as they like.
