@@ -170,7 +170,7 @@ void add_side(Rows& rows, const std::vector<PartSystem>& parts, const Interface&
 
 /// The mean rotation of a part by its coefficients (2n), in its own frame: half the mean curl. A rigid one has no cells, but
 /// moves as a whole: of its coefficients what is no translation.
-VectorXd mean_rotation(const PartSystem& part) {
+VectorXd make_mean_rotation(const PartSystem& part) {
     const std::vector<RigidMotion> rigid{{{1, 0}, 0}, {{0, 1}, 0}, {{0, 0}, 1}};
     const Eigen::MatrixXd motions = coefficients_of(part.input.space, rigid);
     VectorXd rotation = motions.col(2);
@@ -189,7 +189,8 @@ void add_turnings(const std::vector<PartSystem>& parts, const Interface& face, i
         Turning& turning = rows.turning[static_cast<std::size_t>(part)];
         if (parts[static_cast<std::size_t>(part)].input.axis) return;
         if (turning.rotation.size() > 0) continue;
-        turning = {mean_rotation(parts[static_cast<std::size_t>(part)]), VectorXd::Zero(rows.n)};
+        const PartSystem& system = parts[static_cast<std::size_t>(part)];
+        turning = {system.mean_rotation([&] { return make_mean_rotation(system); }), VectorXd::Zero(rows.n)};
     }
     for (std::size_t q = 0; q < face.points.size(); ++q) {
         const PointRows of = mortar_rows(face, q, first_row);

@@ -74,6 +74,7 @@ struct PartSystem {
     std::string failure;                       ///< not empty: not solvable, what that means and what to do
     std::optional<FailedPivot> failed_at;      ///< where the factorisation ended
     Once<Eigen::MatrixXd> motion_integrals{};  ///< motion_integrals() asks for them
+    Once<Eigen::VectorXd> mean_rotation{};     ///< rows of friction ask for it
     struct {
         double all = 0, factorisation = 0, springs = 0, dilatation = 0;
     } seconds;  ///< of make_part_system, and of steps in it
