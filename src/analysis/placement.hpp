@@ -19,7 +19,7 @@ solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t gr
 /// moves so far, or parts are not followed (why_not_followed).
 std::optional<std::vector<Placement>> placements_of(const Scene& scene, const ResolvedConditions& conditions,
                                                     const SolvedAssembly& solved);
-/// The same whether or not they are followed.
+/// What placements_of finds where parts are followed.
 std::optional<std::vector<Placement>> far_placements_of(const Scene& scene, const SolvedAssembly& solved);
 
 }  // namespace abut
