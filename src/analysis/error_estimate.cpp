@@ -141,6 +141,7 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     e.moved.resize(now.moved.size());
     if (passes.size() < 2) return e;
     const PassRecord& before = passes[passes.size() - 2];
+    if (before.contacts.size() != now.contacts.size()) return e;  // it had no answer (a step, or the one before it, was stuck)
     for (std::size_t k = 0; k < e.moved.size(); ++k) e.moved[k] = change_of_displacement(now, before, k);
     double strongest = 0, largest_peak = 0;  // of all, bonds among them
     double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;

@@ -31,6 +31,13 @@ TEST(ErrorEstimate, OneSolutionHasNothingToCompareWith) {
     EXPECT_FALSE(e.contact_pressure || e.peak || e.energy || e.stress);
 }
 
+/// Of a step that was stuck nothing is recorded: the next pass, which had an answer, was compared with its contacts.
+TEST(ErrorEstimate, ASolutionThatHadNoAnswerBeforeHasNothingToCompareWith) {
+    const ErrorEstimate e = estimate({PassRecord{}, pass({scaled(20, 1)})});
+    EXPECT_FALSE(e.contact_pressure);
+    EXPECT_EQ(e.contacts.size(), 1U);
+}
+
 TEST(ErrorEstimate, GrowsWithTheChange) {
     const auto with_change = [](double change) { return estimate({pass({scaled(20, 1 - change)}), pass({scaled(20, 1)})}); };
     const ErrorEstimate small = with_change(0.01), large = with_change(0.02);
