@@ -154,7 +154,7 @@ MergedBoundary merged_boundary(const CsgNode& tree, const std::vector<Primitive>
 
 }  // namespace
 
-CsgNode moved(CsgNode tree, double c, double s, const Vec2& d) {
+CsgNode transformed(CsgNode tree, double c, double s, const Vec2& d) {
     Placed place;
     place.rotate = std::atan2(s, c) * (180 / std::numbers::pi);
     place.translate = d;

@@ -77,7 +77,7 @@ struct CsgNode {
 };
 
 /// The tree rotated about the origin by the angle of cosine c and sine s, then moved by d.
-CsgNode moved(CsgNode tree, double c, double s, const Vec2& d);
+CsgNode transformed(CsgNode tree, double c, double s, const Vec2& d);
 
 /// What is wrong with a model, and where in the plane.
 struct GeometryProblem {

@@ -94,10 +94,19 @@ bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState
     const ActiveSet before = result.active;
     if (search_states(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
     result.used_fallback = true;
-    std::optional<ActiveSet> states = pivoted_states(shifted, proximal, before);
-    if (!states) return false;
-    result.active = std::move(*states);
-    return solve_states(shifted, proximal, result.active, state);
+    bool any = false;
+    for (const Ties ties : {Ties::of_bounds, Ties::of_pressures}) {
+        const std::optional<ActiveSet> states = pivoted_states(shifted, proximal, before, ties);
+        ContactState found;
+        if (!states || !solve_states(shifted, proximal, *states, found)) continue;
+        const bool is_solution = next_states(shifted, *states, found) == *states;
+        if (any && !is_solution) break;  // neither: the first
+        result.active = *states;
+        state = std::move(found);
+        any = true;
+        if (is_solution) break;
+    }
+    return any;
 }
 
 bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {

@@ -103,7 +103,7 @@ public:
     }
 
     /// expected: states to begin from.
-    std::optional<ActiveSet> states(const ActiveSet& expected, const VectorXd& gap) const {
+    std::optional<ActiveSet> states(const ActiveSet& expected, const VectorXd& gap, Ties by) const {
         const Index u = static_cast<Index>(pressed_.size()), f = static_cast<Index>(qp_.friction.size()), n = u + 2 * f;
         VectorXd mu(f);
         for (Index k = 0; k < f; ++k) mu[k] = std::min(qp_.friction[of(k)].coefficient, rough_coefficient);
@@ -118,9 +118,8 @@ public:
         }
         VectorXd q = VectorXd::Zero(n);
         q.head(u + f) = g_;
-        // a trifle of the pressures is none of the tractions' bounds where coefficients are small
         VectorXd ties = VectorXd::Ones(n);
-        ties.tail(f) = mu.cwiseMin(1);
+        if (by == Ties::of_bounds) ties.tail(f) = mu.cwiseMin(1);
         const std::optional<VectorXd> z = complementary(m, q, positive_in(expected, gap), ties);
         if (!z) return std::nullopt;
         const VectorXd w = m * *z + q;
@@ -319,10 +318,11 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Acti
     return SetSearch::repeated;
 }
 
-std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected) {
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected,
+                                        Ties ties) {
     ContactState state;
     const bool is_known = solve_states(shifted, proximal, expected, state);
-    return Pivots(shifted, proximal).states(expected, is_known ? gap_of(shifted, state) : VectorXd(0));
+    return Pivots(shifted, proximal).states(expected, is_known ? gap_of(shifted, state) : VectorXd(0), ties);
 }
 
 }  // namespace abut::solver

@@ -23,8 +23,13 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations);
 
+/// Pivots break ties by a trifle of the pressures everywhere, or of each traction's own bound. Where coefficients are small the
+/// first may be as large as what it is to decide on, and the second below its rounding.
+enum class Ties { of_bounds, of_pressures };
+
 /// The states of a solution under a proximal term that is positive definite, by Lemke's pivots from `expected` ones; nothing
 /// where these end without one.
-std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected);
+std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected,
+                                        Ties ties = Ties::of_bounds);
 
 }  // namespace abut::solver

@@ -99,7 +99,7 @@ bool prescribes_zero(const Support& s) {
 geometry::CsgNode local_tree(const Scene& scene, const PartOnGrid& g) {
     const ScenePart& part = scene.parts[at(g.part)];
     if (!part.tree) return {geometry::Imported{g.local}, "", part.where};
-    return geometry::moved(*part.tree, g.frame.c, -g.frame.s, -g.frame.shift);
+    return geometry::transformed(*part.tree, g.frame.c, -g.frame.s, -g.frame.shift);
 }
 
 std::vector<WeightField> fields_of(const Scene& scene, const HeldByWeight& held, const PartOnGrid& g) {

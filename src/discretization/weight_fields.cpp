@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "geometry/implicit/blended_distance.hpp"
-#include "geometry/implicit/node_fields.hpp"
 #include "geometry/implicit/r_functions.hpp"
 #include "src/base/index.hpp"
 
@@ -86,8 +85,8 @@ struct FieldRange {
 FieldRange range_along(const geometry::ImplicitField& field, const Curve& curve) {
     FieldRange range{geometry::value(field, point(curve, 0)), 0};
     range.largest = range.least;
-    for (int k = 1; k <= whole_samples; ++k) {
-        const double v = geometry::value(field, point(curve, static_cast<double>(k) / whole_samples));
+    for (int k = 1; k <= geometry::held_samples; ++k) {
+        const double v = geometry::value(field, point(curve, static_cast<double>(k) / geometry::held_samples));
         range = {std::min(range.least, v), std::max(range.largest, v)};
     }
     return range;

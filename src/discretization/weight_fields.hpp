@@ -8,6 +8,7 @@
 
 #include "geometry/implicit/implicit.hpp"
 #include "geometry/implicit/jet.hpp"
+#include "geometry/implicit/node_fields.hpp"
 #include "solver/terms/solution_structure.hpp"
 
 namespace abut {
@@ -39,10 +40,9 @@ std::vector<WeightField> edge_fields(const geometry::Part& part, const std::vect
                                      const geometry::CsgNode& tree);
 
 /// The first of the edges whose whole line, circle or ellipse is needed and passes through the part where no edge of them is:
-/// as an r_function it would hold the part there, too. Looked at: `whole_samples` points of every edge.
+/// as an r_function it would hold the part there, too. Looked at: `geometry::held_samples` points of every edge.
 std::optional<int> edge_that_holds_more(const geometry::Part& part, const std::vector<int>& edges, double size,
                                         const geometry::CsgNode& tree);
-inline constexpr int whole_samples = 32;  ///< of circles against splines; one would do between lines
 
 /// The weight of held points: zero at each of them.
 WeightField point_weight(const std::vector<geometry::Vec2>& points, double size);

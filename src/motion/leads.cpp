@@ -49,18 +49,30 @@ bool take_displacement(const Support& s, Lead& lead) {
     return true;
 }
 
+/// What holds a part, and what does so beside what leads it.
+struct Hold {
+    std::vector<geometry::Screw> all, others;
+};
+
 /// Do the other supports let the part go there, and does nothing let it turn?
-bool goes_as_a_whole(const Scene& scene, const Leads& leads, const ResolvedConditions& conditions, int part) {
+bool goes_as_a_whole(const Hold& hold, const Vec2& way, const geometry::ScrewScale& scale) {
     constexpr double across = 1e-9;  // sine
-    const geometry::ScrewScale scale = screw_scale(scene);
-    const std::vector<geometry::Screw> all = support_wrenches(scene, conditions)[at(part)];
-    const std::vector<geometry::Screw> others = support_wrenches(without_leads(scene, leads), conditions)[at(part)];
-    const Vec2 way = leads.of[at(part)].to.head<2>();
-    const std::vector<geometry::Screw> free = twist_space(all, scale);
+    const std::vector<geometry::Screw> free = twist_space(hold.all, scale);
     return std::all_of(free.begin(), free.end(), [](const geometry::Screw& twist) { return twist[2] == 0; }) &&
-           std::all_of(others.begin(), others.end(), [&](const geometry::Screw& wrench) {
+           std::all_of(hold.others.begin(), hold.others.end(), [&](const geometry::Screw& wrench) {
                return std::abs(wrench.head<2>().dot(way)) <= across * way.norm() * wrench.head<2>().norm();
            });
+}
+
+/// The first part that supports of edges do not lead as a whole.
+std::optional<int> part_not_led(const Scene& scene, const ResolvedConditions& conditions, const Leads& leads,
+                                const std::set<int>& by_edges) {
+    if (by_edges.empty()) return std::nullopt;
+    const auto all = support_wrenches(scene, conditions), others = support_wrenches(without_leads(scene, leads), conditions);
+    for (const int part : by_edges)
+        if (!goes_as_a_whole({all[at(part)], others[at(part)]}, leads.of[at(part)].to.head<2>(), screw_scale(scene)))
+            return part;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -86,11 +98,9 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
             if (!take_displacement(s, leads.of[at(part)])) deformed.insert(part);
         }
     }
-    for (const int part : by_edges)
-        if (deformed.contains(part) || !goes_as_a_whole(scene, leads, conditions, part)) {
-            leads.why_not = "what supports prescribe deforms " + scene.parts[at(part)].name + ", or may turn it";
-            break;
-        }
+    const std::optional<int> part =
+        deformed.empty() ? part_not_led(scene, conditions, leads, by_edges) : std::optional(*deformed.begin());
+    if (part) leads.why_not = "what supports prescribe deforms " + scene.parts[at(*part)].name + ", or may turn it";
     for (Lead& lead : leads.of) {
         const Vec2 way = lead.to.head<2>();
         if (way == Vec2(0, 0)) continue;

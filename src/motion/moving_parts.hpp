@@ -48,6 +48,8 @@ MovingParts moving_parts(const Scene& scene, const ResolvedConditions& condition
 
 /// How far a part may go in a step, as a fraction of its size.
 inline constexpr double step_fraction = 0.1;
+/// A part is there when what is left of its way is less than this fraction of its size.
+inline constexpr double arrived_fraction = 1e-4;
 /// How a step is resisted: closing: of the smallest part's size, how far the loads press the springs along the gaps together;
 /// drag: of the parts' loads over a step's length, on every motion.
 struct Resisted {

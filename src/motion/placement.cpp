@@ -125,7 +125,8 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
     if (!scene.follows_motion) return "\"motion\" is \"off\"";
     if (scene.analysis == Analysis::axisymmetric) return "parts around an axis stay where they are drawn";
     if (is_by_dissertation(scene)) return "the dissertation's method is one solution, from where parts are drawn";
-    if (scene.in_steps && has_friction(scene.contacts)) return "steps with friction stay where the first of them takes the parts";
+    if (scene.in_steps && has_friction(scene.contacts))
+        return "steps with friction stay where the first of them takes the parts";
     if (std::any_of(scene.loads.begin(), scene.loads.end(), varies_by_place))
         return "a load is given by expressions of the place";
     if (const std::string why = leads_of(scene, conditions).why_not; !why.empty()) return why;

@@ -12,6 +12,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/search_distances.hpp"
 #include "src/motion/closing_rows.hpp"
+#include "src/motion/led_parts.hpp"
 #include "src/motion/moving_parts.hpp"
 
 namespace abut {
@@ -36,8 +37,6 @@ constexpr double rest_digits = 1e-11, moved_at_all = 1e-7;
 constexpr double least_drag = 1e-6, drag_step = 1e-2, most_drag = 1e3;
 /// Of the stiffness of gaps: what leads parts on the way gives way to gaps, and to nothing else.
 constexpr double soft_lead = 1e-3;
-/// Of a part's size: a step that goes less far ends the search.
-constexpr double settled = 1e-4;
 /// Of a part's size: a push that shows whether a balance is stable; and what is unstable goes on by, at least, of the push.
 constexpr double push_fraction = 1e-3, unstable_growth = 0.05;
 
@@ -76,17 +75,16 @@ public:
         : drawn_(drawn),
           conditions_(conditions),
           rules_(drawn),
-          placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from),
-          pushes_(drawn.parts.size(), Vec2(0, 0)) {
+          bodies_(bodies_of(drawn)),
+          placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from) {
         for (const ScenePart& part : drawn.parts) {
             sizes_.push_back(bounding_box(part.part).diagonal());
             centers_.push_back(centroid(part.part));
         }
         paired_ = sizes_;
-        bodies_ = bodies_of(drawn);
-        const Leads leads = leads_of(drawn, conditions);
-        leads_ = leads.of;
+        Leads leads = leads_of(drawn, conditions);
         drawn_ = without_leads(drawn, leads);
+        led_ = LedParts(std::move(leads.of), centers_, sizes_, bodies_.of_part);
         scene_ = from.empty() ? drawn_ : placed(drawn_, conditions_, from);
         find_moving();
     }
@@ -106,14 +104,10 @@ public:
     }
 
 private:
-    bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || is_led()); }
-
-    bool is_led() const {
-        return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.to.norm() > 0; });
-    }
+    bool may_move() const { return moving_.n > 0 && (moving_.pull > 0 || led_.any()); }
 
     bool is_led_far() const {
-        const std::vector<Lead> leads = leads_from_here();
+        const std::vector<Lead> leads = led_.left(placements_);
         for (std::size_t i = 0; i < leads.size(); ++i) {
             const auto way = [&](std::size_t c) { return leads[i].is_given[c] ? leads[i].to[static_cast<Index>(c)] : 0; };
             if (is_far({way(0), way(1)}, way(2), paired_[i])) return true;
@@ -121,60 +115,11 @@ private:
         return false;
     }
 
-    /// What is still to come of the prescribed motions.
-    std::vector<Lead> leads_from_here() const {
-        std::vector<Lead> leads = leads_;
-        for (std::size_t i = 0; i < leads.size(); ++i) leads[i].to -= leads[i].of(moved(i), placements_[i].angle);
-        return leads;
-    }
+    std::vector<Lead> leads_of_step(double share) const { return led_.of_step(placements_, share, reach_); }
 
-    /// A share of the same, no farther than a step may go.
-    std::vector<Lead> leads_of_step(double share) const {
-        std::vector<Lead> leads = leads_from_here();
-        for (std::size_t i = 0; i < leads.size(); ++i)
-            leads[i].to *= share / std::max(1.0, steps_to(leads[i], sizes_[i]) / reach_);
-        return leads;
-    }
-
-    static double steps_to(const Lead& lead, double size) {
-        Eigen::Vector3d way = lead.to;
-        way[2] *= 0.5 * size;
-        for (std::size_t c = 0; c < 3; ++c)
-            if (!lead.is_given[c]) way[static_cast<Index>(c)] = 0;
-        constexpr double within = 0.9;
-        return way.norm() / (within * step_fraction * size);
-    }
-
-    /// Prescribed motions are met exactly.
     void end_leads() {
-        for (std::size_t i = 0; i < placements_.size(); ++i) end_lead(i);
+        led_.end(placements_);
         put();
-    }
-    /// Bonded parts go where one of them is led.
-    void end_lead(std::size_t part) {
-        const Lead& lead = leads_[part];
-        if (!lead.is_given[0] && !lead.is_given[1] && !lead.is_given[2]) return;
-        Eigen::Vector3d by = lead.of(moved(part), placements_[part].angle);
-        for (Index c = 0; c < 3; ++c)
-            if (lead.is_given[at(c)]) by[c] = lead.to[c];
-        const Placement there = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
-        for (std::size_t i = 0; i < placements_.size(); ++i)
-            if (bodies_.of_part[i] == bodies_.of_part[part]) placements_[i] = there;
-    }
-
-    bool is_where_led() const {
-        const std::vector<Lead> leads = leads_from_here();
-        for (std::size_t i = 0; i < leads.size(); ++i)
-            if (steps_to(leads[i], sizes_[i]) * step_fraction > settled) return false;
-        return true;
-    }
-
-    const Lead& lead_of_body(std::size_t part) const {
-        for (std::size_t i = 0; i < leads_.size(); ++i) {
-            const auto& [along, across, turn] = leads_[i].is_given;
-            if (bodies_.of_part[i] == bodies_.of_part[part] && (along || across || turn)) return leads_[i];
-        }
-        return leads_[part];
     }
 
     void look() {
@@ -209,12 +154,13 @@ private:
         reach_ = 1;
         for (int k = 0; k < max_steps; ++k) {
             VectorXd a = next_step(drag);
-            if (drag <= least_drag && push_where_blocked(a)) {
+            if (drag <= least_drag && led_.push_where_blocked(moving_, a, leads_of_step(1))) {
+                find_moving();
                 drag = 1;
                 continue;
             }
             const double far = farthest(a);
-            const bool is_near = drag <= least_drag && is_where_led() && far < 0.5 * reach_;
+            const bool is_near = drag <= least_drag && led_.are_there(placements_) && far < 0.5 * reach_;
             if (!is_near || (far > before && !relaxation.turns_back(a))) relaxation = {};
             before = far;
             if (is_near) a = relaxation.of(a);
@@ -223,13 +169,13 @@ private:
             for (std::size_t i = 0; i < sizes_.size(); ++i) distance.push_back(distance_to_others(i));
             if (!advance(a)) {
                 reach_ *= 0.5;
-                if (reach_ < settled) return lost();
+                if (reach_ < arrived_fraction) return lost();
                 continue;
             }
-            end_pushes();
+            if (led_.end_pushes(placements_)) find_moving();
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
-            if (is_near && far * step_fraction <= settled) {
+            if (is_near && far * step_fraction <= arrived_fraction) {
                 if (is_placed() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
@@ -241,42 +187,6 @@ private:
     }
     Settling walk() {
         return walk([] { return false; });
-    }
-
-    /// Parts that are led and do not get there by rigid motions, since something stops them, press on that: from here on they
-    /// are pushed as loads would, and what is left of the way is for the bodies to give in. Is any of them new?
-    bool push_where_blocked(const VectorXd& step) {
-        constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
-        constexpr double strength = 10;     // beside all loads
-        double loads = 0;
-        for (const MovingPart& b : moving_.list) loads += b.pull;
-        bool any = false;
-        const std::vector<Lead> asked = leads_of_step(1);
-        for (const MovingPart& b : moving_.list) {
-            Lead& lead = leads_[at(b.part)];
-            if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
-            const double way = asked[at(b.part)].to[lead.way], goes = lead.of(b.motion(step).head<2>(), 0)[lead.way];
-            if (std::abs(way) <= settled * b.size || goes * way >= gets_there * way * way) continue;
-            lead.is_given[at(lead.way)] = false;
-            pushes_[at(b.part)] =
-                strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(lead.way) * (way > 0 ? 1 : -1));
-            any = true;
-        }
-        if (any) find_moving();
-        return any;
-    }
-
-    /// What gives way takes a pushed part farther than it is led: there it is led again.
-    void end_pushes() {
-        for (std::size_t i = 0; i < pushes_.size(); ++i) {
-            Lead& lead = leads_[i];
-            if (pushes_[i] == Vec2(0, 0)) continue;
-            const double to = lead.to[lead.way];
-            if (lead.of(moved(i), 0)[lead.way] / to < 1) continue;
-            lead.is_given[at(lead.way)] = true;
-            pushes_[i] = Vec2(0, 0);
-            find_moving();
-        }
     }
 
     /// The share of a step after which the loads of some group work no more. Along finite screws their power changes: what
@@ -437,7 +347,7 @@ private:
             return next.amplitudes;
         };
         VectorXd a = step();
-        if (!is_where_led()) return a;
+        if (!led_.are_there(placements_)) return a;
         for (int k = 0; k < most_raises; ++k) {
             const double driven = share_driven(a);
             if (driven == 1) return a;
@@ -485,12 +395,7 @@ private:
 
     void find_moving() {
         moving_ = moving_parts(scene_, conditions_, bodies_);
-        for (MovingPart& b : moving_.list) {
-            if (pushes_[at(b.part)] == Vec2(0, 0)) continue;
-            b.load.force += pushes_[at(b.part)];
-            b.pull = std::max(b.pull, pushes_[at(b.part)].norm());
-            moving_.pull = std::max(moving_.pull, b.pull);
-        }
+        led_.act_on(moving_);
     }
 
     Vec2 moved(std::size_t part) const { return placements_[part].of(centers_[part]) - centers_[part]; }
@@ -508,7 +413,7 @@ private:
     int part_that_left(const std::vector<double>& distance) const {
         for (const MovingPart& b : moving_.list) {
             const std::size_t i = at(b.part);
-            if (steps_to(leads_[i], b.size) > 0) continue;
+            if (led_.has_way(i)) continue;
             const double now = distance_to_others(i);
             if ((now > b.size && now > distance[i]) || std::abs(placements_[i].angle) > 2 * std::numbers::pi) return b.part;
         }
@@ -537,9 +442,8 @@ private:
             const std::size_t body = at(bodies_.of_part[i]);
             const bool is_rounding =
                 moved(body).norm() + sizes_[body] * std::abs(placements_[body].angle) < moved_at_all * sizes_[body];
-            const auto& [along, across, turn] = lead_of_body(i).is_given;
             settling.placements.push_back(is_rounding ? Placement{}
-                                          : along || across || turn
+                                          : led_.is_led(i)
                                               ? placements_[i]
                                               : without_rounding(placements_[body], centers_[body], sizes_[body], rest_digits));
             if (!is_far(moved(i), placements_[i].angle, paired_[i])) continue;
@@ -556,19 +460,18 @@ private:
     Scene drawn_;  // with supports that lead no more
     const ResolvedConditions& conditions_;
     PairRules rules_;
-    std::vector<Placement> placements_;
-    std::vector<Lead> leads_;  // from where parts are drawn
-    Scene scene_;              // with the parts there
-    std::vector<double> sizes_;
     Bodies bodies_;
+    std::vector<Placement> placements_;
+    Scene scene_;  // with the parts there
+    std::vector<double> sizes_;
     std::vector<double> paired_;  // by part: the least size of it and what it came near to
     std::vector<Vec2> centers_;   // as drawn
+    LedParts led_{{}, {}, {}, {}};
     MovingParts moving_;
     Closing closing_;
     double reach_ = 1;           // of a step
     std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;
-    std::vector<Vec2> pushes_;  // by part: forces in place of leads that something stops
     double leading_ = soft_lead;
 };
 

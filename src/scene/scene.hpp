@@ -55,7 +55,7 @@ struct ScenePart {
 /// Rotates a part about the origin by the angle of cosine c and sine s, then moves it by d.
 inline void turn_and_shift(ScenePart& part, double c, double s, const Vec2& d) {
     part.part = geometry::transformed(part.part, c, s, d);
-    if (part.tree) part.tree = std::make_shared<const geometry::CsgNode>(geometry::moved(*part.tree, c, s, d));
+    if (part.tree) part.tree = std::make_shared<const geometry::CsgNode>(geometry::transformed(*part.tree, c, s, d));
 }
 
 /// One item of an "on": exactly one of the four ways is set.

@@ -106,6 +106,23 @@ TEST_P(LongFrictionSweep, RestsOrNamesItsMotion) {
     expect_sound(GetParam(), in_sample + 1, cases_of_a_kind - in_sample);
 }
 
+/// A coefficient so small that a trifle of the tractions' bounds is below the rounding of pivots.
+TEST(FrictionSteps, SmallBoundsAreFoundByTheOtherTies) {
+    const Answers steps = answers_of(
+        R"({"abut":1,"accuracy":{"level":"draft"},"contacts":{"friction":0.0075938945512965435},
+            "loads":[{"force":[0.0,-4.439269224149585],"name":"press","on":"top/top"},{"force":[0.028630333543582458,0.0],"name":"shear","on":"top/top"}],
+            "materials":{"hard":{"E":1000000.0,"nu":0.3},"soft":{"E":100000.0,"nu":0.2784410766411609}},
+            "parts":[{"geometry":{"rectangle":{"max":[2.0,0.0],"min":[-2.0,-2.0]}},"material":"hard","name":"base"},
+            {"geometry":{"rectangle":{"max":[0.9011103609872866,0.5588972981946096],"min":[-0.9011103609872866,0.0]}},"material":"soft","name":"top"}],
+            "steps":[{"loads":{"press":1},"name":"pressed"},
+            {"loads":{"press":1,"shear":1},"name":"sheared"},{"loads":{"press":1},"name":"released"},{"loads":{"press":1,"shear":-1},"name":"back"}],
+            "supports":[{"fix":["x","y"],"on":"base/bottom"}],"title":"block_on_block 96"})");
+    ASSERT_EQ(steps.size(), 4U);
+    std::vector<std::string> faults;
+    for (const Result& step : steps) append_faults(step, faults);
+    EXPECT_TRUE(faults.empty()) << faults.front();
+}
+
 const auto name = [](const auto& kind) { return kind.param; };
 INSTANTIATE_TEST_SUITE_P(Of, FrictionSweep, testing::ValuesIn(test::friction_kinds()), name);
 INSTANTIATE_TEST_SUITE_P(Of, LongFrictionSweep, testing::ValuesIn(test::friction_kinds()), name);

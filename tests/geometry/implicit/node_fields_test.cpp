@@ -33,10 +33,12 @@ CsgNode plate() {
                  named(rectangle(1, 2, 4, 4), "window"), named(circle(7, 3, 1), "hole")});
 }
 
+HeldNodes nodes_of_window(const CsgNode& tree, const Part& part) {
+    return held_nodes(tree, part, edges_from(part, "window"));
+}
+
 TEST(NodeFields, AWindowIsHeldAsAWhole) {
-    const CsgNode tree = plate();
-    const Part part = evaluate(tree).part;
-    const HeldNodes held = held_nodes(tree, part, edges_from(part, "window"));
+    const HeldNodes held = nodes_of_window(plate(), evaluate(plate()).part);
     ASSERT_EQ(held.fields.size(), 1U);
     EXPECT_TRUE(held.rest.empty());
     // normalised on the window's sides, positive on their lines beyond
@@ -95,13 +97,12 @@ TEST(NodeFields, BodiesThatAbutAreNoNode) {
 
 TEST(NodeFields, MoveWithTheirTree) {
     const double c = std::cos(0.3), s = std::sin(0.3);
-    const CsgNode tree = plate(), there = moved(tree, c, s, {2, -1});
+    const CsgNode tree = plate(), there = transformed(tree, c, s, {2, -1});
     const Part part = transformed(evaluate(tree).part, c, s, {2, -1});
-    const HeldNodes held = held_nodes(there, part, edges_from(part, "window"));
+    const HeldNodes held = nodes_of_window(there, part);
     ASSERT_EQ(held.fields.size(), 1U);
     const Vec2 p(6, 2), q(c * p.x() - s * p.y() + 2, s * p.x() + c * p.y() - 1);
-    EXPECT_NEAR(value(held.fields[0], q), value(held_nodes(tree, evaluate(tree).part, edges_from(part, "window")).fields[0], p),
-                1e-13);
+    EXPECT_NEAR(value(held.fields[0], q), value(nodes_of_window(tree, evaluate(tree).part).fields[0], p), 1e-13);
 }
 
 }  // namespace

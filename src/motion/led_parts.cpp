@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/motion/led_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
+
+namespace abut {
+
+namespace {
+
+using Eigen::Index;
+
+bool leads_at_all(const Lead& lead) {
+    return lead.is_given[0] || lead.is_given[1] || lead.is_given[2];
+}
+
+}  // namespace
+
+LedParts::LedParts(std::vector<Lead> leads, std::vector<Vec2> centers, std::vector<double> sizes, std::vector<int> bodies)
+    : leads_(std::move(leads)),
+      centers_(std::move(centers)),
+      sizes_(std::move(sizes)),
+      bodies_(std::move(bodies)),
+      pushes_(leads_.size(), Vec2(0, 0)) {
+    ENSURE(centers_.size() == leads_.size() && sizes_.size() == leads_.size() && bodies_.size() == leads_.size(),
+           "every part has a place, a size and a body");
+}
+
+bool LedParts::any() const {
+    return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.to.norm() > 0; });
+}
+
+bool LedParts::is_led(std::size_t part) const {
+    for (std::size_t i = 0; i < leads_.size(); ++i)
+        if (bodies_[i] == bodies_[part] && leads_at_all(leads_[i])) return true;
+    return false;
+}
+
+bool LedParts::has_way(std::size_t part) const {
+    return steps_to(part, leads_[part]) > 0;
+}
+
+Eigen::Vector3d LedParts::gone(std::size_t part, const Placement& placement) const {
+    return leads_[part].of(placement.of(centers_[part]) - centers_[part], placement.angle);
+}
+
+double LedParts::steps_to(std::size_t part, const Lead& lead) const {
+    Eigen::Vector3d way = lead.to;
+    way[2] *= 0.5 * sizes_[part];
+    for (Index c = 0; c < 3; ++c)
+        if (!lead.is_given[at(c)]) way[c] = 0;
+    constexpr double within = 0.9;
+    return way.norm() / (within * step_fraction * sizes_[part]);
+}
+
+std::vector<Lead> LedParts::left(const std::vector<Placement>& placements) const {
+    std::vector<Lead> leads = leads_;
+    for (std::size_t i = 0; i < leads.size(); ++i) leads[i].to -= gone(i, placements[i]);
+    return leads;
+}
+
+std::vector<Lead> LedParts::of_step(const std::vector<Placement>& placements, double share, double reach) const {
+    std::vector<Lead> leads = left(placements);
+    for (std::size_t i = 0; i < leads.size(); ++i) leads[i].to *= share / std::max(1.0, steps_to(i, leads[i]) / reach);
+    return leads;
+}
+
+bool LedParts::are_there(const std::vector<Placement>& placements) const {
+    const std::vector<Lead> leads = left(placements);
+    for (std::size_t i = 0; i < leads.size(); ++i)
+        if (steps_to(i, leads[i]) * step_fraction > arrived_fraction) return false;
+    return true;
+}
+
+void LedParts::end(std::vector<Placement>& placements) const {
+    for (std::size_t part = 0; part < leads_.size(); ++part) {
+        const Lead& lead = leads_[part];
+        if (!leads_at_all(lead)) continue;
+        Eigen::Vector3d by = gone(part, placements[part]);
+        for (Index c = 0; c < 3; ++c)
+            if (lead.is_given[at(c)]) by[c] = lead.to[c];
+        const Placement there = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
+        for (std::size_t i = 0; i < placements.size(); ++i)
+            if (bodies_[i] == bodies_[part]) placements[i] = there;
+    }
+}
+
+bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::VectorXd& step, const std::vector<Lead>& asked) {
+    constexpr double gets_there = 0.5;  // soft leads against gaps do all of it, or next to nothing
+    constexpr double strength = 10;     // beside all loads
+    double loads = 0;
+    for (const MovingPart& b : moving.list) loads += b.pull;
+    bool any = false;
+    for (const MovingPart& b : moving.list) {
+        Lead& lead = leads_[at(b.part)];
+        if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
+        const double way = asked[at(b.part)].to[lead.way], goes = lead.of(b.motion(step).head<2>(), 0)[lead.way];
+        if (std::abs(way) <= arrived_fraction * b.size || goes * way >= gets_there * way * way) continue;
+        lead.is_given[at(lead.way)] = false;
+        pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(lead.way) * (way > 0 ? 1 : -1));
+        any = true;
+    }
+    return any;
+}
+
+bool LedParts::end_pushes(const std::vector<Placement>& placements) {
+    bool any = false;
+    for (std::size_t i = 0; i < pushes_.size(); ++i) {
+        Lead& lead = leads_[i];
+        if (pushes_[i] == Vec2(0, 0) || gone(i, placements[i])[lead.way] / lead.to[lead.way] < 1) continue;
+        lead.is_given[at(lead.way)] = true;
+        pushes_[i] = Vec2(0, 0);
+        any = true;
+    }
+    return any;
+}
+
+void LedParts::act_on(MovingParts& moving) const {
+    for (MovingPart& b : moving.list) {
+        const Vec2& push = pushes_[at(b.part)];
+        if (push == Vec2(0, 0)) continue;
+        b.load.force += push;
+        b.pull = std::max(b.pull, push.norm());
+        moving.pull = std::max(moving.pull, b.pull);
+    }
+}
+
+}  // namespace abut
