@@ -241,8 +241,18 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
     return with_reason(std::move(by_layer), why);
 }
 
+bool is_on_one_layer(const std::vector<SketchEntity>& entities) {
+    return std::all_of(entities.begin(), entities.end(),
+                       [&](const SketchEntity& entity) { return entity.layer == entities.front().layer; });
+}
+
 /// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline.
 SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
+    if (is_on_one_layer(drawing.entities) && !is_all_in_blocks(drawing.entities)) {  // nothing to choose from, where all closes
+        SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+        const std::string why = quoted_layers({by_loop.layers.begin(), by_loop.layers.end()});
+        if (is_whole(by_loop)) return with_reason(std::move(by_loop), why);
+    }
     SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
     const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
     std::string why = quoted_layers(layers);

@@ -68,6 +68,12 @@ private:
     double factor_ = 1;
 };
 
+std::vector<double> sizes_of(const Scene& scene) {
+    std::vector<double> sizes;
+    for (const ScenePart& part : scene.parts) sizes.push_back(bounding_box(part.part).diagonal());
+    return sizes;
+}
+
 /// The way of the parts.
 class Way {
 public:
@@ -76,12 +82,10 @@ public:
           conditions_(conditions),
           rules_(drawn),
           bodies_(bodies_of(drawn)),
-          placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from) {
-        for (const ScenePart& part : drawn.parts) {
-            sizes_.push_back(bounding_box(part.part).diagonal());
-            centers_.push_back(centroid(part.part));
-        }
-        paired_ = sizes_;
+          placements_(from.empty() ? std::vector<Placement>(drawn.parts.size()) : from),
+          sizes_(sizes_of(drawn)),
+          paired_(sizes_) {
+        for (const ScenePart& part : drawn.parts) centers_.push_back(centroid(part.part));
         Leads leads = leads_of(drawn, conditions);
         drawn_ = without_leads(drawn, leads);
         led_ = LedParts(std::move(leads.of), centers_, sizes_, bodies_.of_part);
