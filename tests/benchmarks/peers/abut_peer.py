@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The problem through abut: the scene as it is in data/verification, written out as JSON only."""
+"""The problem through abut: the scene of data/verification, as many of its steps as the others take, written out as JSON only."""
 import dataclasses
 import json
 import os
+import re
 
 import measured_process
 
-SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../data/verification/hertz_001.json")
+SCENES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../data/verification")
 PROGRAM = "abut"  # side_by_side.py --abut
 
 
@@ -24,24 +25,28 @@ def missing():
     return [] if os.access(PROGRAM, os.X_OK) else [f"abut ({PROGRAM})"]
 
 
-def scene_text(settings):
-    with open(SCENE) as file:
-        text = file.read().rstrip().removesuffix("}")
-    more = {"output": {"formats": ["json"]}, "accuracy": settings.options}
-    return text + ", " + json.dumps(more).removeprefix("{") + "\n"
+def scene(problem, settings):
+    with open(os.path.join(SCENES, problem.scene)) as file:
+        found = json.loads(re.sub("//.*", "", file.read()))
+    if "steps" in found:
+        found["steps"] = found["steps"][:len(problem.steps)]
+    found["output"] = {"formats": ["json"]}
+    found["accuracy"] = {**found.get("accuracy", {}), **settings.options}
+    return found
 
 
 def command(settings):
-    words = [PROGRAM, "analyze", "hertz.json", "-o", "out", "--quiet", "--threads", "1"]
+    words = [PROGRAM, "analyze", "scene.json", "-o", "out", "--quiet", "--threads", "1"]
     return words + (["--accuracy", settings.accuracy] if settings.accuracy else [])
 
 
-def solve(settings, folder):
+def solve(problem, settings, folder):
     """(profile, unknowns, usage of abut, no usage of a mesher)."""
-    with open(os.path.join(folder, "hertz.json"), "w") as file:
-        file.write(scene_text(settings))
+    with open(os.path.join(folder, "scene.json"), "w") as file:
+        json.dump(scene(problem, settings), file)
     usage, _ = measured_process.run(command(settings), folder)
-    with open(os.path.join(folder, "out", "result.json")) as file:
+    last = f"case_{len(problem.steps)}" if len(problem.steps) > 1 else ""
+    with open(os.path.join(folder, "out", last, "result.json")) as file:
         answer = json.load(file)
     profile = answer["contacts"][0]["profile"]
-    return list(zip(profile["x"], profile["pressure"])), answer["unknowns"], usage, measured_process.Usage()
+    return list(zip(profile["x"], profile[problem.quantity])), answer["unknowns"], usage, measured_process.Usage()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The problem as a deck for CalculiX, and the contact stress from its nodal stresses.
+"""A problem as a deck for CalculiX, and the contact stress from its nodal stresses.
 
 Plane stress elements of second order. CalculiX expands them to solids of one layer; the thickness is a small share of the
 contact's width so that nothing varies across it. Contact is a penalty, surface to surface unless the settings say otherwise.
@@ -10,7 +10,7 @@ import shutil
 
 import gmsh_mesh
 import measured_process
-from hertz_problem import HALF_WIDTH, MODULUS, POISSON, PRESSURE, START_OVERLAP
+from contact_problem import HALF_WIDTH, MODULUS, POISSON, START_OVERLAP
 
 THICKNESS = HALF_WIDTH / 100
 
@@ -19,6 +19,7 @@ THICKNESS = HALF_WIDTH / 100
 class Settings:
     mesh: gmsh_mesh.MeshSettings
     penalty: float = 50.0  # times E / a
+    stick_slope: float = 10.0  # of friction, times E / a
     formulation: str = "SURFACE TO SURFACE"  # or NODE TO SURFACE, MORTAR
     first_increment: float = 1.0
     source: str = "nodal stress"  # or "contact stress"
@@ -43,7 +44,7 @@ def used_nodes(mesh):
 
 
 def numbered_elements(mesh):
-    """(number, CalculiX' type, nodes), those of the lower quarter after those of the upper one."""
+    """(number, CalculiX' type, nodes), those of the lower part after those of the upper one."""
     found, number = [], 0
     for part in (gmsh_mesh.UPPER, gmsh_mesh.LOWER):
         for kind, group in (("CPS6", mesh.triangles), ("CPS8", mesh.quads)):
@@ -71,10 +72,21 @@ def on(mesh, line):
 
 def near_contact(mesh, line, reach):
     """Lines of an arc from which contact can be expected."""
-    return [nodes for nodes in mesh.lines[line] if min(mesh.nodes[n][0] for n in nodes) < reach]
+    return [nodes for nodes in mesh.lines[line] if min(abs(mesh.nodes[n][0]) for n in nodes) < reach]
 
 
-def deck(mesh, settings):
+def held(mesh, problem):
+    """Sets of nodes, supports, and equations: the top moves as a whole. Also the node that its force acts on."""
+    left = on(mesh, gmsh_mesh.UPPER_LEFT) + on(mesh, gmsh_mesh.LOWER_LEFT)
+    first, *others = on(mesh, gmsh_mesh.TOP)
+    text = "*NSET, NSET=BOTTOM\n" + rows(on(mesh, gmsh_mesh.BOTTOM))
+    text += "" if problem.full else "*NSET, NSET=MIDDLE\n" + rows(left + [first, *others])
+    for direction in (1, 2) if problem.full else (2,):
+        text += "".join(f"*EQUATION\n2\n{n}, {direction}, 1., {first}, {direction}, -1.\n" for n in others)
+    return text + "*BOUNDARY\nBOTTOM, 1, 2\n" + ("" if problem.full else "MIDDLE, 1, 1\n"), first
+
+
+def deck(mesh, problem, settings):
     elements = numbered_elements(mesh)
     text = ["*NODE, NSET=ALL\n"]
     text += [f"{n}, {mesh.nodes[n][0]:.13g}, {mesh.nodes[n][1]:.13g}, 0\n" for n in used_nodes(mesh)]
@@ -83,8 +95,7 @@ def deck(mesh, settings):
         if of_kind:
             text.append(f"*ELEMENT, TYPE={kind}, ELSET=ALL\n")
             text += [f"{number}, {', '.join(map(str, nodes))}\n" for number, _, nodes in of_kind]
-    text.append("*NSET, NSET=LEFT\n" + rows(on(mesh, gmsh_mesh.UPPER_LEFT) + on(mesh, gmsh_mesh.LOWER_LEFT)))
-    text.append("*NSET, NSET=BOTTOM\n" + rows(on(mesh, gmsh_mesh.BOTTOM)))
+    supports, loaded = held(mesh, problem)
     reach = 4 * HALF_WIDTH
     for name, line in (("SLAVE", gmsh_mesh.UPPER_ARC), ("MASTER", gmsh_mesh.LOWER_ARC)):
         if name == "SLAVE" and settings.formulation == "NODE TO SURFACE":
@@ -94,18 +105,21 @@ def deck(mesh, settings):
         text.append(f"*SURFACE, NAME={name}, TYPE=ELEMENT\n")
         text += [f"{e}, S{face}\n" for e, face in faces(elements, near_contact(mesh, line, reach))]
     text.append(f"*MATERIAL, NAME=M\n*ELASTIC\n{MODULUS:g}, {POISSON:g}\n"
-                f"*SOLID SECTION, ELSET=ALL, MATERIAL=M\n{THICKNESS:.13g}\n"
-                "*BOUNDARY\nLEFT, 1, 1\nBOTTOM, 2, 2\n")
+                f"*SOLID SECTION, ELSET=ALL, MATERIAL=M\n{THICKNESS:.13g}\n" + supports)
     stiffness = settings.penalty * MODULUS / HALF_WIDTH
     behaviour = "HARD" if settings.formulation == "MORTAR" else "LINEAR"
     text.append(f"*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={behaviour}\n")
     text.append(f"{stiffness:.13g}\n" if behaviour == "LINEAR" else "")
+    if problem.friction:
+        text.append(f"*FRICTION\n{problem.friction:g}, {settings.stick_slope * MODULUS / HALF_WIDTH:.13g}\n")
     text.append(f"*CONTACT PAIR, INTERACTION=I, TYPE={settings.formulation}\nSLAVE, MASTER\n")
-    text.append(f"*STEP\n*STATIC\n{settings.first_increment:g}, 1.\n*DLOAD\n")
-    text += [f"{e}, P{face}, {PRESSURE:.13g}\n" for e, face in faces(elements, mesh.lines[gmsh_mesh.TOP])]
-    text.append("*EL FILE, OUTPUT=2D, FREQUENCY=1000\nS\n")
-    text.append("*CONTACT FILE, FREQUENCY=1000\nCDIS, CSTR\n" if settings.source == "contact stress" else "")
-    text.append("*END STEP\n")
+    share = 1 if problem.full else 0.5
+    for force in problem.steps:
+        text.append(f"*STEP\n*STATIC\n{settings.first_increment:g}, 1.\n*CLOAD\n")
+        text += [f"{loaded}, {k + 1}, {share * THICKNESS * value:.13g}\n" for k, value in enumerate(force) if value]
+        text.append("*EL FILE, OUTPUT=2D, FREQUENCY=1000\nS\n")
+        text.append("*CONTACT FILE, FREQUENCY=1000\nCDIS, CSTR\n" if settings.source == "contact stress" else "")
+        text.append("*END STEP\n")
     return "".join(text)
 
 
@@ -124,29 +138,31 @@ def last_block(path, name, components):
     return found
 
 
-def profile(mesh, settings, path):
-    """(x, pressure) at the nodes of the upper arc: normal stress -n.s.n, n the arc's, or CalculiX' contact stress."""
+def profile(mesh, problem, settings, path):
+    """(x, traction) at the nodes of the upper arc: from its stress and its normal n, or CalculiX' contact stress."""
     stress = last_block(path, "STRESS", 6)
     contact = last_block(path, "CONTACT", 6) if settings.source == "contact stress" else {}
     points = []
     for n in on(mesh, gmsh_mesh.UPPER_ARC):
         x = mesh.nodes[n][0]
         if settings.source == "contact stress":
-            points.append((x, contact[n][3] if n in contact else 0.0))
+            points.append((x, contact[n][3 if problem.quantity == "pressure" else 4] if n in contact else 0.0))
             continue
         sxx, syy, _, sxy = stress[n][:4]
-        nx, ny = x, -((1 - x * x) ** 0.5) if x < 1 else 0.0
-        points.append((x, max(0.0, -(nx * nx * sxx + 2 * nx * ny * sxy + ny * ny * syy))))
+        nx, ny = x, -((1 - x * x) ** 0.5) if abs(x) < 1 else 0.0
+        tx, ty = nx * sxx + ny * sxy, nx * sxy + ny * syy
+        points.append((x, max(0.0, -(nx * tx + ny * ty)) if problem.quantity == "pressure" else -tx))
     return sorted(points)
 
 
-def solve(settings, folder):
+def solve(problem, settings, folder):
     """(profile, unknowns, usage of CalculiX, usage of gmsh)."""
-    meshing = gmsh_mesh.make(settings.mesh, START_OVERLAP, folder)
+    meshing = gmsh_mesh.make(settings.mesh, problem.full, START_OVERLAP, folder)
     mesh = gmsh_mesh.read(os.path.join(folder, "mesh.msh"))
-    with open(os.path.join(folder, "hertz.inp"), "w") as file:
-        file.write(deck(mesh, settings))
-    usage, output = measured_process.run(["ccx", "-i", "hertz"], folder)
+    with open(os.path.join(folder, "deck.inp"), "w") as file:
+        file.write(deck(mesh, problem, settings))
+    usage, output = measured_process.run(["ccx", "-i", "deck"], folder)
     if "Job finished" not in output:
         raise RuntimeError("CalculiX: " + output.strip().split("\n")[-1])
-    return profile(mesh, settings, os.path.join(folder, "hertz.frd")), 2 * len(used_nodes(mesh)), usage, meshing
+    points = profile(mesh, problem, settings, os.path.join(folder, "deck.frd"))
+    return points, 2 * len(used_nodes(mesh)), usage, meshing

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The problem through GetFEM: getfem_program.py as a process of its own."""
+"""A problem through GetFEM: getfem_program.py as a process of its own."""
 import dataclasses
 import functools
 import json
@@ -9,7 +9,7 @@ import subprocess
 
 import gmsh_mesh
 import measured_process
-from hertz_problem import START_OVERLAP
+from contact_problem import PROBLEMS, START_OVERLAP
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "getfem_program.py")
 
@@ -38,10 +38,11 @@ def missing():
     return ([] if python() else ["getfem (for Python)"]) + ([] if shutil.which("gmsh") else ["gmsh"])
 
 
-def solve(settings, folder):
+def solve(problem, settings, folder):
     """(profile, unknowns, usage of GetFEM, usage of gmsh)."""
-    meshing = gmsh_mesh.make(settings.mesh, START_OVERLAP, folder)
-    options = json.dumps({"augmentation": settings.augmentation, "residual": settings.residual})
+    meshing = gmsh_mesh.make(settings.mesh, problem.full, START_OVERLAP, folder)
+    name = next(name for name, known in PROBLEMS.items() if known == problem)
+    options = json.dumps({"problem": name, "augmentation": settings.augmentation, "residual": settings.residual})
     usage, _ = measured_process.run([python(), PROGRAM, folder, options], folder)
     with open(os.path.join(folder, "result.json")) as file:
         answer = json.load(file)

@@ -8,11 +8,11 @@ from gmsh_mesh import MeshSettings
 ERROR_LEVELS = (0.03, 0.01, 0.003)
 
 # draft, standard and fine aim at 0.05, 0.01 and 0.002
-ABUT = [abut_peer.Settings(accuracy) for accuracy in ("0.05", "0.03", "0.02", "0.01", "0.006", "0.003")]
+HERTZ_ABUT = [abut_peer.Settings(accuracy) for accuracy in ("0.05", "0.03", "0.02", "0.01", "0.006", "0.003")]
 
 # The size grows by 0.5 to 0.8 per distance: smaller growth costs unknowns and gains nothing. 50 E/a leaves an error of about
 # half a per cent on any mesh, hence the stiffer penalty on the finer ones.
-CALCULIX = [
+HERTZ_CALCULIX = [
     calculix.Settings(MeshSettings(3, growth=0.8)),
     calculix.Settings(MeshSettings(6, growth=0.8)),
     calculix.Settings(MeshSettings(12, growth=0.8)),
@@ -20,7 +20,7 @@ CALCULIX = [
     calculix.Settings(MeshSettings(48, growth=0.5), penalty=200),
 ]
 
-GETFEM = [
+HERTZ_GETFEM = [
     getfem_peer.Settings(MeshSettings(6, growth=0.8), augmentation=10),
     getfem_peer.Settings(MeshSettings(12, growth=0.8), augmentation=10),
     getfem_peer.Settings(MeshSettings(24, growth=0.5), augmentation=10),
@@ -28,5 +28,22 @@ GETFEM = [
     getfem_peer.Settings(MeshSettings(80, growth=0.5), augmentation=10),
 ]
 
-PROGRAMS = {"abut": (abut_peer, ABUT), "CalculiX": (calculix, CALCULIX), "GetFEM": (getfem_peer, GETFEM)}
+CATTANEO_ABUT = [abut_peer.Settings(accuracy) for accuracy in ("0.05", "0.02", "0.01", "0.006", "0.003")]
+
+CATTANEO_CALCULIX = [
+    calculix.Settings(MeshSettings(cells, growth=0.8), stick_slope=50, source="contact stress") for cells in (3, 6, 12, 24)]
+
+CATTANEO_GETFEM = [
+    getfem_peer.Settings(MeshSettings(6, growth=0.8), augmentation=10),
+    getfem_peer.Settings(MeshSettings(12, growth=0.8), augmentation=10),
+    getfem_peer.Settings(MeshSettings(24, growth=0.5), augmentation=10),
+    getfem_peer.Settings(MeshSettings(48, growth=0.5), augmentation=10),
+    getfem_peer.Settings(MeshSettings(80, growth=0.5), augmentation=10),
+]
+
+PROGRAMS = {"abut": abut_peer, "CalculiX": calculix, "GetFEM": getfem_peer}
+SETTINGS = {
+    "hertz": {"abut": HERTZ_ABUT, "CalculiX": HERTZ_CALCULIX, "GetFEM": HERTZ_GETFEM},
+    "cattaneo": {"abut": CATTANEO_ABUT, "CalculiX": CATTANEO_CALCULIX, "GetFEM": CATTANEO_GETFEM},
+}
 EXPECTED = {"CalculiX": 50, "GetFEM": 20}  # times faster, at equal error

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same Hertz contact through abut, CalculiX and GetFEM, alternating, with time, memory, unknowns and error of each."""
+"""The same contact problem through abut, CalculiX and GetFEM, alternating, with time, memory, unknowns and error of each."""
 import argparse
 import dataclasses
 import json
@@ -12,9 +12,9 @@ import tempfile
 sys.dont_write_bytecode = True
 
 import abut_peer
+import contact_problem
 import error_curve
-import hertz_problem
-from settings import ERROR_LEVELS, EXPECTED, PROGRAMS
+from settings import ERROR_LEVELS, EXPECTED, PROGRAMS, SETTINGS
 
 
 @dataclasses.dataclass
@@ -31,26 +31,26 @@ class Case:
         return statistics.median(getattr(mesh if meshing_only else own + mesh, field) for own, mesh in self.runs)
 
 
-def run_once(case, solve):
+def run_once(case, problem, solve):
     if case.failure:
         return
     try:
         with tempfile.TemporaryDirectory() as folder:
-            profile, case.unknowns, own, meshing = solve(case.setting, folder)
+            profile, case.unknowns, own, meshing = solve(problem, case.setting, folder)
     except (RuntimeError, OSError, KeyError, IndexError, ValueError) as problem:
         case.failure = str(problem).replace("\n", " ")[-160:]
         return
-    case.error, case.peak_error = hertz_problem.errors(profile)
+    case.error, case.peak_error = contact_problem.errors(problem, profile)
     case.runs.append((own, meshing))
 
 
-def measure(programs, repeats):
+def measure(problem_name, programs, repeats):
     """All cases in turns: what the machine does besides falls on all of them."""
-    cases = [Case(name, setting) for name, (_, settings) in programs.items() for setting in settings]
+    cases = [Case(name, setting) for name in programs for setting in SETTINGS[problem_name][name]]
     for repeat in range(repeats):
         for case in cases:
             print(f"\r{repeat + 1}/{repeats} {case.program:10}", end="", file=sys.stderr, flush=True)
-            run_once(case, programs[case.program][0].solve)
+            run_once(case, contact_problem.PROBLEMS[problem_name], PROGRAMS[case.program].solve)
     print("\r" + 30 * " ", end="\r", file=sys.stderr)
     return cases
 
@@ -102,6 +102,7 @@ def as_json(cases):
 def parsed(words):
     here = os.path.dirname(os.path.abspath(__file__))
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--problem", choices=list(contact_problem.PROBLEMS), default="hertz", help="the one solved (hertz)")
     parser.add_argument("--abut", default=os.path.join(here, "../../../build/apps/abut"), help="the program (build/apps/abut)")
     parser.add_argument("--repeats", type=int, default=5, help="of every case; medians are shown (5)")
     parser.add_argument("--only", nargs="*", choices=list(PROGRAMS), default=list(PROGRAMS), help="programs to run")
@@ -112,16 +113,16 @@ def parsed(words):
 def main(words):
     options = parsed(words)
     abut_peer.PROGRAM = os.path.abspath(options.abut)
-    programs = {}
+    programs = []
     for name in options.only:
-        absent = PROGRAMS[name][0].missing()
+        absent = PROGRAMS[name].missing()
         if absent:
             print(f"{name} is left out: not installed: {', '.join(absent)}")
         else:
-            programs[name] = PROGRAMS[name]
+            programs.append(name)
     if not programs:
         return 1
-    cases = measure(programs, options.repeats)
+    cases = measure(options.problem, programs, options.repeats)
     print_table(cases)
     if "abut" in programs and len(programs) > 1:
         print_ratios(cases, programs)

@@ -4,41 +4,78 @@ import math
 import tempfile
 import unittest
 
+import abut_peer
 import calculix
+import contact_problem
 import error_curve
 import gmsh_mesh
-import hertz_problem
 import measured_process
-from hertz_problem import HALF_WIDTH, PEAK, exact
+from contact_problem import FORCE, FRICTION, HALF_WIDTH, PEAK, PROBLEMS, SHEAR_FORCE, STICK_HALF_WIDTH
+
+HERTZ, CATTANEO = PROBLEMS["hertz"], PROBLEMS["cattaneo"]
 
 
-def sampled(pressure, points=1000):
-    return [(2 * HALF_WIDTH * k / points, pressure(2 * HALF_WIDTH * k / points)) for k in range(points + 1)]
+def sampled(problem, values, points=2000):
+    """From the beginning of the contact to its width beyond its end."""
+    step = (2 * HALF_WIDTH - problem.begin()) / points
+    return [(problem.begin() + k * step, values(problem.begin() + k * step)) for k in range(points + 1)]
+
+
+class Exact(unittest.TestCase):
+    def force(self, values, points=100000):
+        return sum(values(HALF_WIDTH * (2 * k + 1 - points) / points) for k in range(points)) * 2 * HALF_WIDTH / points
+
+    def test_tractions_carry_the_forces(self):
+        self.assertAlmostEqual(self.force(HERTZ.exact) / FORCE, 1, places=6)
+        self.assertAlmostEqual(self.force(CATTANEO.exact) / SHEAR_FORCE, 1, places=6)
+        self.assertEqual(CATTANEO.steps, ((0, -FORCE), (SHEAR_FORCE, -FORCE)))
+
+    def test_shear_is_at_its_bound_where_it_slips_only(self):
+        for share in (0.75, 0.9, 0.99):
+            self.assertAlmostEqual(CATTANEO.exact(share * HALF_WIDTH), FRICTION * HERTZ.exact(share * HALF_WIDTH), places=9)
+        for share in (0, 0.4, 0.7):
+            self.assertLess(CATTANEO.exact(share * HALF_WIDTH), 0.99 * FRICTION * HERTZ.exact(share * HALF_WIDTH))
+        self.assertAlmostEqual(max(v for _, v in sampled(CATTANEO, CATTANEO.exact)) / CATTANEO.largest, 1, delta=1e-2)
+
+    def test_scenes_are_these_problems(self):
+        for problem in PROBLEMS.values():
+            scene = abut_peer.scene(problem, abut_peer.Settings())
+            self.assertEqual(len(scene.get("steps", [1])), len(problem.steps))
+            self.assertAlmostEqual(scene["parameters"]["P"] * (1 if problem.full else 2), FORCE, places=12)
+            self.assertEqual(scene["parameters"].get("mu", 0), problem.friction)
+            self.assertAlmostEqual(scene["parameters"].get("share", 0) * problem.friction * FORCE, problem.steps[-1][0], places=12)
 
 
 class Errors(unittest.TestCase):
-    def test_none_of_the_exact_pressure(self):
-        error, peak = hertz_problem.errors(sampled(exact))
-        self.assertLess(error, 1e-3)  # what linear interpolation leaves at the end of the contact
-        self.assertLess(peak, 1e-12)
+    def test_none_of_the_exact_values(self):
+        for problem in PROBLEMS.values():
+            error, peak = contact_problem.errors(problem, sampled(problem, problem.exact))
+            self.assertLess(error, 3e-3)  # what linear interpolation leaves where the slope has no limit
+            self.assertLess(peak, 1e-2 if problem.full else 1e-12)
 
-    def test_of_a_scaled_pressure_its_factor(self):
-        error, peak = hertz_problem.errors(sampled(lambda x: 1.03 * exact(x)))
-        self.assertAlmostEqual(error, 0.03, delta=1e-4)
-        self.assertAlmostEqual(peak, 0.03, delta=1e-12)
+    def test_of_scaled_values_their_factor(self):
+        for problem in PROBLEMS.values():
+            error, peak = contact_problem.errors(problem, sampled(problem, lambda x: 1.03 * problem.exact(x)))
+            self.assertAlmostEqual(error, 0.03, delta=2e-4)
+            self.assertAlmostEqual(peak, 0.03, delta=1e-2 if problem.full else 1e-12)
+
+    def test_of_one_side_only(self):
+        half = [(x, v) for x, v in sampled(CATTANEO, CATTANEO.exact) if x > 0]
+        error, _ = contact_problem.errors(CATTANEO, [(-HALF_WIDTH, 0.0), (0.0, 0.0), *half])
+        self.assertAlmostEqual(error, math.sqrt(0.5), delta=2e-3)
 
     def test_of_a_constant_pressure(self):
         # the integral of (1 - root)^2 over that of root^2, root = sqrt(1 - x^2) on [0, 1]
-        error, _ = hertz_problem.errors(sampled(lambda x: PEAK))
+        error, _ = contact_problem.errors(HERTZ, sampled(HERTZ, lambda x: PEAK))
         self.assertAlmostEqual(error, math.sqrt((5 / 3 - math.pi / 2) / (2 / 3)), delta=1e-3)
 
     def test_nothing_beyond_the_last_point(self):
-        error, _ = hertz_problem.errors([(0.0, PEAK), (0.1 * HALF_WIDTH, PEAK)])
+        error, _ = contact_problem.errors(HERTZ, [(0.0, PEAK), (0.1 * HALF_WIDTH, PEAK)])
         self.assertGreater(error, 0.9)
 
     def test_order_of_points_does_not_matter(self):
-        points = sampled(exact, 40)
-        self.assertEqual(hertz_problem.errors(points), hertz_problem.errors(points[::-1]))
+        points = sampled(HERTZ, HERTZ.exact, 40)
+        self.assertEqual(contact_problem.errors(HERTZ, points), contact_problem.errors(HERTZ, points[::-1]))
 
 
 class Curve(unittest.TestCase):
@@ -76,14 +113,30 @@ class Deck(unittest.TestCase):
             self.assertEqual(calculix.last_block(file.name, "STRESS", 6), {7: [0, -1, -2, -3, -4, -5]})
             self.assertEqual(calculix.last_block(file.name, "CONTACT", 6), {})
 
+    def decks(self):
+        for problem in PROBLEMS.values():
+            lines = {line: [] for line in range(gmsh_mesh.UPPER_ARC, gmsh_mesh.BOTTOM + 1)}
+            lines[gmsh_mesh.TOP] = [[1, 2, 4]]
+            mesh = gmsh_mesh.Mesh({n: (-math.pi * 1e-5 / n, math.e / n) for n in range(1, 7)},
+                                  {gmsh_mesh.UPPER: [[1, 2, 3, 4, 5, 6]], gmsh_mesh.LOWER: []},
+                                  {gmsh_mesh.UPPER: [], gmsh_mesh.LOWER: []}, lines)
+            yield problem, calculix.deck(mesh, problem, calculix.Settings(gmsh_mesh.MeshSettings(5))).split("\n")
+
     def test_numbers_fit_their_fields(self):
-        mesh = gmsh_mesh.Mesh({n: (-math.pi * 1e-5 / n, math.e / n) for n in range(1, 7)},
-                              {gmsh_mesh.UPPER: [[1, 2, 3, 4, 5, 6]], gmsh_mesh.LOWER: []},
-                              {gmsh_mesh.UPPER: [], gmsh_mesh.LOWER: []},
-                              {line: [] for line in range(gmsh_mesh.UPPER_ARC, gmsh_mesh.BOTTOM + 1)})
-        deck = calculix.deck(mesh, calculix.Settings(gmsh_mesh.MeshSettings(5)))
-        longest = max(len(field.strip()) for line in deck.split("\n") if not line.startswith("*") for field in line.split(","))
-        self.assertLessEqual(longest, 20)  # CalculiX reads no more
+        for _, deck in self.decks():
+            longest = max(len(field.strip()) for line in deck if not line.startswith("*") for field in line.split(","))
+            self.assertLessEqual(longest, 20)  # CalculiX reads no more
+
+    def test_friction_and_forces(self):
+        for problem, deck in self.decks():
+            self.assertEqual("*FRICTION" in deck, problem.friction > 0)
+            self.assertEqual(deck.count("*STEP"), len(problem.steps))
+            forces = [line.split(",") for line in deck[deck.index("*STEP"):] if line.startswith("1, ") and line.count(",") == 2]
+            pressed = sum(float(value) for _, direction, value in forces if int(direction) == 2)
+            sides = 1 if problem.full else 0.5
+            self.assertAlmostEqual(pressed, -sides * len(problem.steps) * FORCE * calculix.THICKNESS, places=12)
+            sheared = sum(float(value) for _, direction, value in forces if int(direction) == 1)
+            self.assertAlmostEqual(sheared, SHEAR_FORCE * calculix.THICKNESS if problem.friction else 0, places=12)
 
 
 class Process(unittest.TestCase):
