@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The problem through abut: the scene of data/verification, as many of its steps as the others take, written out as JSON only."""
+"""A problem through abut: the scene of data/verification, as many of its steps as the peers take, written out as JSON only."""
 import dataclasses
 import json
 import os

@@ -19,14 +19,15 @@ THICKNESS = HALF_WIDTH / 100
 class Settings:
     mesh: gmsh_mesh.MeshSettings
     penalty: float = 50.0  # times E / a
-    stick_slope: float = 10.0  # of friction, times E / a
+    stick_slope: float = 0.0  # of friction, times E / a
     formulation: str = "SURFACE TO SURFACE"  # or NODE TO SURFACE, MORTAR
     first_increment: float = 1.0
     source: str = "nodal stress"  # or "contact stress"
 
     def text(self):
         kind = "CPS8" if self.mesh.quads else "CPS6"
-        return f"{kind}, a/{self.mesh.cells_in_a:g}, {self.formulation.lower()}, {self.penalty:g} E/a, {self.source}"
+        stick = f", sticking {self.stick_slope:g} E/a" if self.stick_slope else ""
+        return f"{kind}, a/{self.mesh.cells_in_a:g}, {self.formulation.lower()}, {self.penalty:g} E/a{stick}, {self.source}"
 
 
 def missing():

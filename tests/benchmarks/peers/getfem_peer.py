@@ -21,7 +21,7 @@ class Settings:
     residual: float = 1e-8
 
     def text(self):
-        return f"P2, a/{self.mesh.cells_in_a:g}, augmented Lagrangian {self.augmentation:g} E/a, MUMPS"
+        return f"P2, a/{self.mesh.cells_in_a:g}, growth {self.mesh.growth:g}, augmented Lagrangian {self.augmentation:g} E/a, MUMPS"
 
 
 @functools.cache

@@ -82,10 +82,10 @@ def ratio_text(own, other):
     return f"{sign}{other.seconds / own.seconds:.1f} ({other.seconds:.2f} s / {own.seconds:.3f} s)"
 
 
-def print_ratios(cases, programs):
+def print_ratios(cases, programs, levels):
     for field, words in (("wall", "whole-process time"), ("cpu", "CPU time")):
         print(f"\n{words} of the other program over abut's, mesh generation included:")
-        for error in ERROR_LEVELS:
+        for error in levels:
             own = cost(cases, "abut", error, field)
             texts = [f"{name} {ratio_text(own, cost(cases, name, error, field))} [aim {EXPECTED[name]}]"
                      for name in programs if name != "abut"]
@@ -125,7 +125,7 @@ def main(words):
     cases = measure(options.problem, programs, options.repeats)
     print_table(cases)
     if "abut" in programs and len(programs) > 1:
-        print_ratios(cases, programs)
+        print_ratios(cases, programs, ERROR_LEVELS[options.problem])
     if options.json:
         with open(options.json, "w") as file:
             json.dump(as_json(cases), file, indent=1)

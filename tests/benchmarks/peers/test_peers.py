@@ -10,7 +10,7 @@ import contact_problem
 import error_curve
 import gmsh_mesh
 import measured_process
-from contact_problem import FORCE, FRICTION, HALF_WIDTH, PEAK, PROBLEMS, SHEAR_FORCE, STICK_HALF_WIDTH
+from contact_problem import FORCE, FRICTION, HALF_WIDTH, MODULUS, PEAK, PROBLEMS, SHEAR_FORCE, STICK_HALF_WIDTH
 
 HERTZ, CATTANEO = PROBLEMS["hertz"], PROBLEMS["cattaneo"]
 
@@ -43,7 +43,8 @@ class Exact(unittest.TestCase):
             self.assertEqual(len(scene.get("steps", [1])), len(problem.steps))
             self.assertAlmostEqual(scene["parameters"]["P"] * (1 if problem.full else 2), FORCE, places=12)
             self.assertEqual(scene["parameters"].get("mu", 0), problem.friction)
-            self.assertAlmostEqual(scene["parameters"].get("share", 0) * problem.friction * FORCE, problem.steps[-1][0], places=12)
+            sheared = scene["parameters"].get("share", 0) * problem.friction * FORCE
+            self.assertAlmostEqual(sheared, problem.steps[-1][0], places=12)
 
 
 class Errors(unittest.TestCase):
@@ -114,13 +115,14 @@ class Deck(unittest.TestCase):
             self.assertEqual(calculix.last_block(file.name, "CONTACT", 6), {})
 
     def decks(self):
+        settings = calculix.Settings(gmsh_mesh.MeshSettings(5), stick_slope=50)
         for problem in PROBLEMS.values():
             lines = {line: [] for line in range(gmsh_mesh.UPPER_ARC, gmsh_mesh.BOTTOM + 1)}
             lines[gmsh_mesh.TOP] = [[1, 2, 4]]
             mesh = gmsh_mesh.Mesh({n: (-math.pi * 1e-5 / n, math.e / n) for n in range(1, 7)},
                                   {gmsh_mesh.UPPER: [[1, 2, 3, 4, 5, 6]], gmsh_mesh.LOWER: []},
                                   {gmsh_mesh.UPPER: [], gmsh_mesh.LOWER: []}, lines)
-            yield problem, calculix.deck(mesh, problem, calculix.Settings(gmsh_mesh.MeshSettings(5))).split("\n")
+            yield problem, calculix.deck(mesh, problem, settings).split("\n")
 
     def test_numbers_fit_their_fields(self):
         for _, deck in self.decks():
@@ -129,6 +131,9 @@ class Deck(unittest.TestCase):
 
     def test_friction_and_forces(self):
         for problem, deck in self.decks():
+            if problem.friction:
+                coefficient, slope = deck[deck.index("*FRICTION") + 1].split(",")
+                self.assertEqual((float(coefficient), float(slope)), (problem.friction, 50 * MODULUS / HALF_WIDTH))
             self.assertEqual("*FRICTION" in deck, problem.friction > 0)
             self.assertEqual(deck.count("*STEP"), len(problem.steps))
             forces = [line.split(",") for line in deck[deck.index("*STEP"):] if line.startswith("1, ") and line.count(",") == 2]
