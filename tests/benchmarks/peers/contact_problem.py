@@ -38,6 +38,7 @@ def cattaneo_shear(x):
 
 @dataclasses.dataclass(frozen=True)
 class Problem:
+    name: str
     scene: str
     full: bool  # both sides of x = 0, or that of x > 0 with the line of symmetry
     friction: float
@@ -51,11 +52,10 @@ class Problem:
         return -HALF_WIDTH if self.full else 0.0
 
 
-PROBLEMS = {
-    "hertz": Problem("hertz_001.json", False, 0.0, ((0.0, -FORCE),), "pressure", hertz_pressure, PEAK),
-    "cattaneo": Problem("cattaneo.json", True, FRICTION, ((0.0, -FORCE), (SHEAR_FORCE, -FORCE)), "shear", cattaneo_shear,
-                        cattaneo_shear(STICK_HALF_WIDTH)),
-}
+PROBLEMS = {problem.name: problem for problem in (
+    Problem("hertz", "hertz_001.json", False, 0.0, ((0.0, -FORCE),), "pressure", hertz_pressure, PEAK),
+    Problem("cattaneo", "cattaneo.json", True, FRICTION, ((0.0, -FORCE), (SHEAR_FORCE, -FORCE)), "shear", cattaneo_shear,
+            cattaneo_shear(STICK_HALF_WIDTH)))}
 
 
 def interpolated(profile, x):

@@ -9,7 +9,7 @@ import subprocess
 
 import gmsh_mesh
 import measured_process
-from contact_problem import PROBLEMS, START_OVERLAP
+from contact_problem import START_OVERLAP
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "getfem_program.py")
 
@@ -21,7 +21,8 @@ class Settings:
     residual: float = 1e-8
 
     def text(self):
-        return f"P2, a/{self.mesh.cells_in_a:g}, growth {self.mesh.growth:g}, augmented Lagrangian {self.augmentation:g} E/a, MUMPS"
+        mesh = f"a/{self.mesh.cells_in_a:g}, growth {self.mesh.growth:g}"
+        return f"P2, {mesh}, augmented Lagrangian {self.augmentation:g} E/a, MUMPS"
 
 
 @functools.cache
@@ -41,8 +42,7 @@ def missing():
 def solve(problem, settings, folder):
     """(profile, unknowns, usage of GetFEM, usage of gmsh)."""
     meshing = gmsh_mesh.make(settings.mesh, problem.full, START_OVERLAP, folder)
-    name = next(name for name, known in PROBLEMS.items() if known == problem)
-    options = json.dumps({"problem": name, "augmentation": settings.augmentation, "residual": settings.residual})
+    options = json.dumps({"problem": problem.name, "augmentation": settings.augmentation, "residual": settings.residual})
     usage, _ = measured_process.run([python(), PROGRAM, folder, options], folder)
     with open(os.path.join(folder, "result.json")) as file:
         answer = json.load(file)

@@ -94,9 +94,8 @@ def build(folder, problem, settings):
     model.add_initialized_data("mu", [MODULUS / (2 * (1 + POISSON))])
     integrations = [getfem.MeshIm(mesh, getfem.Integ("IM_TRIANGLE(4)")) for mesh in meshes]
     ALIVE.extend([*meshes, *integrations])
-    held = [] if problem.full else [(UPPER_LEFT, 0), (TOP, 0)], [(BOTTOM, 0), (BOTTOM, 1)]
-    if not problem.full:
-        held[1].append((LOWER_LEFT, 0))
+    held = ([], []) if problem.full else ([(UPPER_LEFT, 0), (TOP, 0)], [(LOWER_LEFT, 0)])
+    held[1].extend([(BOTTOM, 0), (BOTTOM, 1)])
     moving = [(TOP, 0), (TOP, 1)] if problem.full else [(TOP, 1)], []
     for k, (mesh, integration) in enumerate(zip(meshes, integrations)):
         functions = displacements(mesh, held[k], moving[k])

@@ -44,13 +44,13 @@ def run_once(case, problem, solve):
     case.runs.append((own, meshing))
 
 
-def measure(problem_name, programs, repeats):
+def measure(problem, programs, repeats):
     """All cases in turns: what the machine does besides falls on all of them."""
-    cases = [Case(name, setting) for name in programs for setting in SETTINGS[problem_name][name]]
+    cases = [Case(name, setting) for name in programs for setting in SETTINGS[problem.name][name]]
     for repeat in range(repeats):
         for case in cases:
             print(f"\r{repeat + 1}/{repeats} {case.program:10}", end="", file=sys.stderr, flush=True)
-            run_once(case, contact_problem.PROBLEMS[problem_name], PROGRAMS[case.program].solve)
+            run_once(case, problem, PROGRAMS[case.program].solve)
     print("\r" + 30 * " ", end="\r", file=sys.stderr)
     return cases
 
@@ -122,7 +122,7 @@ def main(words):
             programs.append(name)
     if not programs:
         return 1
-    cases = measure(options.problem, programs, options.repeats)
+    cases = measure(contact_problem.PROBLEMS[options.problem], programs, options.repeats)
     print_table(cases)
     if "abut" in programs and len(programs) > 1:
         print_ratios(cases, programs, ERROR_LEVELS[options.problem])
