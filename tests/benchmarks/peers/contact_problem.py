@@ -32,7 +32,7 @@ def hertz_pressure(x):
 
 
 def cattaneo_shear(x):
-    """[Johnson85, eq 7.28]: what slips all over, less the same of the part that sticks."""
+    """[Johnson85, chapter 7]: what slips all over, less the same of the part that sticks."""
     return FRICTION * PEAK * (half_ellipse(x, HALF_WIDTH) - half_ellipse(x, STICK_HALF_WIDTH))
 
 
