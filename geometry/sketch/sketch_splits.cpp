@@ -181,6 +181,7 @@ int axis_of(const Curve& curve) {
 
 bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
                    double tolerance, double coincidence, std::vector<Repair>& repairs) {
+    if (std::find(troubled.begin(), troubled.end(), true) == troubled.end()) return false;
     const Cuts cuts = find_cuts(entities, joints, troubled, tolerance, coincidence, repairs);
     if (cuts.empty()) return false;
     cut(entities, cuts);
