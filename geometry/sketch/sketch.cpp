@@ -246,12 +246,20 @@ bool is_on_one_layer(const std::vector<SketchEntity>& entities) {
                        [&](const SketchEntity& entity) { return entity.layer == entities.front().layer; });
 }
 
+/// By outline, unless what other layers hold cuts a layer's parts and bounds nothing else: edges that are hidden, bent or
+/// engraved.
+SketchParts by_loop_or_undivided(SketchParts by_loop, SketchParts by_layer, const std::string& why) {
+    const bool is_cut = !is_whole(by_layer) && are_divided(by_layer.parts, by_loop.parts);
+    return with_reason(std::move(is_cut ? by_layer : by_loop), why);
+}
+
 /// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline.
 SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
-    if (is_on_one_layer(drawing.entities) && !is_all_in_blocks(drawing.entities)) {  // nothing to choose from, where all closes
+    if (is_on_one_layer(drawing.entities) && !is_all_in_blocks(drawing.entities)) {
         SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
         const std::string why = quoted_layers({by_loop.layers.begin(), by_loop.layers.end()});
-        if (is_whole(by_loop)) return with_reason(std::move(by_loop), why);
+        if (is_whole(by_loop)) return with_reason(std::move(by_loop), why);  // the layer tells nothing more
+        return by_loop_or_undivided(std::move(by_loop), sketch_by(drawing, options, PartsBy::layer), why);
     }
     SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
     const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
@@ -268,10 +276,7 @@ SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options
         }
         why += ", but all others lie in the material of one, as holes do";
     }
-    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
-    // What other layers hold cuts this one's parts and bounds nothing else: edges that are hidden, bent or engraved.
-    if (!is_whole(by_layer) && are_divided(by_layer.parts, by_loop.parts)) return with_reason(std::move(by_layer), why);
-    return with_reason(std::move(by_loop), why);
+    return by_loop_or_undivided(sketch_by(drawing, options, PartsBy::loop), std::move(by_layer), why);
 }
 
 /// The drawing without its sheet and what explains it, which the warnings tell.

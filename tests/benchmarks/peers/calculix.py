@@ -19,7 +19,7 @@ THICKNESS = HALF_WIDTH / 100
 class Settings:
     mesh: gmsh_mesh.MeshSettings
     penalty: float = 50.0  # times E / a
-    stick_slope: float = 0.0  # of friction, times E / a
+    stick_slope: float = 0.0  # of friction, times E / a; 0: as the penalty
     formulation: str = "SURFACE TO SURFACE"  # or NODE TO SURFACE, MORTAR
     first_increment: float = 1.0
     source: str = "nodal stress"  # or "contact stress"
@@ -112,7 +112,7 @@ def deck(mesh, problem, settings):
     text.append(f"*SURFACE INTERACTION, NAME=I\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE={behaviour}\n")
     text.append(f"{stiffness:.13g}\n" if behaviour == "LINEAR" else "")
     if problem.friction:
-        text.append(f"*FRICTION\n{problem.friction:g}, {settings.stick_slope * MODULUS / HALF_WIDTH:.13g}\n")
+        text.append(f"*FRICTION\n{problem.friction:g}, {(settings.stick_slope or settings.penalty) * MODULUS / HALF_WIDTH:.13g}\n")
     text.append(f"*CONTACT PAIR, INTERACTION=I, TYPE={settings.formulation}\nSLAVE, MASTER\n")
     share = 1 if problem.full else 0.5
     for force in problem.steps:

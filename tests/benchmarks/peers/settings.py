@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What each program is run with: the list to change where a better setting is found. From coarse to fine."""
+import functools
+
 import abut_peer
 import calculix
 import getfem_peer
@@ -30,13 +32,15 @@ HERTZ_GETFEM = [
 
 CATTANEO_ABUT = [abut_peer.Settings(accuracy) for accuracy in ("0.05", "0.02", "0.01", "0.006", "0.003")]
 
+sheared = functools.partial(calculix.Settings, source="contact stress")
+
 # Twice the stiffness on a/24 and four times on a/48, as for the pressure; eight-node elements cost less on coarse meshes.
 CATTANEO_CALCULIX = [
-    calculix.Settings(MeshSettings(6, growth=0.8, quads=True), stick_slope=50, source="contact stress"),
-    calculix.Settings(MeshSettings(6, growth=0.8), stick_slope=50, source="contact stress"),
-    calculix.Settings(MeshSettings(12, growth=0.8, quads=True), stick_slope=50, source="contact stress"),
-    calculix.Settings(MeshSettings(24, growth=0.5), penalty=100, stick_slope=100, source="contact stress"),
-    calculix.Settings(MeshSettings(48, growth=0.5), penalty=200, stick_slope=200, source="contact stress"),
+    sheared(MeshSettings(6, growth=0.8, quads=True)),
+    sheared(MeshSettings(6, growth=0.8)),
+    sheared(MeshSettings(12, growth=0.8, quads=True)),
+    sheared(MeshSettings(24, growth=0.5), penalty=100),
+    sheared(MeshSettings(48, growth=0.5), penalty=200),
 ]
 
 # 30 E/a does not converge on the coarsest mesh.
