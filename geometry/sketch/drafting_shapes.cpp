@@ -53,7 +53,10 @@ DraftingSearch drafting_search(const Drawing& drawing, const SketchOptions& opti
     for (const SketchEntity& entity : drawing.entities) box.extend(bounding_box(entity.curve));
     const double size = std::max(box.diagonal(), box.max.cwiseAbs().maxCoeff());
     DraftingSearch search{drawing};
-    search.closed = close_outlines(drawing.entities, plain, rounding_fraction * size, CrossingLines::upright);
+    MendedLines lines = mended_lines(drawing.entities, plain, rounding_fraction * size, false);
+    if (lines.chains.divided.empty()) search.mended = lines;
+    cut_tables(lines);
+    search.closed = close_outlines(std::move(lines), plain);
     search.tolerance = search.closed.tolerance;
     const Outlines& outlines = search.closed.outlines;
     for (const EntityChain& chain : outlines.closed) search.shapes.push_back(shape_of(outlines, chain));

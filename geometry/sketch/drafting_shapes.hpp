@@ -27,6 +27,7 @@ inline constexpr DraftingKinds drafting_kinds;
 /// All that is drawn as shapes, and what of it was set aside.
 struct DraftingSearch {
     const Drawing& drawing;
+    std::optional<MendedLines> mended{};  ///< where none of them share areas
     ClosedOutlines closed{};
     double tolerance = 0;  ///< ends within this were joined
     std::vector<Shape> shapes{};

@@ -120,19 +120,26 @@ void add_closed(GroupOutlines& group, ClosedOutlines closed, SketchParts& sketch
     sketch.open_length += closed.open_length;
 }
 
-/// An insertion of a block that does not close by itself is a portion of something larger.
-GroupOutlines close_group(const EntityGroup& group, const SketchOptions& options, double rounding, SketchParts& sketch) {
+ClosedOutlines closed(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding) {
+    return close_outlines(mended_lines(entities, options, rounding, false), options);
+}
+
+/// An insertion of a block that does not close by itself is a portion of something larger. `mended`: the whole group; null
+/// where that is not known.
+GroupOutlines close_group(const EntityGroup& group, const MendedLines* mended, const SketchOptions& options, double rounding,
+                          SketchParts& sketch) {
     GroupOutlines found;
     std::vector<std::vector<SketchEntity>> instances = by_instance(group.entities);
     std::vector<SketchEntity> rest = std::move(instances.front());
     for (std::size_t k = 1; k < instances.size(); ++k) {
-        ClosedOutlines closed = close_outlines(instances[k], options, rounding);
-        if (closed.problems.empty() && closed.open_length == 0)
-            add_closed(found, std::move(closed), sketch);
+        ClosedOutlines own = closed(instances[k], options, rounding);
+        if (own.problems.empty() && own.open_length == 0)
+            add_closed(found, std::move(own), sketch);
         else
             append(rest, std::move(instances[k]));
     }
-    add_closed(found, close_outlines(rest, options, rounding), sketch);
+    const bool is_known = mended && instances.size() == 1 && mended->tolerances.rounding == rounding;
+    add_closed(found, is_known ? close_outlines(*mended, options) : closed(rest, options, rounding), sketch);
     return found;
 }
 
@@ -144,9 +151,10 @@ struct FoundPart {
 };
 
 /// `region_parts`: by region, its part among those found; -1 where it is none.
-void add_parts(const EntityGroup& group, const std::vector<Hatch>& hatches, const SketchOptions& options, double rounding,
-               SketchParts& sketch, std::vector<FoundPart>& found, std::vector<int>& region_parts) {
-    const GroupOutlines closed = close_group(group, options, rounding, sketch);
+void add_parts(const EntityGroup& group, const MendedLines* mended, const std::vector<Hatch>& hatches,
+               const SketchOptions& options, double rounding, SketchParts& sketch, std::vector<FoundPart>& found,
+               std::vector<int>& region_parts) {
+    const GroupOutlines closed = close_group(group, mended, options, rounding, sketch);
     sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
     NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence,
                               {hatches, options.regions, static_cast<int>(sketch.regions.size()) + 1, !group.name.empty()});
@@ -169,7 +177,14 @@ void add_parts(const EntityGroup& group, const std::vector<Hatch>& hatches, cons
 
 // ---- all groups ----
 
-SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, PartsBy parts_by) {
+/// What is made into parts.
+struct DrawnLines {
+    Drawing drawing;
+    std::optional<MendedLines> mended{};  ///< of all entities, where that is known
+};
+
+SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, PartsBy parts_by) {
+    const Drawing& drawing = lines.drawing;
     const Box2 box = box_of(drawing.entities);
     const Vec2 origin = local_origin(box);
     const double rounding = rounding_fraction * std::max(box.diagonal(), largest_coordinate(box));
@@ -179,7 +194,8 @@ SketchParts sketch_by(const Drawing& drawing, const SketchOptions& options, Part
     std::vector<int> region_parts;
     const std::vector<Hatch> hatches = moved(drawing.hatches, -origin);
     for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
-        add_parts(group, hatches, options, rounding, sketch, found, region_parts);
+        add_parts(group, parts_by == PartsBy::loop && lines.mended ? &*lines.mended : nullptr, hatches, options, rounding,
+                  sketch, found, region_parts);
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
         sketch.parts.push_back(std::move(one.part));
@@ -223,7 +239,8 @@ bool closes_more(const SketchParts& sketch, const SketchParts& other) {
 
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
 /// holes of one of them.
-SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
+SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
+    const Drawing& drawing = lines.drawing;
     const double coincidence = touching_fraction * box_of(drawing.entities).diagonal();
     const bool is_inside = !are_bodies(drawing.entities) && are_others_its_holes(by_layer.parts, by_layer.layers);
     const bool is_assembly = is_inside && do_others_touch(by_layer.parts, by_layer.layers, coincidence);
@@ -232,7 +249,7 @@ SketchParts by_layers(const Drawing& drawing, const SketchOptions& options, Sket
         return with_reason(
             std::move(by_layer),
             is_assembly ? why + "; one is drawn behind all others, as the frame of a sheet is: ignore it then" : why);
-    SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+    SketchParts by_loop = sketch_by(lines, options, PartsBy::loop);
     const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
@@ -254,34 +271,42 @@ SketchParts by_loop_or_undivided(SketchParts by_loop, SketchParts by_layer, cons
 }
 
 /// By layer where several hold closed outlines, by block where everything lies in several blocks, else by outline.
-SketchParts automatic_parts(const Drawing& drawing, const SketchOptions& options) {
+SketchParts automatic_parts(const DrawnLines& lines, const SketchOptions& options) {
+    const Drawing& drawing = lines.drawing;
     if (is_on_one_layer(drawing.entities) && !is_all_in_blocks(drawing.entities)) {
-        SketchParts by_loop = sketch_by(drawing, options, PartsBy::loop);
+        SketchParts by_loop = sketch_by(lines, options, PartsBy::loop);
         const std::string why = quoted_layers({by_loop.layers.begin(), by_loop.layers.end()});
         if (is_whole(by_loop)) return with_reason(std::move(by_loop), why);  // the layer tells nothing more
-        return by_loop_or_undivided(std::move(by_loop), sketch_by(drawing, options, PartsBy::layer), why);
+        return by_loop_or_undivided(std::move(by_loop), sketch_by(lines, options, PartsBy::layer), why);
     }
-    SketchParts by_layer = sketch_by(drawing, options, PartsBy::layer);
+    SketchParts by_layer = sketch_by(lines, options, PartsBy::layer);
     const std::set<std::string> layers(by_layer.layers.begin(), by_layer.layers.end());
     std::string why = quoted_layers(layers);
-    if (layers.size() > 1) return by_layers(drawing, options, std::move(by_layer), why);
+    if (layers.size() > 1) return by_layers(lines, options, std::move(by_layer), why);
     if (is_all_in_blocks(drawing.entities)) {
-        SketchParts by_block = sketch_by(drawing, options, PartsBy::block);
+        SketchParts by_block = sketch_by(lines, options, PartsBy::block);
         why += ", and everything lies in several blocks";
         if (!are_others_its_holes(by_block.parts, by_block.layers)) {
             if (is_whole(by_block)) return with_reason(std::move(by_block), why);
-            SketchParts joined = sketch_by(drawing, options, PartsBy::loop);
+            SketchParts joined = sketch_by(lines, options, PartsBy::loop);
             if (!closes_more(joined, by_block)) return with_reason(std::move(by_block), why);
             return with_reason(std::move(joined), why + ", but these close only together");
         }
         why += ", but all others lie in the material of one, as holes do";
     }
-    return by_loop_or_undivided(sketch_by(drawing, options, PartsBy::loop), std::move(by_layer), why);
+    return by_loop_or_undivided(sketch_by(lines, options, PartsBy::loop), std::move(by_layer), why);
+}
+
+/// Is there no curve that may turn out to be a line or an arc?
+bool has_plain_curves(const std::vector<SketchEntity>& entities) {
+    return std::all_of(entities.begin(), entities.end(), [](const SketchEntity& entity) {
+        return std::holds_alternative<Segment>(entity.curve) || std::holds_alternative<Arc>(entity.curve);
+    });
 }
 
 /// The drawing without its sheet and what explains it, which the warnings tell.
-Drawing without_drafting(Drawing drawing, const SketchOptions& options, std::vector<SketchProblem>& warnings) {
-    if (options.keep_drafting || are_bodies(drawing.entities)) return drawing;
+DrawnLines without_drafting(Drawing drawing, const SketchOptions& options, std::vector<SketchProblem>& warnings) {
+    if (options.keep_drafting || are_bodies(drawing.entities)) return {std::move(drawing)};
     const Vec2 origin = local_origin(box_of(drawing.entities));
     Drawing local;
     local.entities = moved(drawing.entities, -origin);
@@ -293,7 +318,8 @@ Drawing without_drafting(Drawing drawing, const SketchOptions& options, std::vec
     append(warnings, std::move(found.warnings));
     std::size_t i = 0;
     std::erase_if(drawing.entities, [&](const SketchEntity&) { return found.is_drafting[i++]; });
-    return drawing;
+    if (options.recognise_arcs && !has_plain_curves(drawing.entities)) found.mended.reset();
+    return {std::move(drawing), std::move(found.mended)};
 }
 
 /// The drawing with outlines around blocks in place of these, where that is asked for.
@@ -352,7 +378,7 @@ void check_exactly(SketchParts& sketch) {
 
 SketchParts parts_of(const Drawing& drawing, const SketchOptions& options) {
     SketchParts before;
-    const Drawing outlines = without_drafting(with_block_outlines(drawing, options, before), options, before.warnings);
+    const DrawnLines outlines = without_drafting(with_block_outlines(drawing, options, before), options, before.warnings);
     SketchParts sketch = options.parts_by == PartsBy::automatic
                              ? automatic_parts(outlines, options)
                              : with_reason(sketch_by(outlines, options, options.parts_by), "asked for");

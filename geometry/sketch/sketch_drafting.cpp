@@ -42,6 +42,8 @@ DraftingFound find_drafting(const Drawing& drawing, const SketchOptions& options
     callouts.find();
     DraftingFound found;
     for (const char* kind : search.kind) found.is_drafting.push_back(kind != nullptr);
+    if (std::find(found.is_drafting.begin(), found.is_drafting.end(), true) == found.is_drafting.end())
+        found.mended = std::move(search.mended);
     found.warnings = told(search);
     found.warnings.insert(found.warnings.end(), doubts.begin(), doubts.end());
     return found;

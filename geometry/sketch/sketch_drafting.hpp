@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What of a drawing is its sheet, and what explains it: frames, title blocks, tables, balloons and leaders.
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "geometry/sketch/sketch.hpp"
+#include "geometry/sketch/sketch_mended.hpp"
 
 namespace abut::geometry {
 
@@ -11,6 +12,8 @@ namespace abut::geometry {
 struct DraftingFound {
     std::vector<bool> is_drafting;        ///< by entity
     std::vector<SketchProblem> warnings;  ///< one for each kind of thing found, and what may be one
+    /// All entities, no curve recognised yet; where nothing was set aside and no outlines share lines.
+    std::optional<MendedLines> mended{};
 };
 
 /// Finds the sheet and its explanations, whatever layers they are on. All lines are closed to outlines together; then

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From loose entities to closed outlines.
+// From mended lines to closed outlines.
 #pragma once
 #include <vector>
 
-#include "geometry/sketch/sketch_nesting.hpp"
-#include "geometry/sketch/sketch_splits.hpp"
+#include "geometry/sketch/sketch_mended.hpp"
 
 namespace abut::geometry {
 
@@ -20,11 +19,7 @@ struct ClosedOutlines {
     double coincidence = 0;               ///< curves within this count as one
 };
 
-/// Closes the outlines of entities that may belong together; ends of others are none of their business. The tolerance asked for
-/// (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but never below
-/// `rounding`: what the coordinates' own rounding amounts to in the file.
-/// `cut_at_crossings`: upright lines that share areas are cut where they cross, as in tables; or all lines are.
-ClosedOutlines close_outlines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
-                              CrossingLines cut_at_crossings = CrossingLines::none);
+/// Closes the outlines of what was mended: facets become arcs, curves are moved to their joints, and what is open is told.
+ClosedOutlines close_outlines(MendedLines lines, const SketchOptions& options);
 
 }  // namespace abut::geometry
