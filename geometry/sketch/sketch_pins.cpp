@@ -2,6 +2,8 @@
 #include "geometry/sketch/sketch_pins.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "geometry/brep/edge_tree.hpp"
 #include "geometry/brep/outline.hpp"
@@ -16,11 +18,30 @@ namespace {
 /// Of a pin's size: what is nearer touches, and of its area: rounding.
 constexpr double pin_rounding = 1e-6;
 
-/// Parts that have some place in common, neither inside the other.
-bool are_laid_across(const Part& a, const Part& b) {
-    const double tolerance = pin_rounding * std::min(bounding_box(a).diagonal(), bounding_box(b).diagonal());
-    return !lies_in_outline(a, b) && !lies_in_outline(b, a) && overlap(a, b, tolerance).area > 0;
-}
+/// Which parts have some place in common, neither inside the other. A hole within both changes nothing.
+class LaidAcross {
+public:
+    explicit LaidAcross(const std::vector<Part>& parts) : parts_(parts) {}
+
+    bool operator()(std::size_t i, std::size_t j) {
+        const auto [found, is_new] = known_.try_emplace(std::minmax(i, j));
+        if (is_new) found->second = are_across(parts_[i], parts_[j]);
+        return found->second;
+    }
+    bool any(std::size_t plate, const std::vector<std::size_t>& others) {
+        return std::any_of(others.begin(), others.end(),
+                           [&](std::size_t other) { return other != plate && (*this)(plate, other); });
+    }
+
+private:
+    static bool are_across(const Part& a, const Part& b) {
+        const double tolerance = pin_rounding * std::min(bounding_box(a).diagonal(), bounding_box(b).diagonal());
+        return !lies_in_outline(a, b) && !lies_in_outline(b, a) && overlap(a, b, tolerance).area > 0;
+    }
+
+    const std::vector<Part>& parts_;
+    std::map<std::pair<std::size_t, std::size_t>, bool> known_;
+};
 
 bool is_drawn_without_it(const Part& pin, const Part& plate) {
     const double own = area(outer_outline(pin));
@@ -42,19 +63,15 @@ void cut_out(const Part& pin, Part& plate) {
 
 using PartNumbers = std::vector<std::size_t>;
 
-bool is_laid_across_any(const std::vector<Part>& parts, std::size_t plate, const PartNumbers& others) {
-    return std::any_of(others.begin(), others.end(),
-                       [&](std::size_t other) { return other != plate && are_laid_across(parts[plate], parts[other]); });
-}
-
 /// Of the parts around a pin those that lack its hole; none where some that have it are joined: the others lie over them.
-PartNumbers plates_without_hole(const std::vector<Part>& parts, const PartNumbers& around, std::size_t pin) {
+PartNumbers plates_without_hole(const std::vector<Part>& parts, const PartNumbers& around, std::size_t pin,
+                                LaidAcross& are_laid_across) {
     PartNumbers with, without;
     for (const std::size_t plate : around)
-        if (is_laid_across_any(parts, plate, around))
+        if (are_laid_across.any(plate, around))
             (is_drawn_without_it(parts[pin], parts[plate]) ? without : with).push_back(plate);
     const bool is_joined =
-        std::any_of(with.begin(), with.end(), [&](std::size_t plate) { return is_laid_across_any(parts, plate, with); });
+        std::any_of(with.begin(), with.end(), [&](std::size_t plate) { return are_laid_across.any(plate, with); });
     return is_joined ? PartNumbers{} : without;
 }
 
@@ -65,6 +82,7 @@ void cut_pins(std::vector<Part>& parts, const std::vector<std::string>& group, s
     std::vector<Box2> boxes;
     for (const Part& part : parts) boxes.push_back(bounding_box(part));
     const EdgeTree tree(boxes);
+    LaidAcross are_laid_across(parts);
     for (std::size_t p = 0; p < parts.size(); ++p) {
         PartNumbers around;
         for (const int near : tree.near(boxes[p], 0))
@@ -72,7 +90,7 @@ void cut_pins(std::vector<Part>& parts, const std::vector<std::string>& group, s
                 lies_in_outline(parts[p], parts[at(near)]))
                 around.push_back(at(near));
         std::string cut;
-        for (const std::size_t plate : plates_without_hole(parts, around, p)) {
+        for (const std::size_t plate : plates_without_hole(parts, around, p, are_laid_across)) {
             cut_out(parts[p], parts[plate]);
             cut += (cut.empty() ? "" : " and ") + parts[plate].name;
         }
