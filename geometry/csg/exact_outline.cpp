@@ -154,6 +154,13 @@ bool is_apart_from_line(const OutlinePiece& arc, const OutlinePiece& line) {
     return distance * distance > squared(circle.to_center) * squared(along);
 }
 
+/// Are the pieces the same, or each other's reverse? As most faces of parts that fit each other are: exact intersection has
+/// nowhere to stop early there.
+bool are_one(const OutlinePiece& a, const OutlinePiece& b) {
+    if (a.turn != 0 && a.middle != b.middle) return false;
+    return (a.from == b.from && a.to == b.to && a.turn == b.turn) || (a.from == b.to && a.to == b.from && a.turn == -b.turn);
+}
+
 /// Have the lines or circles that two pieces lie on no point in common? Some microseconds: of pieces that come within rounding
 /// of each other most are apart.
 bool carriers_are_apart(const OutlinePiece& a, const OutlinePiece& b) {
@@ -485,6 +492,7 @@ PieceMeetings::~PieceMeetings() = default;
 
 std::vector<CommonOfPieces> PieceMeetings::of(std::size_t i, std::size_t j) {
     const OutlinePiece &a = known_->a.pieces[i].piece, &b = known_->b.pieces[j].piece;
+    if (are_one(a, b)) return {{a.from, a.to, true, false}};
     if (carriers_are_apart(a, b)) return {};
     const auto curves = [](std::map<std::size_t, std::vector<PlaneCurve>>& known, std::size_t k,
                            const OutlinePiece& piece) -> const std::vector<PlaneCurve>& {
