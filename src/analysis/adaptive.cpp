@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/grid_walk.hpp"
@@ -123,6 +124,12 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
     const auto have_all = [&] {
         return std::all_of(walks.begin(), walks.end(), [](const GridWalk& w) { return w.is_over(); });
     };
+    // A step is like the one before it: the first few find out what grids they want, in every pass twice as many take part,
+    // with the sizes that those before them have come to, and all where these lack nothing. Without friction steps are the same
+    // in any order, and so begin at once.
+    constexpr std::size_t first_steps = 4;
+    const bool begin_in_turn = scene.in_steps && has_friction(candidates);
+    std::size_t n_begun = begin_in_turn ? 0 : cases.size();
     walk_to_end(walks, [&] {
         const PassAsk ask = joined(walks);
         tell_pass(walks.front(), ask, options);
@@ -134,9 +141,19 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
                                          : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
                                                       walks[k].ask().parts, prepared, {}, seconds, threads));
         };
-        std::vector<std::size_t> now, later;
-        for (std::size_t k = 0; k < cases.size(); ++k) (walks[k].is_over() && !scene.in_steps ? later : now).push_back(k);
-        std::for_each(now.begin(), now.end(), solve);
+        std::vector<std::size_t> later;
+        const std::size_t n_before = n_begun, may_begin = std::max(first_steps, 2 * n_begun);
+        bool is_lacking = false;
+        for (std::size_t k = 0; k < cases.size() && (k < may_begin || !is_lacking); ++k) {
+            if (walks[k].is_over() && !scene.in_steps) {
+                later.push_back(k);
+                continue;
+            }
+            if (k >= n_before && n_before > 0) walks[k].begin_like(walks[k - 1]);
+            solve(k);
+            n_begun = std::max(n_begun, k + 1);
+            is_lacking = is_lacking || !walks[k].is_over();
+        }
         if (!have_all()) return false;
         std::for_each(later.begin(), later.end(), solve);
         return have_all();

@@ -20,8 +20,8 @@ struct CaseProblem {
 };
 
 /// Solves the cases of a scene, which differ by their loads alone: every pass is on one set of grids, fine where any case wants
-/// it, and on one set of factors. By case; all are of the last pass. Steps are walked in their order on every set of grids, so
-/// that the last ones have the whole path.
+/// it, and on one set of factors. By case; all are of the last pass. Steps are walked in their order, on the last grids all of
+/// them; on those before, where friction remembers, the first ones, which find what grids the others want.
 std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vector<CaseProblem>& cases,
                                             const AnalyzeOptions& options, Stopwatches& seconds);
 

@@ -126,6 +126,10 @@ public:
         std::swap(out_.stress, stress);
         return copy;
     }
+    void begin_like(const Path& other) {
+        if (out_.passes.empty() && other.widenings_ == widenings_ && other.out_.candidates.size() == out_.candidates.size())
+            next_ = other.next_;
+    }
     void end_with_next(const std::string& finer_failed) {
         finer_failed_ = finer_failed;
         is_over_ = false;
@@ -487,8 +491,11 @@ private:
 
     /// Sets the sizes that are wanted next. The contacts as they are expected.
     PressedStretches ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
-        const bool is_first = next_.goal.empty();
-        if (is_first) {
+        const bool is_first = next_.goal.empty(),
+                   has_begun_like_another = !is_first && out_.passes.size() == comparable_from_ + 1;
+        if (has_begun_like_another) {
+            theory_ = contacts_by_theory(scene_, now);
+        } else if (is_first) {
             theory_ = contacts_by_theory(scene_, now);
             set_first_goals(now, with_missed(theory_.stretches, followed_), next_);
             if (theory_.is_close && !any_missed(missed_))
@@ -565,6 +572,9 @@ const std::string& GridWalk::failed() const {
 }
 GridWalk GridWalk::unsolved() {
     return GridWalk(path_->unsolved());
+}
+void GridWalk::begin_like(const GridWalk& other) {
+    path_->begin_like(*other.path_);
 }
 void GridWalk::end_with_next(const std::string& finer_failed) {
     path_->end_with_next(finer_failed);

@@ -47,6 +47,8 @@ public:
     const std::string& failed() const;
     /// The walk as it stands, without what it has solved.
     GridWalk unsolved();
+    /// A walk that has taken nothing begins with the sizes that another of the same candidates has come to.
+    void begin_like(const GridWalk& other);
     /// Whatever the next pass gives is the last, since finer ones failed so.
     void end_with_next(const std::string& finer_failed);
     /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.

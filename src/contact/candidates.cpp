@@ -184,4 +184,8 @@ PartPairs closing_pairs(const Scene& scene, const std::vector<Candidate>& candid
     return pairs;
 }
 
+bool has_friction(const std::vector<Candidate>& candidates) {
+    return std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return !c.bonded && c.friction > 0; });
+}
+
 }  // namespace abut

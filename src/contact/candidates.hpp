@@ -96,4 +96,7 @@ std::vector<Candidate> find_candidates(const Scene& scene, double factor);
 /// The candidates of all encounters, in that order, whatever overlaps.
 std::vector<Candidate> find_candidates_anyway(const Scene& scene, double factor);
 
+/// Does friction act anywhere?
+bool has_friction(const std::vector<Candidate>& candidates);
+
 }  // namespace abut

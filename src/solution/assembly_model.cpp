@@ -320,7 +320,8 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     solved.failure = prepared.failure;
     solved.refined_for_walls = prepared.refined_for_walls;
     solved.limited_grids = prepared.limited_grids;
-    if (!scene.in_steps) solved.known = prepared.known;  // friction remembers on each step's own knots
+    // Steps without friction do not know in which order they are.
+    if (!scene.in_steps || has_friction(candidates)) solved.known = prepared.known;
     solved.solver_part.assign(scene.parts.size(), -1);
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         if (!solve_part[i]) continue;

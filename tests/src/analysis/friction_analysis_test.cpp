@@ -156,6 +156,18 @@ TEST(FrictionAnalysis, RemembersFromStepToStep) {
 
 /// A wedge of 10 degrees on each side, friction 0.3: let go of, it stays jammed, and holds a pull that is far below what frees
 /// it.
+TEST(FrictionAnalysis, TheFirstStepsFindTheGridsOfAll) {
+    const std::vector<CaseResult> steps =
+        analyze_cases(read_scene(ABUT_SOURCE_DIR "/data/verification/mindlin_cycle.json"), {});
+    ASSERT_EQ(steps.size(), 11U);
+    for (const CaseResult& step : steps) {
+        EXPECT_TRUE(step.result.accuracy.reached) << step.name;
+        EXPECT_EQ(step.result.unknowns, steps.front().result.unknowns);
+        EXPECT_GE(step.result.passes.size(), 2U) << "an estimate compares two grids";
+    }
+    EXPECT_LT(steps.back().result.passes.size(), steps.front().result.passes.size());
+}
+
 TEST(FrictionAnalysis, KeepsWhatIsLockedInWhereNothingLoadsAPartAnyMore) {
     const auto steps_with = [](const std::string& let_go) {
         const Scene scene = read_scene_text(
