@@ -134,7 +134,7 @@ public:
         finer_failed_ = finer_failed;
         is_over_ = false;
     }
-    const SolvedAssembly& last() const { return last_; }
+    const SolvedAssembly& last() const { return is_over_ ? out_.solved : last_; }
     Outcome take_outcome() {
         recover_stress(out_.solved);
         return std::move(out_);
@@ -148,7 +148,8 @@ public:
         add_uses(out_.uses, now.uses);
         is_answered_ = false;
         failed_.clear();
-        is_over_ = step(std::move(now));
+        is_over_ = step(now);
+        last_ = scene_.in_steps && !is_over_ ? std::move(now) : SolvedAssembly{};
         return is_over_;
     }
 
@@ -353,7 +354,6 @@ private:
         out_.errors.push_back(errors_of_last(stuck));
         settled_from_ = std::max(settled_from_, comparable_from_);
         if (has_changed_contacts()) settled_from_ = out_.passes.size() - 1;
-        if (scene_.in_steps) last_ = now;
     }
 
     /// Also where the grids were too coarse to see it.
@@ -401,8 +401,8 @@ private:
         now.solution.holding_factor = slid_.factor;
     }
 
-    /// After one solution; true: it is the last one.
-    bool step(SolvedAssembly now) {
+    /// After one solution; true: it is the last one, and taken.
+    bool step(SolvedAssembly& now) {
         const bool stuck = !is_solved(now);
         look_for_missed(now);
         record(now);
@@ -521,7 +521,7 @@ private:
     Stopwatches& seconds_;
     int threads_;
     Outcome out_;
-    SolvedAssembly last_;  // of steps
+    SolvedAssembly last_;  // of steps that are not over
     NextGrids next_;
     WantedSizes wanted_;
     WantedSizes raisers_;                    // where stresses turned out to be worst
