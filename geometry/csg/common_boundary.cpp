@@ -41,8 +41,8 @@ struct CutOutline {
     std::vector<CutPiece> pieces;
 };
 
-CutOutline uncut(const Part& part, double tolerance) {
-    CutOutline made{&part, fine_outline(part, tolerance), {}};
+CutOutline uncut(const Part& part, const Part& other, double tolerance) {
+    CutOutline made{&part, fine_outline(part, tolerance, bounding_box(other)), {}};
     made.pieces.resize(made.outline.pieces.size());
     return made;
 }
@@ -182,7 +182,7 @@ std::vector<char> are_inside(const CutOutline& of, const std::vector<Remnant>& r
 
 std::vector<BoundaryStretch> common_boundary(const Part& part1, const Part& part2, double tolerance) {
     ENSURE(tolerance >= 0, "curves are followed by arcs within a distance");
-    std::array<CutOutline, 2> cut{uncut(part1, tolerance), uncut(part2, tolerance)};
+    std::array<CutOutline, 2> cut{uncut(part1, part2, tolerance), uncut(part2, part1, tolerance)};
     cut_each_other(cut[0], cut[1], tolerance);
     std::vector<BoundaryStretch> found;
     for (std::size_t k = 0; k < 2; ++k) {

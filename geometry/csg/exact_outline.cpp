@@ -92,16 +92,22 @@ std::vector<ArcPiece> simple_pieces(const Curve& curve, double tolerance, double
 
 using Pieces = std::vector<OutlinePiece>;
 
-/// The pieces of each loop, head to tail.
-std::vector<Pieces> pieces_of(const Part& part, double tolerance, double most_turn) {
+/// The pieces of each loop, head to tail. Curves whose boxes do not meet `near` are their chords, and a loop of one
+/// such curve is none: how often the loops wind around what is near is the same.
+std::vector<Pieces> pieces_of(const Part& part, double tolerance, double most_turn, const std::optional<Box2>& near = {}) {
     std::vector<Pieces> loops;
     for (const Loop& loop : part.loops) {
         Pieces& pieces = loops.emplace_back();
-        for (const int e : loop.edges)
-            for (const ArcPiece& made : simple_pieces(curve_of(part, e), tolerance, most_turn)) {
+        for (const int e : loop.edges) {
+            const Curve& curve = curve_of(part, e);
+            const bool is_far = near && !bounding_box(curve).overlaps(*near, tolerance);
+            if (is_far && loop.edges.size() == 1) continue;
+            const Curve chord = Segment{point(curve, 0), point(curve, 1)};
+            for (const ArcPiece& made : simple_pieces(is_far ? chord : curve, tolerance, most_turn)) {
                 pieces.push_back({point(made.curve, 0), point(made.curve, 0.5), {0, 0}, 0, e, made.t0, made.t1});
                 if (std::holds_alternative<Segment>(made.curve)) pieces.back().middle = pieces.back().from;
             }
+        }
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             OutlinePiece& piece = pieces[i];
             piece.to = pieces[(i + 1) % pieces.size()].from;
@@ -507,8 +513,8 @@ std::vector<int> windings_around(const Outline& outline, const std::vector<Place
     return windings_at(outline, exact_places(places));
 }
 
-Outline fine_outline(const Part& part, double tolerance) {
-    return outline_of(pieces_of(part, tolerance, 0.5 * std::numbers::pi));
+Outline fine_outline(const Part& part, double tolerance, const Box2& near) {
+    return outline_of(pieces_of(part, tolerance, 0.5 * std::numbers::pi, near));
 }
 
 bool is_surely_right(const Part& part) {

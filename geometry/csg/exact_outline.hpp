@@ -34,8 +34,9 @@ std::optional<OutlineFault> swept_fault(const Part& part);
 /// 2 to 5 microseconds for each line or arc.
 bool is_surely_right(const Part& part);
 
-/// The outline as lines and arcs of at most a quarter turn; ellipses and splines by their arc splines within `tolerance`.
-Outline fine_outline(const Part& part, double tolerance);
+/// The outline as lines and arcs of at most a quarter turn; ellipses and splines by their arc splines within `tolerance`. What
+/// lies wholly off the box `near` is drawn straight, or left out where it closes by itself: places in the box do not see that.
+Outline fine_outline(const Part& part, double tolerance, const Box2& near);
 
 /// A point that two pieces have in common, or a stretch of both; rounded.
 struct CommonOfPieces {

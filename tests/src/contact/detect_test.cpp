@@ -110,6 +110,20 @@ TEST(Overlap, KnownAreas) {
     EXPECT_NEAR(area(block(0, 0, 2, 1), block(0.5, 0, 1.5, 1)), 1, exact);
 }
 
+TEST(Overlap, WhatIsFarStaysAround) {
+    // Of eight arcs most do not come near the small part, and of the holes only one does.
+    Part wheel;
+    std::vector<geometry::Curve> arcs;
+    for (int k = 0; k < 8; ++k) arcs.push_back(Arc{{0, 0}, 10, k * pi / 4, pi / 4});
+    add_loop(wheel, arcs, {"a0", "a1", "a2", "a3", "a4", "a5", "a6", "a7"});
+    for (const Vec2& at : {Vec2(0, 0), Vec2(0, 8), Vec2(-8, 0)}) add_loop(wheel, {Arc{at, 1, 0, -2 * pi}}, {"hole"});
+    EXPECT_NEAR(overlap(block(4, -1, 6, 1), wheel, 1e-9).area, 4, exact) << "off everything, and inside";
+    EXPECT_NEAR(overlap(block(-2, -2, 2, 2), wheel, 1e-9).area, 16 - pi, exact) << "around a hole";
+    EXPECT_EQ(overlap(block(11, -1, 12, 1), wheel, 1e-9).area, 0);
+    const double segment = 100 * std::acos(0.9) - 9 * std::sqrt(19);
+    EXPECT_NEAR(overlap(wheel, block(9, -5, 12, 5), 1e-9).area, segment, 1e-9);
+}
+
 TEST(Overlap, TouchingIsNothing) {
     EXPECT_EQ(geometry::overlap(block(0, 0, 1, 1), block(1, 0.2, 2, 3), 1e-9).area, 0);
     EXPECT_EQ(geometry::overlap(disc({0, 1}, 1), block(-2, -1, 2, 0), 1e-9).area, 0);
