@@ -127,8 +127,11 @@ public:
         return copy;
     }
     void begin_like(const Path& other) {
-        if (out_.passes.empty() && other.widenings_ == widenings_ && other.out_.candidates.size() == out_.candidates.size())
-            next_ = other.next_;
+        begins_like_another_ = out_.passes.empty() && other.widenings_ == widenings_ &&
+                               other.out_.candidates.size() == out_.candidates.size() && !other.next_.goal.empty();
+        if (!begins_like_another_) return;
+        next_ = other.next_;
+        passes_before_ = other.passes_before_ + other.out_.passes.size() - 1;  // without the one that this walk takes, too
     }
     void end_with_next(const std::string& finer_failed) {
         finer_failed_ = finer_failed;
@@ -325,8 +328,8 @@ private:
     }
 
     bool out_of_passes() const {
-        return out_.passes.size() >= settled_from_ + max_passes ||
-               out_.passes.size() >= comparable_from_ + most_beginnings * max_passes;
+        const std::size_t n = passes_before_ + out_.passes.size();
+        return n >= settled_from_ + max_passes || n >= comparable_from_ + most_beginnings * max_passes;
     }
 
     /// Did the last pass miss or close other contacts than the one before?
@@ -491,18 +494,15 @@ private:
 
     /// Sets the sizes that are wanted next. The contacts as they are expected.
     PressedStretches ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
-        const bool is_first = next_.goal.empty(),
-                   has_begun_like_another = !is_first && out_.passes.size() == comparable_from_ + 1;
-        if (has_begun_like_another) {
-            theory_ = contacts_by_theory(scene_, now);
-        } else if (is_first) {
-            theory_ = contacts_by_theory(scene_, now);
+        const bool is_first = next_.goal.empty(), has_goals = begins_like_another_ && out_.passes.size() == 1;
+        if (is_first || has_goals) theory_ = contacts_by_theory(scene_, now);
+        if (is_first) {
             set_first_goals(now, with_missed(theory_.stretches, followed_), next_);
             if (theory_.is_close && !any_missed(missed_))
                 aim_at_goals(next_);
             else
                 coarsen_less(next_);
-        } else {
+        } else if (!has_goals) {
             if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
@@ -534,9 +534,10 @@ private:
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
     int widenings_ = 0;
-    bool is_over_ = false, is_answered_ = false;
+    bool is_over_ = false, is_answered_ = false, begins_like_another_ = false;
     std::string failed_, finer_failed_;
     bool meets_others_ = false;
+    std::size_t passes_before_ = 0;    // of the walk that this one begins like
     std::size_t comparable_from_ = 0;  // passes before have other candidates
     std::size_t settled_from_ = 0;     // passes before closed or missed other contacts
 };
