@@ -139,7 +139,7 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
             walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
                                                       k > 0 ? &walks[k - 1].last() : nullptr)
                                          : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                      walks[k].ask().parts, prepared, {}, seconds, threads));
+                                                      walks[k].ask().parts, prepared, nullptr, seconds, threads));
         };
         std::vector<std::size_t> later;
         const std::size_t n_before = n_begun, may_begin = std::max(first_steps, 2 * n_begun);

@@ -17,16 +17,15 @@ bool has_answer_of_step(const SolvedAssembly& s) {
 }
 
 SolvedAssembly solve_at(const StepOnGrids& s, double fraction, const SolvedAssembly* before) {
-    const PartDisplacements from = before ? displacements_of(*before) : PartDisplacements{};
     const std::vector<bool> parts = s.walk.ask().parts;
     if (fraction == 1)
-        return solve_case(*s.problem.scene, *s.problem.conditions, s.walk.candidates(), parts, s.prepared, from, s.seconds,
+        return solve_case(*s.problem.scene, *s.problem.conditions, s.walk.candidates(), parts, s.prepared, before, s.seconds,
                           s.threads);
     const LoadCase none{};
     Scene scene =
         scene_of_case(s.scene, between(s.step > 0 ? s.scene.cases[s.step - 1] : none, s.scene.cases[s.step], fraction));
     scene.loads_of_all_cases = s.problem.scene->loads_of_all_cases;
-    return solve_case(scene, resolve_conditions(scene), s.walk.candidates(), parts, s.prepared, from, s.seconds, s.threads);
+    return solve_case(scene, resolve_conditions(scene), s.walk.candidates(), parts, s.prepared, before, s.seconds, s.threads);
 }
 
 /// Adds what came before within the step.

@@ -13,6 +13,7 @@
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/rigid_part.hpp"
 #include "src/plan/rigid_parts.hpp"
+#include "src/solution/contact_states.hpp"
 #include "src/solution/part_systems.hpp"
 #include "src/solution/preload.hpp"
 
@@ -252,13 +253,20 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
 }
 
 /// Slips count from there.
-void begin_from(const PartDisplacements& before, SolvedAssembly& solved) {
+void begin_from(const SolvedAssembly& before, SolvedAssembly& solved) {
     solved.problem.before.clear();
     for (const PartOnGrid& g : solved.grids) {
-        const Eigen::VectorXd& u = before[at(g.part)];
+        const int there = before.solver_part[at(g.part)];
         const Eigen::Index n = 2 * solved.problem.parts[solved.problem.before.size()].n();
-        ENSURE(u.size() == 0 || u.size() == n, "a state before is of the same grids");
-        solved.problem.before.push_back(u.size() == 0 ? Eigen::VectorXd::Zero(n) : u);
+        const bool is_known = there >= 0 && at(there) < before.solution.displacement.size();
+        solved.problem.before.push_back(is_known ? before.solution.displacement[at(there)] : Eigen::VectorXd::Zero(n));
+        ENSURE(solved.problem.before.back().size() == n, "a state before is of the same grids");
+    }
+    for (std::size_t k = 0; k < before.contacts.size(); ++k) {
+        const ContactInterface& c = before.contacts[k];
+        solved.pressure_before.emplace_back();
+        if (friction_of(before, k) > 0 && !before.stretches[k].empty())
+            solved.pressure_before.back() = {c.face.pressure, pressure_of(before, k), c.s1, c.s};
     }
 }
 
@@ -314,7 +322,7 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
 }
 
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, const PartDisplacements& before,
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, const SolvedAssembly* before,
                           Stopwatches& seconds, int threads) {
     SolvedAssembly solved;
     solved.failure = prepared.failure;
@@ -334,7 +342,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
         make_interfaces(scene, candidates, threads, solved);
         load_systems(scene, conditions, prepared, threads, solved);
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
-    if (solved.failure.empty() && !before.empty()) begin_from(before, solved);
+    if (solved.failure.empty() && before) begin_from(*before, solved);
     if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
     return solved;
 }
@@ -378,14 +386,6 @@ double largest_condition(const SolvedAssembly& solved, int threads, PartConditio
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (is_shared(i) && condition[i] > 0) (*known)[solved.grids[i].part] = condition[i];
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
-}
-
-PartDisplacements displacements_of(const SolvedAssembly& solved) {
-    PartDisplacements displacements(solved.solver_part.size());
-    for (std::size_t i = 0; i < displacements.size(); ++i)
-        if (const int k = solved.solver_part[i]; k >= 0 && at(k) < solved.solution.displacement.size())
-            displacements[i] = solved.solution.displacement[at(k)];
-    return displacements;
 }
 
 std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,

@@ -28,15 +28,11 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
                              const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                              Stopwatches& seconds, int threads);
 
-/// Displacements of a state, by scene part; empty where a part was not solved.
-using PartDisplacements = std::vector<Eigen::VectorXd>;
-PartDisplacements displacements_of(const SolvedAssembly& solved);
-
 /// Solves those of the prepared parts that `solve_part` names, under the loads of one case. The scenes of the cases differ by
 /// their loads alone. Parts that temperatures act on, and rigid ones, are made anew. Loads that cannot be computed are told in
-/// `failure`. before: the state on the same grids that slips count from; none: as drawn.
+/// `failure`. before: the state on the same grids that slips count from; null: as drawn.
 SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
-                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, const PartDisplacements& before,
+                          const std::vector<bool>& solve_part, const SolvedAssembly& prepared, const SolvedAssembly* before,
                           Stopwatches& seconds, int threads);
 
 /// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "src/base/index.hpp"
+#include "src/solution/table.hpp"
 
 namespace abut {
 
@@ -33,6 +34,30 @@ double traction_in(const SolvedAssembly& solved, std::size_t contact, double s) 
 /// A place along a stretch of contact, in the middle of a sample.
 double sample_place(const PressedStretch& stretch, int k) {
     return stretch.begin + (stretch.end - stretch.begin) * (k + 0.5) / samples;
+}
+
+/// The pressure, at a place of the middle curve, of the state that slips count from.
+double pressure_before(const SolvedAssembly& solved, std::size_t contact, double s) {
+    if (contact >= solved.pressure_before.size() || solved.pressure_before[contact].s.empty()) return 0;
+    const PressureBefore& before = solved.pressure_before[contact];
+    const ContactInterface& c = solved.contacts[contact];
+    double s1 = interpolate(c.s, c.s1, s);
+    if (c.zone.closed) s1 -= c.zone.chain1.length * std::floor((s1 - before.s1.front()) / c.zone.chain1.length);
+    return std::max(0.0, solver::pressure_at(before.knots, before.coefficients, interpolate(before.s1, before.s, s1)));
+}
+
+/// Tractions in the mean from the state before to this one, as what slips all the way has them: at their bound, which grows
+/// or falls evenly with the pressure. What sticks has no slip to work against.
+Eigen::VectorXd mean_traction(const SolvedAssembly& solved, std::size_t contact, Eigen::VectorXd traction) {
+    const solver::KnotVector& knots = solved.contacts[contact].face.pressure;
+    const double length = knots.breakpoints.back() - knots.breakpoints.front();
+    for (int i = 0; i < n_rows(along_face(solved, contact)); ++i) {
+        double s = solver::greville(knots, i);
+        if (solved.contacts[contact].zone.closed) s -= length * std::floor((s - knots.breakpoints.front()) / length);
+        const double now = pressure_in(solved, contact, s);
+        if (now > 0) traction[i] *= 0.5 * (1 + pressure_before(solved, contact, s) / now);
+    }
+    return traction;
 }
 
 /// Of tractions against the slips since the state before; traction: the face's coefficients.
@@ -152,7 +177,8 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         sums.normal += weight * pressure_in(solved, contact, p.s);
         sums.shear += weight * traction_in(solved, contact, p.s);
     }
-    sums.dissipated = work_of_friction(solved, face, solved.solution.pressure[at(solved.shear_of[contact])]);
+    sums.dissipated =
+        work_of_friction(solved, face, mean_traction(solved, contact, solved.solution.pressure[at(solved.shear_of[contact])]));
     const std::vector<StickBorder> borders = stick_borders(solved, contact);
     for (const PressedStretch& stretch : solved.stretches[contact]) {
         std::vector<double> cuts{stretch.begin};

@@ -168,6 +168,26 @@ TEST(FrictionAnalysis, TheFirstStepsFindTheGridsOfAll) {
     EXPECT_LT(steps.back().result.passes.size(), steps.front().result.passes.size());
 }
 
+TEST(FrictionAnalysis, WorkIsTheSameInOneStepAsInTen) {
+    // What is pressed and pushed in proportion slips in proportion: all of it is known from the end.
+    const auto work = [](int n) {
+        Blocks blocks;
+        for (int k = 1; k <= n; ++k) {
+            const std::string factor = std::to_string(1.0 * k / n);
+            blocks.more += (k == 1 ? R"(, "steps": [)" : ", ") + std::string(R"({"name": "s)") + std::to_string(k) +
+                           R"(", "loads": {"press": )" + factor + R"(, "push": )" + factor + "}}";
+        }
+        blocks.more += "]";
+        double sum = 0;
+        for (const CaseResult& step : analyze_cases(scene_of(blocks), {}))
+            sum += step.result.contacts.at(0).friction->dissipated;
+        return sum;
+    };
+    const double in_one = work(1);
+    EXPECT_GT(in_one, 0);
+    EXPECT_NEAR(work(10), in_one, 1e-3 * in_one);
+}
+
 TEST(FrictionAnalysis, KeepsWhatIsLockedInWhereNothingLoadsAPartAnyMore) {
     const auto steps_with = [](const std::string& let_go) {
         const Scene scene = read_scene_text(
