@@ -7,7 +7,7 @@ namespace abut::geometry {
 
 std::string number_text(double value) {
     char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.6g", value);
+    std::snprintf(buffer, sizeof buffer, "%.6g", value + 0.0);  // no -0
     return buffer;
 }
 

@@ -33,8 +33,7 @@ void trace(MendedLines& lines);
 
 /// Joins and mends: steps 1 to 4 of sketch_outlines.cpp. Ends of others are none of their business. The joining tolerance
 /// asked for (or joining_fraction of the smaller of diagonal and total length) is lowered to half the shortest entity, but
-/// never below `rounding`. `cut_at_crossings`: all lines are cut where they cross, and none kept
-/// as drawn over others.
+/// never below `rounding`. `cut_at_crossings`: all lines are cut where they cross, and none kept as drawn over others.
 MendedLines mended_lines(const std::vector<SketchEntity>& entities, const SketchOptions& options, double rounding,
                          bool cut_at_crossings);
 

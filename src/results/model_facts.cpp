@@ -65,7 +65,7 @@ std::string model_json(const ModelFacts& model) {
 
 std::string fact_number(double value) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.8g", value);
+    std::snprintf(text.data(), text.size(), "%.8g", value + 0.0);  // no -0
     return text.data();
 }
 

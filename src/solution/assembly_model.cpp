@@ -262,10 +262,10 @@ void begin_from(const SolvedAssembly& before, SolvedAssembly& solved) {
         solved.problem.before.push_back(is_known ? before.solution.displacement[at(there)] : Eigen::VectorXd::Zero(n));
         ENSURE(solved.problem.before.back().size() == n, "a state before is of the same grids");
     }
-    for (std::size_t k = 0; k < before.contacts.size(); ++k) {
+    for (std::size_t k = 0; k < std::min(before.contacts.size(), solved.contacts.size()); ++k) {
         const ContactInterface& c = before.contacts[k];
         solved.pressure_before.emplace_back();
-        if (friction_of(before, k) > 0 && !before.stretches[k].empty())
+        if (c.part == solved.contacts[k].part && friction_of(before, k) > 0 && !before.stretches[k].empty())
             solved.pressure_before.back() = {c.face.pressure, pressure_of(before, k), c.s1, c.s};
     }
 }

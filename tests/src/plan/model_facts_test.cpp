@@ -42,11 +42,12 @@ TEST(ModelFactsOf, TellThicknessesThatNobodyGave) {
                                                R"( "parts": [{"name": "p", )" + part +
                                                R"( "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [1, 1]}}}],
                                                "supports": [{"on": "p/bottom", "fix": ["x", "y"]}],
-                                               "loads": [{"on": "p/top", "pressure": "1 + x"}, {"part": "p", "moment": 2}]})",
+                                               "loads": [{"on": "p/top", "pressure": "1 + x"}, {"part": "p", "moment": 2}, {"part": "p", "force": [-1, "-0*1"]}]})",
                                            "no_such_file.json");
         const ModelFacts facts = model_facts(read, model_sources(read));
         EXPECT_EQ(load_words(facts.loads[0]), "pressure that varies");
         EXPECT_EQ(load_words(facts.loads[1]), "moment 2");
+        EXPECT_EQ(load_words(facts.loads[2]), "force (-1, 0)");
         EXPECT_TRUE(facts.files.empty());
         return facts.parts[0].default_thickness;
     };
