@@ -92,8 +92,8 @@ std::vector<ArcPiece> simple_pieces(const Curve& curve, double tolerance, double
 
 using Pieces = std::vector<OutlinePiece>;
 
-/// The pieces of each loop, head to tail. Curves whose boxes do not meet `near` are their chords, and a loop of one
-/// such curve is none: how often the loops wind around what is near is the same.
+/// The pieces of each loop, head to tail. Curves whose boxes do not meet `near` are their chords, and a loop of one such curve
+/// is none: how often the loops wind around what is near is the same.
 std::vector<Pieces> pieces_of(const Part& part, double tolerance, double most_turn, const std::optional<Box2>& near = {}) {
     std::vector<Pieces> loops;
     for (const Loop& loop : part.loops) {

@@ -14,10 +14,6 @@ Edge edge_of(const SketchPiece& entity, bool along) {
     return {along ? entity.curve : reversed(entity.curve), entity.name, entity.source, along, entity.source_begin};
 }
 
-double distance(const Box2& box, const Vec2& p) {
-    return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).norm();
-}
-
 /// Distance to the boundaries of a region and of those inside it; 0 where the point is not between them.
 double clearance(const std::vector<Region>& regions, int region, const std::vector<int>& inside, const Vec2& p) {
     if (!contains(finder_of(regions[at(region)]).pieces, p)) return 0;
@@ -27,8 +23,10 @@ double clearance(const std::vector<Region>& regions, int region, const std::vect
             least = std::min(least, (point(edge.curve, closest_parameter(edge.curve, p)) - p).norm());
     };
     take(regions[at(region)]);
+    Box2 here;
+    here.extend(p);
     for (const int k : inside) {
-        if (distance(regions[at(k)].box, p) >= least) continue;
+        if (!regions[at(k)].box.overlaps(here, least)) continue;
         if (contains(finder_of(regions[at(k)]).pieces, p)) return 0;
         take(regions[at(k)]);
     }

@@ -159,22 +159,27 @@ Knots place_knots(const std::vector<double>& count, const ContactInterface& c, c
     return knots;
 }
 
-/// s1 of a place on the middle curve; where the zone is closed, in the period that begins at `from`.
+}  // namespace
+
 double chain_place(const ContactInterface& c, double s, double from) {
     const double s1 = interpolate(c.s, c.s1, s), period = c.zone.chain1.length;
     return c.zone.closed ? s1 - period * std::floor((s1 - from) / period) : s1;
 }
+
+double place_of_function(const ContactInterface& c, int k) {
+    const double place = solver::greville(c.face.pressure, k), length = c.s.back();
+    return c.zone.closed ? place - length * std::floor(place / length) : place;
+}
+
+namespace {
 
 /// Of the solution before: of each function the coefficient of that whose place was nearest. So the same functions are expected
 /// to be closed beside an end of contact, wherever it has moved to.
 std::vector<double> expected_coefficients(const ContactInterface& c, const ExpectedPressure& before) {
     std::vector<double> expected;
     if (before.s1.empty()) return expected;
-    const double total = c.s.back();
     for (int k = 0; k < n_rows(c.face); ++k) {
-        double place = solver::greville(c.face.pressure, k);
-        if (c.zone.closed) place -= total * std::floor(place / total);
-        const double s1 = chain_place(c, place, before.s1.front());
+        const double s1 = chain_place(c, place_of_function(c, k), before.s1.front());
         const auto after = std::lower_bound(before.s1.begin(), before.s1.end(), s1);
         auto nearest = after == before.s1.end() ? after - 1 : after;
         if (after != before.s1.begin() && after != before.s1.end() && s1 - *(after - 1) < *after - s1) nearest = after - 1;

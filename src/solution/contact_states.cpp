@@ -40,20 +40,15 @@ double sample_place(const PressedStretch& stretch, int k) {
 double pressure_before(const SolvedAssembly& solved, std::size_t contact, double s) {
     if (contact >= solved.pressure_before.size() || solved.pressure_before[contact].s.empty()) return 0;
     const PressureBefore& before = solved.pressure_before[contact];
-    const ContactInterface& c = solved.contacts[contact];
-    double s1 = interpolate(c.s, c.s1, s);
-    if (c.zone.closed) s1 -= c.zone.chain1.length * std::floor((s1 - before.s1.front()) / c.zone.chain1.length);
+    const double s1 = chain_place(solved.contacts[contact], s, before.s1.front());
     return std::max(0.0, solver::pressure_at(before.knots, before.coefficients, interpolate(before.s1, before.s, s1)));
 }
 
 /// Tractions in the mean from the state before to this one, as what slips all the way has them: at their bound, which grows
 /// or falls evenly with the pressure. What sticks has no slip to work against.
 Eigen::VectorXd mean_traction(const SolvedAssembly& solved, std::size_t contact, Eigen::VectorXd traction) {
-    const solver::KnotVector& knots = solved.contacts[contact].face.pressure;
-    const double length = knots.breakpoints.back() - knots.breakpoints.front();
     for (int i = 0; i < n_rows(along_face(solved, contact)); ++i) {
-        double s = solver::greville(knots, i);
-        if (solved.contacts[contact].zone.closed) s -= length * std::floor((s - knots.breakpoints.front()) / length);
+        const double s = place_of_function(solved.contacts[contact], i);
         const double now = pressure_in(solved, contact, s);
         if (now > 0) traction[i] *= 0.5 * (1 + pressure_before(solved, contact, s) / now);
     }
