@@ -311,7 +311,7 @@ void predict_next_level(Result& result) {
     const double last_seconds = last.seconds - seconds_before;
     const double import = stage_seconds_of(result, "import");
     const double answers = std::max(0.0, stage_seconds_of(result, "total") - last.seconds - import);
-    next.seconds = import + last.seconds + passes_added * last_seconds * std::pow(more, time_exponent) + more * answers;
+    next.seconds = import + last.seconds + passes_added * last_seconds * std::pow(more, time_growth_exponent) + more * answers;
     result.next_level = next;
 }
 

@@ -13,6 +13,7 @@
 #include "src/analysis/adaptive.hpp"
 #include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
+#include "src/analysis/closing_contacts.hpp"
 #include "src/analysis/drawn_touches.hpp"
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/follow_motion.hpp"
@@ -186,6 +187,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
+    warn_of_closing_contacts(scene, solved, out.target, result);
     note_needed_friction(scene, conditions, result);
     warn_of_drawn_touches(scene, result);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace abut {
 
@@ -56,17 +57,31 @@ double missing_share(const PressureChange& c, double change, const std::optional
     return std::max(missing_at_least, most);
 }
 
-/// The error inside by interval: a share of the change, and no less than it was where the knots stand no closer; but beside
-/// corners, whose error it is that the rest has.
+/// By how many of its largest cells is a stretch resolved that has fewest?
+double resolving_cells(const ContactRecord& c) {
+    double fewest = std::numeric_limits<double>::infinity();
+    for (const PressedStretch& stretch : c.stretches) {
+        double largest = 0;
+        for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
+            const double a = c.pressure.breakpoints[i], b = c.pressure.breakpoints[i + 1];
+            if (a >= stretch.begin && b <= stretch.end) largest = std::max(largest, b - a);
+        }
+        if (stretch.end > stretch.begin) fewest = std::min(fewest, largest > 0 ? (stretch.end - stretch.begin) / largest : 1);
+    }
+    return std::isfinite(fewest) ? fewest : 1;
+}
+
+/// The error inside by interval: a share of the change, and no less of the pressure than it was where the knots stand no
+/// closer; but beside corners, whose error it is that the rest has.
 void fill_local(const ContactRecord& now, const PressureChange& c, double share, ContactError& e) {
     const bool keeps = !has_corner(now);
     double square = 0;
     for (std::size_t i = 0; i < c.local.size(); ++i) {
-        const double its = std::max(share * share * c.local[i].square, keeps ? c.local[i].kept : 0);
+        const double its = std::max(share * share * c.local[i].square / (c.norm * c.norm), keeps ? c.local[i].kept : 0);
         square += its;
         e.local.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
     }
-    e.inside = std::sqrt(square) / c.norm;
+    e.inside = std::sqrt(square);
 }
 
 ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before,
@@ -75,6 +90,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     e.at_corner = peak_at_corner(now, c.peak);
     e.ends = end_errors(now) / c.norm;
     e.change = c.inside / c.norm;
+    e.cells = resolving_cells(now);
     fill_local(now, c, missing_share(c, e.change, before), e);
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
@@ -117,13 +133,13 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     double square = 0;
     for (std::size_t i = 0; i < c.local.size(); ++i) {
         const double share = missing_of_traction(c.local[i].refinement);
-        const double its = std::max(share * share * c.local[i].square, c.local[i].kept);
+        const double its = std::max(share * share * c.local[i].square / (bound * bound), c.local[i].kept);
         square += its;
         e.local_of_shear.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
     }
     e.ends = std::max(e.ends, now.shear->border_error / bound);
-    e.inside = std::max(e.inside, std::sqrt(square) / bound);
-    e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error, std::sqrt(square)) / bound);
+    e.inside = std::max(e.inside, std::sqrt(square));
+    e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error / bound, std::sqrt(square)));
 }
 
 }  // namespace

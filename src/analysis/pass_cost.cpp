@@ -36,7 +36,7 @@ PassCost cost_of_pass(const Scene& scene, const std::vector<bool>& parts, const 
     }
     if (cells == 0) return {};
     const double growth = next_cells / cells;
-    return {growth * unknowns, last_seconds * std::pow(growth, time_exponent), growth * unknowns * bytes_per_unknown};
+    return {growth * unknowns, last_seconds * std::pow(growth, time_growth_exponent), growth * unknowns * bytes_per_unknown};
 }
 
 std::string cost_text(const PassCost& cost) {

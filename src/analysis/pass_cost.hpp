@@ -11,7 +11,7 @@
 namespace abut {
 
 /// Solution time grows a little faster than unknowns.
-inline constexpr double time_exponent = 1.2;
+inline constexpr double time_growth_exponent = 1.2;
 
 /// Estimated: memory within a factor of 2, time as far as it grows like that.
 struct PassCost {

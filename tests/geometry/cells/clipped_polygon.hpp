@@ -6,8 +6,8 @@
 namespace abut::geometry::test {
 
 /// What of `polygon` lies left of the line from a to b [Sutherland, Hodgman 1974]; of a non-convex one with bridges of no area.
-inline Polygon left_half(const Polygon& polygon, const Vec2& a, const Vec2& b) {
-    Polygon kept;
+inline Corners left_half(const Corners& polygon, const Vec2& a, const Vec2& b) {
+    Corners kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Vec2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
         const double at_p = cross(b - a, p - a), at_q = cross(b - a, q - a);
@@ -18,7 +18,7 @@ inline Polygon left_half(const Polygon& polygon, const Vec2& a, const Vec2& b) {
 }
 
 /// What of `polygon` lies in the convex one; may be empty.
-inline Polygon common(Polygon polygon, const Polygon& convex) {
+inline Corners common(Corners polygon, const Corners& convex) {
     for (std::size_t i = 0; i < convex.size() && !polygon.empty(); ++i)
         polygon = left_half(polygon, convex[i], convex[(i + 1) % convex.size()]);
     return polygon;

@@ -24,20 +24,20 @@ constexpr double pi = std::numbers::pi;
 
 // ---- the oracle: areas of polygons and discs inside a convex polygon, without any walk along a boundary ----
 
-double polygon_area(const Polygon& polygon) {
+double polygon_area(const Corners& polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
         twice += cross(polygon[i] - polygon[0], polygon[(i + 1) % polygon.size()] - polygon[0]);
     return twice / 2;
 }
 
-double common_area(const Polygon& polygon, const Polygon& convex) {
-    const Polygon both = common(polygon, convex);
+double common_area(const Corners& polygon, const Corners& convex) {
+    const Corners both = common(polygon, convex);
     return both.empty() ? 0 : polygon_area(both);
 }
 
 /// Sectors for the parts of the polygon's sides outside the circle, triangles for those inside.
-double disc_area(const Polygon& polygon, const Vec2& center, double r) {
+double disc_area(const Corners& polygon, const Vec2& center, double r) {
     const auto sector = [&](const Vec2& a, const Vec2& b) { return r * r / 2 * std::atan2(cross(a, b), a.dot(b)); };
     double sum = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -57,10 +57,10 @@ double disc_area(const Polygon& polygon, const Vec2& center, double r) {
 
 // ---- parts ----
 
-Polygon box(double x0, double y0, double x1, double y1) {
+Corners box(double x0, double y0, double x1, double y1) {
     return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
-Polygon backwards(Polygon polygon) {
+Corners backwards(Corners polygon) {
     std::reverse(polygon.begin(), polygon.end());
     return polygon;
 }
@@ -69,23 +69,23 @@ Polygon backwards(Polygon polygon) {
 struct Sample {
     std::string name;
     Part part;
-    std::function<double(const Polygon&)> area_in;
+    std::function<double(const Corners&)> area_in;
 };
 
-Sample polygon_sample(const std::string& name, const Polygon& outline) {
-    Sample sample{name, {}, [=](const Polygon& cell) { return common_area(outline, cell); }};
+Sample polygon_sample(const std::string& name, const Corners& outline) {
+    Sample sample{name, {}, [=](const Corners& cell) { return common_area(outline, cell); }};
     add_loop(sample.part, closed(outline));
     return sample;
 }
 
 Sample disc(const Vec2& center, double r, double seam) {
-    Sample sample{"disc", {}, [=](const Polygon& cell) { return disc_area(cell, center, r); }};
+    Sample sample{"disc", {}, [=](const Corners& cell) { return disc_area(cell, center, r); }};
     add_loop(sample.part, {Arc{center, r, seam, 2 * pi}});
     return sample;
 }
 
 Sample ring() {
-    Sample sample{"ring", {}, [](const Polygon& cell) {
+    Sample sample{"ring", {}, [](const Corners& cell) {
                       return disc_area(cell, {0, 0}, 1) - disc_area(cell, {0.125, 0}, 0.5);
                   }};
     add_loop(sample.part, {Arc{{0, 0}, 1, 0.7, pi}, Arc{{0, 0}, 1, 0.7 + pi, pi}});
@@ -94,8 +94,8 @@ Sample ring() {
 }
 
 Sample plate_with_holes() {
-    const Polygon plate = box(-1, -0.5, 1, 0.5), hole = {{0.75, 0}, {0.5, 0.25}, {0.25, 0}, {0.5, -0.25}};
-    Sample sample{"plate with a round and a square hole", {}, [=](const Polygon& cell) {
+    const Corners plate = box(-1, -0.5, 1, 0.5), hole = {{0.75, 0}, {0.5, 0.25}, {0.25, 0}, {0.5, -0.25}};
+    Sample sample{"plate with a round and a square hole", {}, [=](const Corners& cell) {
                       return common_area(plate, cell) - disc_area(cell, {-0.5, 0}, 0.25) - common_area(hole, cell);
                   }};
     add_loop(sample.part, closed(plate));
@@ -106,7 +106,7 @@ Sample plate_with_holes() {
 
 /// Two half discs on a rectangle: lines and arcs meet tangentially.
 Sample slot() {
-    Sample sample{"slot", {}, [](const Polygon& cell) {
+    Sample sample{"slot", {}, [](const Corners& cell) {
                       return common_area(box(-1, -0.5, 1, 0.5), cell) + disc_area(common(cell, box(1, -9, 9, 9)), {1, 0}, 0.5) +
                              disc_area(common(cell, box(-9, -9, -1, 9)), {-1, 0}, 0.5);
                   }};
@@ -130,7 +130,7 @@ Sample moved(const Sample& sample, double c, double s, const Vec2& d) {
     const auto back = [=](const Vec2& p) {
         return Vec2(c * (p - d).x() + s * (p - d).y(), -s * (p - d).x() + c * (p - d).y());
     };
-    return {sample.name, transformed(sample.part, c, s, d), [=, area_in = sample.area_in](Polygon cell) {
+    return {sample.name, transformed(sample.part, c, s, d), [=, area_in = sample.area_in](Corners cell) {
                 for (Vec2& p : cell) p = back(p);
                 return area_in(cell);
             }};
@@ -249,7 +249,7 @@ TEST(CutCells, ANeedleThroughManyCellsHasACell) {
 
 /// Many pieces with nothing but outer cells around, on a large grid: a search over rings of cells would take minutes.
 TEST(CutCells, APartOfNoAreaOnALargeGridHasNoCellsAndTakesNoTime) {
-    Polygon sliver;
+    Corners sliver;
     for (int i = 0; i <= 500; ++i) sliver.emplace_back(i / 500.0, 0.5001 + 1e-18 * i);
     sliver.emplace_back(0.5, 0.5001 + 1e-16);
     Grid grid;

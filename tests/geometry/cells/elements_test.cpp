@@ -234,7 +234,7 @@ TEST(LongElements, AreTheComponentsOfCells) {
 
 // ---- the smallest form of each ----
 
-Part outline(const Polygon& polygon) {
+Part outline(const Corners& polygon) {
     Part part;
     add_loop(part, closed(polygon));
     return part;

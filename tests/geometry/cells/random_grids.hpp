@@ -12,7 +12,7 @@
 
 namespace abut::geometry::test {
 
-using Polygon = std::vector<Vec2>;
+using Corners = std::vector<Vec2>;
 using Random = std::mt19937;
 
 inline void add_loop(Part& part, const std::vector<Curve>& curves) {
@@ -23,7 +23,7 @@ inline void add_loop(Part& part, const std::vector<Curve>& curves) {
     }
 }
 
-inline std::vector<Curve> closed(const Polygon& points) {
+inline std::vector<Curve> closed(const Corners& points) {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < points.size(); ++i) curves.push_back(Segment{points[i], points[(i + 1) % points.size()]});
     return curves;

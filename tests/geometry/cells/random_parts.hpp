@@ -20,8 +20,8 @@ inline Vec2 anywhere_in(const Box2& box, Random& random) {
 }
 
 /// n points around a center, at radii between the two; on a lattice of 1/16 if asked, so that vertices share coordinates.
-inline Polygon star(int n, double least, double most, bool lattice, Random& random) {
-    Polygon points;
+inline Corners star(int n, double least, double most, bool lattice, Random& random) {
+    Corners points;
     for (int i = 0; i < n; ++i) {
         const double angle = 2 * std::numbers::pi * i / n, r = between(least, most, random);
         Vec2 p(r * std::cos(angle), r * std::sin(angle));
@@ -32,7 +32,7 @@ inline Polygon star(int n, double least, double most, bool lattice, Random& rand
 }
 
 /// One of `least_n` to `least_n + more - 1` points, on a lattice or not.
-inline Polygon star_of(int least_n, unsigned more, double least, double most, Random& random) {
+inline Corners star_of(int least_n, unsigned more, double least, double most, Random& random) {
     const bool lattice = random() % 2 == 0;
     const int n = least_n + static_cast<int>(random() % more);
     return star(n, least, most, lattice, random);
@@ -45,7 +45,7 @@ inline std::vector<Curve> backwards(const std::vector<Curve>& curves) {
 }
 
 /// A closed B-spline over a wrapped control polygon; uniform knots, or some moved, or some double.
-inline std::vector<Curve> closed_spline(const Polygon& points, int degree, bool rational, Random& random) {
+inline std::vector<Curve> closed_spline(const Corners& points, int degree, bool rational, Random& random) {
     Nurbs nurbs;
     nurbs.degree = degree;
     nurbs.points = points;
@@ -80,7 +80,7 @@ inline Part random_polygon(Random& random) {
     Part part;
     add_loop(part, closed(star_of(3, 10, 0.6, 1.4, random)));
     if (random() % 2 == 0) {
-        Polygon hole = star_of(3, 4, 0.1, 0.2, random);
+        Corners hole = star_of(3, 4, 0.1, 0.2, random);
         std::reverse(hole.begin(), hole.end());
         add_loop(part, closed(hole));
     }
@@ -138,7 +138,7 @@ inline Part random_spline(bool rational, Random& random) {
 }
 
 inline Part random_mixed(Random& random) {
-    const Polygon points = star_of(4, 5, 0.8, 1.2, random);
+    const Corners points = star_of(4, 5, 0.8, 1.2, random);
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < points.size(); ++i)
         curves.push_back(side(static_cast<int>(random() % 6), points[i], points[(i + 1) % points.size()], random));

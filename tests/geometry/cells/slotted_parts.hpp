@@ -15,7 +15,7 @@ inline double random_thickness(double most, Random& random) {
     return most * std::pow(10.0, -4 * between(0, 1, random));
 }
 
-inline Part polygon_part(const Polygon& outline) {
+inline Part polygon_part(const Corners& outline) {
     Part part;
     add_loop(part, closed(outline));
     return part;
@@ -23,7 +23,7 @@ inline Part polygon_part(const Polygon& outline) {
 
 /// Teeth on a base, with slots between them; two teeth: a U.
 inline Part random_comb(int n_teeth, Random& random) {
-    Polygon outline{{-1, -0.8}};
+    Corners outline{{-1, -0.8}};
     std::vector<double> xs{-1};
     for (int k = 1; k < n_teeth; ++k) {
         const double x = -1 + 2.0 * k / n_teeth, half = random_width(0.9 / n_teeth, random);
@@ -61,13 +61,13 @@ inline Part random_spiral(Random& random) {
     const int n = 5 + static_cast<int>(random() % 8);
     const double pitch = 1.0 / n,
                  half = random() % 2 == 0 ? random_thickness(0.4 * pitch, random) : pitch - random_width(0.5 * pitch, random);
-    Polygon middle{{0, 0}};
+    Corners middle{{0, 0}};
     for (int k = 1; k <= n; ++k) {
         const double step = 2 * pitch * ((k + 1) / 2);
         const Vec2 d = k % 4 == 1 ? Vec2(1, 0) : k % 4 == 2 ? Vec2(0, 1) : k % 4 == 3 ? Vec2(-1, 0) : Vec2(0, -1);
         middle.push_back(middle.back() + step * d);
     }
-    Polygon left, right;
+    Corners left, right;
     for (std::size_t k = 0; k < middle.size(); ++k) {
         const Vec2 before = k > 0 ? Vec2((middle[k] - middle[k - 1]).normalized()) : Vec2(0, 0);
         const Vec2 after = k + 1 < middle.size() ? Vec2((middle[k + 1] - middle[k]).normalized()) : Vec2(0, 0);
@@ -77,7 +77,7 @@ inline Part random_spiral(Random& random) {
         left.push_back(middle[k] + half * (across + 0.5 * end));
         right.push_back(middle[k] + half * (-across + 0.5 * end));
     }
-    Polygon outline = right;
+    Corners outline = right;
     outline.insert(outline.end(), left.rbegin(), left.rend());
     return polygon_part(outline);
 }

@@ -14,13 +14,13 @@
 namespace abut::geometry::test {
 
 /// An outline counter-clockwise, holes clockwise.
-inline Part of_polygons(const std::vector<Polygon>& polygons) {
+inline Part of_polygons(const std::vector<Corners>& polygons) {
     Part part;
-    for (const Polygon& polygon : polygons) add_loop(part, closed(polygon));
+    for (const Corners& polygon : polygons) add_loop(part, closed(polygon));
     return part;
 }
 
-inline std::vector<std::vector<Polygon>> straight_samples() {
+inline std::vector<std::vector<Corners>> straight_samples() {
     return {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
             {{{0, 0}, {2, 0}, {2, 0.5}, {0.5, 0.5}, {0.5, 1.5}, {0, 1.5}}},
             {{{0, 0}, {2, 0.125}, {0.25, 0.5}}},

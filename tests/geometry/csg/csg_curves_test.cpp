@@ -10,7 +10,7 @@ namespace csg_curves_test {
 namespace {
 
 using namespace abut::geometry;
-using namespace abut::geometry::testing;
+using namespace abut::geometry::csg_nodes;
 
 /// Points of the result that come from `source` lie on it to rounding.
 void expect_on(const Part& part, const std::string& source, const Curve& curve) {

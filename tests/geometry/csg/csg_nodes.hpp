@@ -16,7 +16,7 @@
 #include "geometry/curves/spline_shape.hpp"
 #include "tests/geometry/curves/sample_curves.hpp"
 
-namespace abut::geometry::testing {
+namespace abut::geometry::csg_nodes {
 
 using test::nurbs_circle;
 inline constexpr double pi = std::numbers::pi;
@@ -137,4 +137,4 @@ inline void expect_same_point(const Vec2& a, const Vec2& b, double tolerance = 1
     EXPECT_LE((a - b).norm(), tolerance) << a.transpose() << " / " << b.transpose();
 }
 
-}  // namespace abut::geometry::testing
+}  // namespace abut::geometry::csg_nodes

@@ -9,7 +9,7 @@ namespace csg_placement_test {
 namespace {
 
 using namespace abut::geometry;
-using namespace abut::geometry::testing;
+using namespace abut::geometry::csg_nodes;
 
 /// The same map in doubles, step by step as the format says.
 Vec2 mapped(const Placed& place, Vec2 p) {

@@ -13,7 +13,7 @@ namespace csg_test {
 
 namespace {
 using namespace abut::geometry;
-using namespace abut::geometry::testing;
+using namespace abut::geometry::csg_nodes;
 }  // namespace
 
 TEST(Csg, PrimitivesAloneKeepTheirEdges) {

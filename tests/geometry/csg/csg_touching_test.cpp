@@ -9,7 +9,7 @@ namespace csg_touching_test {
 namespace {
 
 using namespace abut::geometry;
-using namespace abut::geometry::testing;
+using namespace abut::geometry::csg_nodes;
 
 /// Rotations and shifts that no two sums or products round alike under.
 struct View {

@@ -15,7 +15,7 @@
 namespace abut::geometry::overlap_test {
 namespace {
 
-using namespace testing;
+using namespace csg_nodes;
 
 /// Of the size: below it two parts touch.
 constexpr double touching = 1e-9;

@@ -16,7 +16,7 @@ namespace abut::geometry::implicit_test {
 
 namespace {
 
-using namespace testing;
+using namespace csg_nodes;
 
 constexpr double size = 10;  ///< of the square that the trees' leaves lie in
 

@@ -13,7 +13,7 @@ namespace abut::geometry::node_fields_test {
 
 namespace {
 
-using namespace testing;
+using namespace csg_nodes;
 
 std::vector<int> edges_from(const Part& part, const std::string& prefix) {
     std::vector<int> edges;

@@ -26,7 +26,7 @@ TEST(ElementRules, OneForEachArmBesideASlot) {
     const Elements elements = find_elements(part, cells);
     const std::vector<CellRule> rules = cell_rules(part, cells, elements, 2);
     ASSERT_EQ(rules.size(), 3u);
-    const std::vector<Polygon> expected{{{0, 0}, {1, 0}, {1, 1}, {0.75, 1}, {0.75, 0.5}, {0.625, 0.5}, {0.625, 1}, {0, 1}},
+    const std::vector<Corners> expected{{{0, 0}, {1, 0}, {1, 1}, {0.75, 1}, {0.75, 0.5}, {0.625, 0.5}, {0.625, 1}, {0, 1}},
                                         {{0, 0}, {0.625, 0}, {0.625, 1}, {0, 1}},
                                         {{0.75, 0}, {1, 0}, {1, 1}, {0.75, 1}}};
     const std::vector<int> numbers{0, 2, 4};

@@ -23,9 +23,9 @@ inline double straight_error(const Part& part, const CutCells& cells, const std:
         const LocalFrame frame = unit_frame(cells.grid, rule.element);
         Moments expected = Moments::Zero(2 * degree + 1, 2 * degree + 1);
         for (const Loop& loop : part.loops) {
-            Polygon polygon;
+            Corners polygon;
             for (int e : loop.edges) polygon.push_back(frame(point(part.edges[static_cast<std::size_t>(e)].curve, 0)));
-            const Polygon inside = common(polygon, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+            const Corners inside = common(polygon, {{0, 0}, {1, 0}, {1, 1}, {0, 1}});
             for (std::size_t i = 0; i < inside.size(); ++i)
                 expected += segment_moments(inside[i], inside[(i + 1) % inside.size()], 2 * degree);
         }
