@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace abut {
 
@@ -57,20 +56,6 @@ double missing_share(const PressureChange& c, double change, const std::optional
     return std::max(missing_at_least, most);
 }
 
-/// By how many of its largest cells is a stretch resolved that has fewest?
-double resolving_cells(const ContactRecord& c) {
-    double fewest = std::numeric_limits<double>::infinity();
-    for (const PressedStretch& stretch : c.stretches) {
-        double largest = 0;
-        for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
-            const double a = c.pressure.breakpoints[i], b = c.pressure.breakpoints[i + 1];
-            if (a >= stretch.begin && b <= stretch.end) largest = std::max(largest, b - a);
-        }
-        if (stretch.end > stretch.begin) fewest = std::min(fewest, largest > 0 ? (stretch.end - stretch.begin) / largest : 1);
-    }
-    return std::isfinite(fewest) ? fewest : 1;
-}
-
 /// The error inside by interval: a share of the change, and no less of the pressure than it was where the knots stand no
 /// closer; but beside corners, whose error it is that the rest has.
 void fill_local(const ContactRecord& now, const PressureChange& c, double share, ContactError& e) {
@@ -90,7 +75,6 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     e.at_corner = peak_at_corner(now, c.peak);
     e.ends = end_errors(now) / c.norm;
     e.change = c.inside / c.norm;
-    e.cells = resolving_cells(now);
     fill_local(now, c, missing_share(c, e.change, before), e);
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);

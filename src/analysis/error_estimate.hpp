@@ -29,7 +29,6 @@ struct ContactError {
         local{};  ///< of the rest, by interval of the pressure: squared error over length, relative to the pressure's norm
     std::vector<double> local_of_shear{};  ///< the same of friction's traction, relative to its bound
     bool at_corner = false;                ///< the largest pressure stands at a corner, where it may have no limit
-    double cells = 1;                      ///< of its largest ones along the stretch that has fewest
 };
 
 /// The estimated errors of a solution; unset: nothing to compare with.

@@ -104,11 +104,7 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
     if (at_goal(error, next)) shrink_goals(error, next);
     for (std::size_t k = 0; k < next.goal.size(); ++k) {
         if (is_good(error, k, next.target)) continue;
-        const ContactError& c = *error.contacts[k];
-        double& cells = next.resolution[k].cells;
-        // cells that grow from small ones at the ends are smaller than asked for: finer ones than there are
-        if (std::max(c.share, c.share_of_peak) * c.inside > aim * next.target) cells = std::max(cells, c.cells);
-        cells *= cell_refinement;
+        next.resolution[k].cells *= cell_refinement;
         next.resolution[k].corner_fraction /= corner_refinement;
         double& end_fraction = next.resolution[k].end_fraction;
         const double finer = end_fraction / least_refinement;

@@ -166,7 +166,6 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             const double resolved = spacing_of(now, s, h), closer = resolved / spacing_of(before, s0, resolved);
             if (std::abs(p) > change.peak) {
                 change.peak = std::abs(p);
-                change.peak_interval = i;
                 change.peak_stayed = closer > same_cells;
             }
             change.peak_before = std::max(change.peak_before, std::abs(p0));

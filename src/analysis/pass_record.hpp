@@ -63,7 +63,6 @@ struct PressureChange {
     double force_change = 0;         ///< of the resultant, relative to it; of the integral where that is unknown or rounding
     double ends_left = 0;            ///< what its free ends still have to move, of the contact's length
     std::vector<LocalChange> local;  ///< by interval
-    int peak_interval = 0;           ///< where the pressure is largest
     bool peak_stayed = false;        ///< the knots there stand no closer than before
     bool stayed = false;             ///< nor do they in the mean
 };
