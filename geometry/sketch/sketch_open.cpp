@@ -111,8 +111,9 @@ SketchProblem gap_problem(const std::vector<SketchPiece>& entities, const Gap& g
     const std::string names = gap.entity == gap.other ? a.name : a.name + ", " + b.name;
     return {"open outline on layer " + a.layer + ": the ends of " + names + " are " + number_text(gap.width()) + " apart",
             0.5 * (gap.from + gap.to), names, std::min(a.line, b.line),
-            (gap.width() > bridgeable * tolerance
-                 ? "complete the outline in CAD"
+            (gap.width() > bridgeable * tolerance ? "complete the outline in CAD"
+             : gap.width() <= tolerance
+                 ? "they run beside each other there: remove the one that is drawn twice"
                  : "close the gap in CAD or give a larger tolerance (it was " + number_text(tolerance) + ")") +
                 std::string(", or leave it out as no outline (--leave-open)")};
 }

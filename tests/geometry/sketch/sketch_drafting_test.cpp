@@ -98,5 +98,15 @@ TEST(SketchDrafting, OutlinesThatNearlyCloseAreFaults) {
     EXPECT_TRUE(parts_with(square + drawn_rectangle({200, 0}, {240, 20}, "b")).problems.empty());
 }
 
+/// Nearer to each other than ends are joined at, but no repetition: a larger tolerance would not help.
+TEST(SketchDrafting, LinesBesideEachOtherAreNoGapToClose) {
+    const Entities base = drawn_polygon({{-30, -20}, {30, -19.9997}, {30, 0}, {-30, 0}}, "a");
+    const SketchParts sketch =
+        parts_with(base + Entities{drawn_line({-10, -20}, {5, -20}, "b")} + drawn_rectangle({50, 0}, {90, 20}, "c"));
+    ASSERT_EQ(sketch.problems.size(), 1u);
+    EXPECT_TRUE(says(sketch.problems[0].what, "open outline"));
+    EXPECT_TRUE(says(sketch.problems[0].hint, "remove the one that is drawn twice")) << sketch.problems[0].hint;
+}
+
 }  // namespace
 }  // namespace abut::geometry::sketch_drafting_test
