@@ -11,6 +11,8 @@
 
 #include "solver/contact/assembly_rows.hpp"
 #include "solver/contact/condensation.hpp"
+#include "solver/contact/friction.hpp"
+#include "solver/contact/friction_path.hpp"
 #include "solver/contact/neutral_motions.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -77,7 +79,7 @@ void take_slips_before(const AssemblyProblem& problem, AssemblyRows& all) {
     if (all.friction.empty() || problem.before.empty()) return;
     ENSURE(problem.before.size() == problem.parts.size(), "every part has a displacement before, or none has");
     VectorXd moved = VectorXd::Zero(all.rows.n);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) moved += opening_of(all.rows, i, problem.before[i]);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) moved += opening_of(all.rows, i, problem.before[i].displacement);
     for (const FrictionRow& f : all.friction) all.rows.gap0[f.tangential] -= moved[f.tangential];
 }
 
@@ -275,6 +277,27 @@ VectorXd in_a_row(const std::vector<PartSystem>& parts, const std::vector<Vector
     return amplitudes;
 }
 
+void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
+                   const FrictionPath& path, AssemblySolution& solution) {
+    solution.increments = path.increments;
+    solution.friction.assign(problem.interfaces.size(), {});
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i) {
+        const Interface& face = problem.interfaces[i];
+        if (!face.friction) continue;
+        const int n = n_rows(face), normal = all.first_row[i - 1], tangential = all.first_row[i];
+        const auto norm = [&](const VectorXd& forces, int first) {  // L2 of the spline, about
+            return forces.segment(first, n).cwiseQuotient(all.rows.weight.segment(first, n).cwiseSqrt()).norm();
+        };
+        FrictionOnWay& own = solution.friction[i];
+        if (multipliers.size() > 0)
+            if (const double pressure = norm(multipliers, normal); pressure > 0)
+                own.error =
+                    std::max(norm(path.error, normal), norm(path.error, tangential) / std::min(1.0, *face.friction)) / pressure;
+        own.work = path.work.segment(tangential, n).sum();
+        own.work_error = path.work_error.segment(tangential, n).sum();
+    }
+}
+
 /// A solution under some rows, before neutral motions are taken.
 struct Attempt {
     RowsSolution answered;
@@ -303,8 +326,13 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     attempt.is_driven = !solution.mechanism.empty();
     if (attempt.is_driven) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
-    const HeldAnswer held = solve_held(qp, split, levers, start);
-    solution.iterations = held.result.iterations;
+    std::optional<FrictionPath> path;
+    if (!qp.friction.empty())
+        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
+    const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
+    solution.iterations = path ? path->iterations : held.result.iterations;
+    if (path) fill_friction(problem, all, held.result.multipliers, *path, solution);
+    solution.is_one_of_several = path && held.has_answer() && has_another_answer(held.qp, held.result);
     solution.converged = held.result.converged;
     solution.used_fallback = held.result.used_fallback;
     solution.seconds.contact = laps.lap();

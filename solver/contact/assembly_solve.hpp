@@ -33,6 +33,12 @@ inline constexpr double neutral_motion_fraction = 1e-3;
 /// that a load straight against a face is inclined to it by so much.
 inline constexpr double neutral_work_fraction = 1e-6;
 
+/// What is known of a part in the state that slips count from.
+struct StateBefore {
+    Eigen::VectorXd displacement;      ///< (2n)
+    Eigen::VectorXd load, under_load;  ///< (2n) its own loads there, and its displacement under these alone, as of solve()
+};
+
 /// Parts, what couples them, and the scales that rounding is measured by.
 struct AssemblyProblem {
     std::vector<PartSystem> parts;
@@ -41,8 +47,10 @@ struct AssemblyProblem {
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
     std::vector<double> part_load;   ///< largest load on each part; empty: not known
-    /// (2n) by part: the displacements of the state before, from which slips count; empty: none.
-    std::vector<Eigen::VectorXd> before;
+    /// By part; empty: at rest as drawn, without loads. With friction loads grow evenly from there.
+    std::vector<StateBefore> before;
+    /// What the increments of that may change pressures and tractions by in all, see follow_path.
+    double path_tolerance = 0.01;
     /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
     std::vector<Eigen::VectorXd> near;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of
@@ -56,6 +64,12 @@ struct SolveSeconds {
     double condensation = 0;   ///< to the multipliers
     double contact = 0;        ///< start, active sets, neutral motions
     double displacements = 0;  ///< with the refinement
+};
+
+/// What friction came to on the way of the loads, by interface of tractions.
+struct FrictionOnWay {
+    double error = 0;  ///< of its pressure (L2) and of its traction (over the bound) by the size of the increments, relative
+    double work = 0, work_error = 0;  ///< done against slip since the state before
 };
 
 /// The displacements and forces of an assembly, or the motions that it cannot resist.
@@ -75,7 +89,9 @@ struct AssemblySolution {
     int n_multipliers = 0, iterations = 0;
     int groups = 1, contact_problems = 0;  ///< parts that do not interact are apart; problems with unilateral rows
     bool converged = false, used_fallback = false;
-    bool is_one_of_several = false;  ///< friction: another answer was found from another start
+    int increments = 1;                   ///< that friction took the way of the loads in
+    std::vector<FrictionOnWay> friction;  ///< by interface, where any has friction
+    bool is_one_of_several = false;       ///< friction: another answer was found from another start
     double residual = 0;  ///< violation of the contact conditions by these displacements and pressures (contact_residual)
     SolveSeconds seconds;
 };

@@ -55,7 +55,6 @@ struct ContactQpResult {
     Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive; else friction may hold it
     double holding_factor = 0;   ///< with a mechanism: coefficients of friction so many times as large would hold; 0: none do
     double residual = 0;         ///< of the conditions, scaled: see contact_residual
-    bool is_one_of_several = false;  ///< friction: another answer was found from another start
 };
 
 /// Solves the contact problem, in these steps:

@@ -322,34 +322,12 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     return result.converged;
 }
 
-/// The search from the other end: all that is pressed slips, the way that the bodies moved as they settled.
-void look_for_another(const ContactQp& qp, ContactQpResult& result) {
-    const auto is_large = [](const FrictionRow& f) {
-        return f.coefficient >= large_coefficient && std::isfinite(f.coefficient);
-    };
-    if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return;
-    const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
-    ContactQpResult other;
-    other.active = result.active;
-    for (const FrictionRow& f : qp.friction) {
-        char& state = other.active[static_cast<std::size_t>(f.tangential)];
-        if (state != row_state::open) state = near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
-    }
-    ContactState state;
-    if (!search_exactly(near, state, other)) return;
-    const double largest = result.multipliers.cwiseAbs().maxCoeff();
-    result.is_one_of_several = (state.multipliers - result.multipliers).cwiseAbs().maxCoeff() > differs * largest;
-}
-
 }  // namespace
 
 ContactQpResult solve_with_friction(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
-    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) {
-        look_for_another(qp, result);
-        return result;
-    }
+    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
     ContactState state;
@@ -380,8 +358,26 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);
-    if (result.converged) look_for_another(qp, result);
     return result;
+}
+
+/// The other end to begin at: all that is pressed slips, the way that the bodies moved as they settled.
+bool has_another_answer(const ContactQp& qp, const ContactQpResult& result) {
+    const auto is_large = [](const FrictionRow& f) {
+        return f.coefficient >= large_coefficient && std::isfinite(f.coefficient);
+    };
+    if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return false;
+    const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
+    ContactQpResult other;
+    other.active = result.active;
+    for (const FrictionRow& f : qp.friction) {
+        char& state = other.active[static_cast<std::size_t>(f.tangential)];
+        if (state != row_state::open) state = near.gap[f.tangential] < 0 ? row_state::slips_backward : row_state::slips_forward;
+    }
+    ContactState state;
+    if (!search_exactly(near, state, other)) return false;
+    const double largest = result.multipliers.cwiseAbs().maxCoeff();
+    return (state.multipliers - result.multipliers).cwiseAbs().maxCoeff() > differs * largest;
 }
 
 double friction_residual(const ContactQp& qp, const ContactConditions& c) {

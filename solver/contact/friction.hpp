@@ -35,9 +35,11 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 ///    the set without the term.
 /// Newton steps are cut where whole ones do not bring the residual of all conditions down. In 3 and 4, where that does not end,
 /// Lemke's pivots find the states of the linear complementarity problem that it is [Klarbring86], beginning with those of the
-/// pass before. Converged is what meets all conditions. Several answers are possible where coefficients are large: a second
-/// search then begins with everything slipping, and where it finds another answer that is told (is_one_of_several).
+/// pass before. Converged is what meets all conditions.
 ContactQpResult solve_with_friction(const ContactQp& qp);
+
+/// Several answers are possible where coefficients are large: is there another one, found from everything slipping?
+bool has_another_answer(const ContactQp& qp, const ContactQpResult& answer);
 
 /// The largest violation of the conditions, scaled like contact_residual. Tractions beyond their bound are relative to the
 /// largest multiplier, slips that no traction at its bound goes with to the largest elastic closing, whichever is smaller.

@@ -50,6 +50,7 @@ struct Mover {
             number[at(part)] = static_cast<int>(own.parts.size());
             own.parts.push_back(std::move(whole.parts[at(part)]));
             own.load_scale = std::max(own.load_scale, whole.part_load[at(part)]);
+            own.path_tolerance = whole.path_tolerance;
             if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
             if (!whole.near.empty()) own.near.push_back(whole.near[at(part)]);
         }
@@ -111,6 +112,11 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     scatter(std::move(from.contact_load), members.parts, to.contact_load);
     scatter(std::move(from.pressure), members.interfaces, to.pressure);
     scatter(std::move(from.constraint_force), members.constraints, to.constraint_force);
+    if (!from.friction.empty()) {
+        to.friction.resize(to.pressure.size());
+        scatter(std::move(from.friction), members.interfaces, to.friction);
+    }
+    to.increments = std::max(to.increments, from.increments);
     if (!from.amplitudes.empty()) {
         to.amplitudes.resize(to.displacement.size());
         scatter(std::move(from.amplitudes), members.parts, to.amplitudes);

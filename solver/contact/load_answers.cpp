@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/contact/condensation.hpp"
+#include "solver/contact/friction_path.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
@@ -126,7 +127,10 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
     ContactQp all = qp_;
     all.modes = modes_;
     all.mode_load = mode_load;
-    HeldAnswer held = solve_held(all, split_, levers_);
+    HeldAnswer held =
+        all.friction.empty()
+            ? solve_held(all, split_, levers_)
+            : follow_path(all, path_start(problem_, rows_), rows_.rows.weight, split_, levers_, problem_.path_tolerance).end;
     if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))

@@ -80,16 +80,23 @@ std::string why_it_ended(const Outcome& out) {
     return "finer grids do not bring it down: a stress without limit at a sharp corner, or contact that comes and goes";
 }
 
-/// With errors of the pressure that no grid shows: a penalty's penetration, pairs of where parts were drawn. A peak that is too
+/// By how much a contact's pressure, or its traction over the bound, depends on the size of friction's increments.
+double increments_share(const SolvedAssembly& solved, std::size_t contact) {
+    if (contact >= solved.shear_of.size() || solved.shear_of[contact] < 0 || solved.solution.friction.empty()) return 0;
+    return solved.solution.friction[static_cast<std::size_t>(solved.shear_of[contact])].error;
+}
+
+/// With errors of the pressure that no grid shows: a penalty's penetration, friction's increments, pairs of where parts were
+/// drawn. A peak that is too
 /// low under the same force has its pressure over too long a contact, which in L2 is twice as much: it ends like the root of
 /// the distance (Hertz: 1.9 to 2.2 times for peaks off by 2 to 0.5 %).
 ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved, const std::vector<double>& of_pairs) {
     for (std::size_t k = 0; k < e.contacts.size(); ++k) {
         const double penetration = k < solved.contacts.size() ? penetration_share(solved, k) : 0,
-                     pairs = k < of_pairs.size() ? of_pairs[k] : 0;
-        if (!e.contacts[k] || (penetration == 0 && pairs == 0)) continue;
+                     pairs = k < of_pairs.size() ? of_pairs[k] : 0, increments = increments_share(solved, k);
+        if (!e.contacts[k] || (penetration == 0 && pairs == 0 && increments == 0)) continue;
         ContactError& c = *e.contacts[k];
-        c.pressure = std::hypot(c.pressure, penetration, 2 * pairs);
+        c.pressure = std::hypot(std::hypot(c.pressure, penetration, 2 * pairs), increments);
         c.peak = std::hypot(c.peak, penetration, pairs);
         c.length = std::hypot(c.length, pairs);
         e.contact_pressure = std::max(*e.contact_pressure, c.share * c.pressure);
@@ -110,6 +117,10 @@ std::string why_by_model(const Outcome& out, const std::vector<double>& of_pairs
         if (penetration_share(out.solved, k) > 0)
             return "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take a larger "
                    "contacts.penalty, or none";
+    for (std::size_t k = 0; k < out.solved.contacts.size(); ++k)
+        if (increments_share(out.solved, k) > 0.5 * out.target)
+            return "what slips in contact " + contact_number(k) +
+                   " depends on the way of the loads more closely than it could be followed; give them in steps";
     std::size_t worst = 0;
     double most = 0;
     for (std::size_t k = 0; k < of_pairs.size(); ++k) {

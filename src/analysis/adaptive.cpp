@@ -9,7 +9,6 @@
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/grid_walk.hpp"
 #include "src/analysis/part_groups.hpp"
-#include "src/analysis/step_path.hpp"
 
 namespace abut {
 
@@ -84,6 +83,19 @@ std::optional<Outcome> walk_group(const CaseProblem& problem, const PartGroup& g
     return walks[0].take_outcome();
 }
 
+bool has_answer(const SolvedAssembly& s) {
+    return s.failure.empty() && s.solution.mechanism.empty() && s.solution.converged;
+}
+
+/// A step that cannot begin, since the one before it has no answer.
+SolvedAssembly without_answer(const Scene& scene, const std::string& step_before) {
+    SolvedAssembly none;
+    none.solver_part.assign(scene.parts.size(), -1);
+    none.failure = "the step before it, '" + step_before + "', has no answer";
+    none.is_lost = true;  // as it is, or for what is told of that step
+    return none;
+}
+
 }  // namespace
 
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
@@ -136,10 +148,16 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
         const SolvedAssembly prepared =
             prepare_parts(unloaded, held, walks.front().candidates(), ask.parts, ask.wanted, ask.coarseness, seconds, threads);
         const auto solve = [&](std::size_t k) {
-            walks[k].take(scene.in_steps ? solve_step({scene, k, cases[k], walks[k], prepared, seconds, threads},
-                                                      k > 0 ? &walks[k - 1].last() : nullptr)
-                                         : solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(),
-                                                      walks[k].ask().parts, prepared, nullptr, seconds, threads));
+            const SolvedAssembly* before = scene.in_steps && k > 0 ? &walks[k - 1].last() : nullptr;
+            if (before && !has_answer(*before)) {
+                walks[k].take(without_answer(scene, scene.cases[k - 1].name));
+                return;
+            }
+            SolvedAssembly now = solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts,
+                                            prepared, before, seconds, threads);
+            if (scene.in_steps && now.solution.mechanism.empty())
+                now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
+            walks[k].take(std::move(now));
         };
         std::vector<std::size_t> later;
         const std::size_t n_before = n_begun, may_begin = std::max(first_steps, 2 * n_begun);

@@ -13,7 +13,6 @@
 #include "src/analysis/adaptive.hpp"
 #include "src/analysis/analyzed.hpp"
 #include "src/analysis/assumptions.hpp"
-#include "src/analysis/closing_contacts.hpp"
 #include "src/analysis/drawn_touches.hpp"
 #include "src/analysis/effect_answers.hpp"
 #include "src/analysis/follow_motion.hpp"
@@ -187,7 +186,6 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "same "
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
-    tell_closing_contacts(solved, out.target, result);
     note_needed_friction(scene, conditions, result);
     warn_of_drawn_touches(scene, result);
 }
@@ -256,7 +254,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
-    if (scene.in_steps) result.solver.increments = out.solved.increments;
+    if (scene.in_steps || has_friction(out)) result.solver.increments = out.solved.solution.increments;
     if (is_by_dissertation(scene)) result.solver.assembled_condition = assembled_condition(out.solved);
     if (!out.solved.failure.empty() || !out.solved.solution.mechanism.empty()) {
         fill_failure(scene, out, result);

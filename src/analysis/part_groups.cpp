@@ -44,6 +44,9 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     append(to.displacement, from.displacement);
     append(to.load, from.load);
     append(to.contact_load, from.contact_load);
+    if (!from.friction.empty()) to.friction.resize(to.pressure.size());
+    append(to.friction, from.friction);
+    to.increments = std::max(to.increments, from.increments);
     append(to.pressure, from.pressure);
     append(to.constraint_force, from.constraint_force);
     to.holding_factor = std::max(to.holding_factor, from.holding_factor);

@@ -86,7 +86,9 @@ std::string word_of(FrictionState state) {
 FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
     FrictionResult friction;
     friction.coefficient = friction_of(solved, k);
-    if (k < solved.dissipated.size()) friction.dissipated = solved.dissipated[k];
+    const solver::FrictionOnWay& on_way = solved.solution.friction[at(solved.shear_of[k])];
+    friction.dissipated = on_way.work;
+    friction.dissipated_error = on_way.work_error;
     if (solved.stretches[k].empty()) return friction;
     const FrictionSums sums = friction_sums(solved, k);
     friction.shear_force = sums.shear;
@@ -94,7 +96,6 @@ FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
     friction.utilisation = std::abs(sums.shear) / (friction.coefficient * sums.normal);
     friction.stick_length = sums.stick_length;
     friction.slip_length = sums.slip_length;
-    friction.dissipated += sums.dissipated;
     return friction;
 }
 

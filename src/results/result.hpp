@@ -138,6 +138,7 @@ struct FrictionResult {
     std::optional<double> utilisation;         ///< |shear force| / (coefficient normal force); unset where nothing presses
     double stick_length = 0, slip_length = 0;  ///< on the middle curve
     double dissipated = 0;                     ///< work against slip, of the step where there are steps
+    double dissipated_error = 0;               ///< of it, by the size of the increments
 };
 
 /// What one contact does.
@@ -244,7 +245,7 @@ struct Result {
         bool converged = true;
         int groups = 0, contact_problems = 0;         ///< of parts that do not interact; those that have contact
         std::optional<double> assembled_condition{};  ///< by the dissertation's method: as its table 5.2 has it
-        std::optional<int> increments{};              ///< of the step, where there are steps
+        std::optional<int> increments{};              ///< of the loads' way; with friction or steps
         /// Violation of the conditions of contact by the answer, of its largest pressure and closing; where there is contact.
         std::optional<double> contact_residual{};
     } solver;

@@ -138,7 +138,8 @@ Json friction(const FrictionResult& f) {
             {"utilisation", number(f.utilisation)},
             {"stick_length", number(f.stick_length)},
             {"slip_length", number(f.slip_length)},
-            {"dissipated", number(f.dissipated)}};
+            {"dissipated", number(f.dissipated)},
+            {"dissipated_error", number(f.dissipated_error)}};
 }
 
 Json contact(const ContactResult& c) {

@@ -13,13 +13,15 @@
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/rigid_part.hpp"
 #include "src/plan/rigid_parts.hpp"
-#include "src/solution/contact_states.hpp"
+#include "src/scene/accuracy_goal.hpp"
 #include "src/solution/part_systems.hpp"
 #include "src/solution/preload.hpp"
 
 namespace abut {
 
 namespace {
+
+using Eigen::VectorXd;
 
 constexpr int max_wall_refinements = 5;
 
@@ -186,6 +188,9 @@ void note_contact_elements(SolvedAssembly& solved) {
         }
 }
 
+/// Of the error aimed at: what the increments may change, beside what the grids leave.
+constexpr double path_share = 0.5;
+
 /// Of the loads: contact forces below are their rounding.
 constexpr double open_force_fraction = 1e-10;
 
@@ -237,6 +242,7 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
 void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "solve");
+        solved.problem.path_tolerance = path_share * target_of(scene.accuracy);
         tighten(scene, solved, threads);
         if (!solved.failure.empty()) return;
         solved.solution = solve_groups(solved.problem, threads);
@@ -252,21 +258,18 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
             solved.stretches[k] = stretches_of(solved, k, pressure_of(solved, k), solved.problem.load_scale);
 }
 
-/// Slips count from there.
+/// Slips count from there, and loads grow from those there.
 void begin_from(const SolvedAssembly& before, SolvedAssembly& solved) {
-    solved.problem.before.clear();
     for (const PartOnGrid& g : solved.grids) {
         const int there = before.solver_part[at(g.part)];
-        const Eigen::Index n = 2 * solved.problem.parts[solved.problem.before.size()].n();
-        const bool is_known = there >= 0 && at(there) < before.solution.displacement.size();
-        solved.problem.before.push_back(is_known ? before.solution.displacement[at(there)] : Eigen::VectorXd::Zero(n));
-        ENSURE(solved.problem.before.back().size() == n, "a state before is of the same grids");
-    }
-    for (std::size_t k = 0; k < std::min(before.contacts.size(), solved.contacts.size()); ++k) {
-        const ContactInterface& c = before.contacts[k];
-        solved.pressure_before.emplace_back();
-        if (c.part == solved.contacts[k].part && friction_of(before, k) > 0 && !before.stretches[k].empty())
-            solved.pressure_before.back() = {c.face.pressure, pressure_of(before, k), c.s1, c.s};
+        const VectorXd none = VectorXd::Zero(2 * solved.problem.parts[solved.problem.before.size()].n());
+        solver::StateBefore state{none, none, none};
+        if (there >= 0 && at(there) < before.solution.displacement.size()) {
+            const solver::PartSystem& system = before.problem.parts[at(there)];
+            state = {before.solution.displacement[at(there)], system.load, solve(system, system.load)};
+        }
+        ENSURE(state.displacement.size() == none.size(), "a state before is of the same grids");
+        solved.problem.before.push_back(std::move(state));
     }
 }
 

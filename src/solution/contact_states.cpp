@@ -15,7 +15,6 @@ namespace {
 constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
 constexpr double border_slack = 0.01;    // of a stretch: borders nearer to its end are part of that
-constexpr int samples = 400;             // along a contact
 constexpr int end_samples = 60;          // up to the reach of its end
 
 const solver::Interface& along_face(const SolvedAssembly& solved, std::size_t contact) {
@@ -29,42 +28,6 @@ double pressure_in(const SolvedAssembly& solved, std::size_t contact, double s) 
 double traction_in(const SolvedAssembly& solved, std::size_t contact, double s) {
     return solver::pressure_at(solved.contacts[contact].face.pressure, solved.solution.pressure[at(solved.shear_of[contact])],
                                s);
-}
-
-/// A place along a stretch of contact, in the middle of a sample.
-double sample_place(const PressedStretch& stretch, int k) {
-    return stretch.begin + (stretch.end - stretch.begin) * (k + 0.5) / samples;
-}
-
-/// The pressure, at a place of the middle curve, of the state that slips count from.
-double pressure_before(const SolvedAssembly& solved, std::size_t contact, double s) {
-    if (contact >= solved.pressure_before.size() || solved.pressure_before[contact].s.empty()) return 0;
-    const PressureBefore& before = solved.pressure_before[contact];
-    const double s1 = chain_place(solved.contacts[contact], s, before.s1.front());
-    return std::max(0.0, solver::pressure_at(before.knots, before.coefficients, interpolate(before.s1, before.s, s1)));
-}
-
-/// Tractions in the mean from the state before to this one, as what slips all the way has them: at their bound, which grows
-/// or falls evenly with the pressure. What sticks has no slip to work against.
-Eigen::VectorXd mean_traction(const SolvedAssembly& solved, std::size_t contact, Eigen::VectorXd traction) {
-    for (int i = 0; i < n_rows(along_face(solved, contact)); ++i) {
-        const double s = place_of_function(solved.contacts[contact], i);
-        const double now = pressure_in(solved, contact, s);
-        if (now > 0) traction[i] *= 0.5 * (1 + pressure_before(solved, contact, s) / now);
-    }
-    return traction;
-}
-
-/// Of tractions against the slips since the state before; traction: the face's coefficients.
-double work_of_friction(const SolvedAssembly& solved, const solver::Interface& face, const Eigen::VectorXd& traction) {
-    std::vector<int> first_row;
-    const solver::Rows rows = interface_rows(solved.problem.parts, {face}, first_row);
-    Eigen::VectorXd slip = Eigen::VectorXd::Zero(rows.n);
-    for (int part : face.part) {
-        slip += opening_of(rows, at(part), solved.solution.displacement[at(part)]);
-        if (!solved.problem.before.empty()) slip -= opening_of(rows, at(part), solved.problem.before[at(part)]);
-    }
-    return -traction.head(rows.n).dot(slip);
 }
 
 /// The traction over the root of an end's pressure, by the distance from that end: at its bound one way up to the distance
@@ -172,8 +135,6 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         sums.normal += weight * pressure_in(solved, contact, p.s);
         sums.shear += weight * traction_in(solved, contact, p.s);
     }
-    sums.dissipated =
-        work_of_friction(solved, face, mean_traction(solved, contact, solved.solution.pressure[at(solved.shear_of[contact])]));
     const std::vector<StickBorder> borders = stick_borders(solved, contact);
     for (const PressedStretch& stretch : solved.stretches[contact]) {
         std::vector<double> cuts{stretch.begin};
@@ -186,22 +147,6 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         }
     }
     return sums;
-}
-
-double changed_share(const SolvedAssembly& now, const SolvedAssembly& before) {
-    double changed = 0, closed = 0;
-    for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-        if (friction_of(now, k) == 0) continue;
-        const bool is_known = k < before.shear_of.size() && friction_of(before, k) > 0;
-        for (const PressedStretch& stretch : now.stretches[k])
-            for (int i = 0; i < samples; ++i) {
-                const double s = sample_place(stretch, i), length = (stretch.end - stretch.begin) / samples;
-                closed += length;
-                const FrictionState state = state_at(now, k, s), was = is_known ? state_at(before, k, s) : FrictionState::open;
-                changed += slips(state) && state != was ? length : 0;
-            }
-    }
-    return closed > 0 ? changed / closed : 0;
 }
 
 }  // namespace abut

@@ -31,11 +31,7 @@ double traction_error_at_ends(const SolvedAssembly& solved, std::size_t contact)
 struct FrictionSums {
     double normal = 0, shear = 0;              ///< integrals of pressure and of traction on the second part (force)
     double stick_length = 0, slip_length = 0;  ///< on the middle curve
-    double dissipated = 0;                     ///< work against the slips since the state before
 };
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact);
-
-/// The share of the contacts' length that slips otherwise than in a state before, of what is closed; 0 where nothing is closed.
-double changed_share(const SolvedAssembly& now, const SolvedAssembly& before);
 
 }  // namespace abut

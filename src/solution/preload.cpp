@@ -68,7 +68,8 @@ public:
 private:
     solver::AssemblyProblem& problem_;
     std::vector<solver::MeanConstraint> constraints_;
-    std::vector<VectorXd> loads_, prescribed_, before_;
+    std::vector<VectorXd> loads_, prescribed_;
+    std::vector<solver::StateBefore> before_;
     std::vector<double> part_load_;
 };
 

@@ -22,13 +22,6 @@ struct PreloadState {
     double force_under_load = 0;  ///< across the cut, once all loads act
 };
 
-/// A contact's pressure in the state that slips count from: a spline over the middle curve, whose table it has.
-struct PressureBefore {
-    solver::KnotVector knots;
-    Eigen::VectorXd coefficients;
-    std::vector<double> s1, s;
-};
-
 /// A solved pass.
 struct SolvedAssembly {
     std::vector<PartOnGrid> grids;           ///< of the parts that are solved
@@ -46,10 +39,7 @@ struct SolvedAssembly {
     bool is_lost = false;       ///< that is no matter of grids or numbers: something moves that nothing holds
     int refined_for_walls = 0;  ///< parts whose grid had to be refined to hold the basis
     EffectUses uses;            ///< of the effects' code in this pass
-    std::vector<PressureBefore> pressure_before{};  ///< by contact; empty: nothing was pressed
-    int increments = 1;                             ///< of the step that this is the end of
-    std::vector<double> dissipated{};               ///< by contact: work of friction in the step's increments before the last
-    int limited_grids = 0;                          ///< parts whose grid is coarser than wanted, to bound the number of cells
+    int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
 /// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever

@@ -213,9 +213,9 @@ TEST(FrictionAnalysis, KeepsWhatIsLockedInWhereNothingLoadsAPartAnyMore) {
     EXPECT_NEAR(force(nothing[2]), force(little[2]), 0.01 * force(little[2]));
 }
 
-/// A block on springs that its loads push down and aside. From above the ground it has gone most of its way aside before it
-/// touches, of which a single increment knows nothing.
-TEST(FrictionAnalysis, ContactsThatTheLoadsCloseSpeakAgainstTheAnswer) {
+/// A block on springs of 400 in all, each way, that 100 push down and 20 aside. From 0.1 above the ground it has gone two
+/// fifths of its way aside before it touches.
+TEST(FrictionAnalysis, ContactsThatTheLoadsCloseStickWhereTheyTouch) {
     const auto scene = [](const std::string& gap, const std::string& steps) {
         return read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}},
             "parts": [{"name": "ground", "material": "rigid", "geometry": {"rectangle": {"min": [-3, -1], "max": [3, 0]}}},
@@ -229,18 +229,19 @@ TEST(FrictionAnalysis, ContactsThatTheLoadsCloseSpeakAgainstTheAnswer) {
                                    steps + "}",
                                "friction.json");
     };
-    const auto is_told = [](const Result& r) {
+    const auto shear = [](const Result& r) {
         EXPECT_EQ(r.status, "ok") << r.message;
-        return std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& why) { return why.kind == "closing_contact"; });
+        return std::abs(r.contacts.at(0).friction->shear_force);
     };
-    EXPECT_TRUE(is_told(analyze(scene("0.1", ""), {})));
-    EXPECT_FALSE(is_told(analyze(scene("0", ""), {})));
+    EXPECT_NEAR(shear(analyze(scene("0.1", ""), {})), 12, 0.02);
+    EXPECT_NEAR(shear(analyze(scene("0", ""), {})), 20, 0.02);
     const std::vector<CaseResult> steps = analyze_cases(scene("0.1", R"(, "steps": [{"name": "close", "loads": {"down": 1}},
         {"name": "pull", "loads": {"down": 1, "aside": 1}}])"),
                                                         {});
     ASSERT_EQ(steps.size(), 2U);
-    EXPECT_TRUE(is_told(steps[0].result));
-    EXPECT_FALSE(is_told(steps[1].result)) << "it begins closed";
+    EXPECT_NEAR(shear(steps[0].result), 0, 0.02);
+    EXPECT_NEAR(shear(steps[1].result), 20, 0.02);
+    EXPECT_GT(*steps[0].result.solver.increments, 2) << "where it touches is looked for";
 }
 
 }  // namespace abut::friction_analysis_test

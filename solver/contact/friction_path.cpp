@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/friction_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "solver/contact/condensation.hpp"
+#include "src/base/ensure.hpp"
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Increments down to a thousandth of the path: what touches within one sticks to within that of its way. Answers that are not
+/// found on a sixteenth are not found.
+constexpr int most_halvings = 10, most_halvings_to_answer = 4;
+/// Of the path: changes in shorter increments need be no smaller. Contacts that close change tractions in proportion to the
+/// increment, in which only few do.
+constexpr double share_at_least = 1.0 / 16;
+constexpr double open_force = 1e-10;  // of the loads
+
+/// Where the path has come to.
+struct State {
+    VectorXd forces;            ///< multipliers
+    VectorXd gap, slipped;      ///< of pressures' rows, and of tangential ones since the start; of others nothing
+    VectorXd closing, passing;  ///< what these change by along the whole path, as they did last; empty: not known
+};
+
+/// An increment: slips count from where the bodies are as it begins, but where they touch in it from where they are then.
+struct Increment {
+    VectorXd from;  ///< tangential opening, by row
+    HeldAnswer answer;
+    bool has_answer() const { return answer.has_answer() && answer.result.mechanism.size() == 0; }
+    const VectorXd& forces() const { return answer.result.multipliers; }
+};
+
+/// The rows of a face's pressure.
+struct Face {
+    Index begin, size;
+};
+
+/// Friction's rows come face by face.
+std::vector<Face> faces_of(const std::vector<FrictionRow>& friction) {
+    std::vector<Face> faces;
+    for (const FrictionRow& f : friction)
+        if (!faces.empty() && f.normal == faces.back().begin + faces.back().size)
+            ++faces.back().size;
+        else
+            faces.push_back({f.normal, 1});
+    return faces;
+}
+
+class Path {
+public:
+    Path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split, const MatrixXd& levers,
+         double tolerance)
+        : qp_(qp),
+          start_(start),
+          weight_(weight),
+          split_(split),
+          levers_(levers),
+          tolerance_(tolerance),
+          faces_(faces_of(qp.friction)) {}
+
+    FrictionPath follow() {
+        const VectorXd none = VectorXd::Zero(qp_.gap.size());
+        State begin{none, start_.gap, none, {}, {}};
+        expected_ = qp_.expected;
+        const Increment at_once = solve(begin, 0, 1);
+        path_.emplace(FrictionPath{at_once.answer, 0, 0, none, none, none});
+        bool is_found = false;
+        if (const ContactQpResult& r = at_once.answer.result; r.feasible && r.mechanism.size() == 0) {
+            if (start_.is_loaded)
+                if (const Increment there = solve(begin, 0, 0); there.has_answer()) begin.forces = there.forces();
+            approach_ = start_.gap - r.gap;
+            scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
+            const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
+            is_found = !is_open && advance(begin, 0, 1, at_once, 0).has_value();
+        }
+        if (!is_found) path_.emplace(FrictionPath{at_once.answer, 1, 0, none, none, none});
+        path_->iterations = iterations_;
+        return std::move(*path_);
+    }
+
+private:
+    Increment solve(const State& from, double begin, double end) {
+        ContactQp qp = qp_;
+        VectorXd origin = touching(from, end - begin);
+        qp.gap = (1 - end) * start_.gap + end * qp_.gap - origin;
+        qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
+        qp.drawn_gap -= origin;
+        qp.expected = expected_;
+        Increment increment{std::move(origin), solve_held(qp, split_, levers_)};
+        iterations_ += increment.answer.result.iterations;
+        if (increment.has_answer()) expected_ = increment.forces();
+        return increment;
+    }
+
+    /// The tangential openings that slips of an increment count from. What is open goes on as it did, until it touches.
+    VectorXd touching(const State& from, double size) const {
+        VectorXd origin = from.slipped;
+        if (from.closing.size() == 0) return origin;
+        for (const FrictionRow& f : qp_.friction) {
+            const double closing = from.closing[f.normal];
+            if (from.forces[f.normal] > 0 || !(closing > 0)) continue;
+            origin[f.tangential] += from.passing[f.tangential] * std::clamp(from.gap[f.normal] / closing, 0.0, size);
+        }
+        return origin;
+    }
+
+    State after(const State& from, const Increment& increment, double size) const {
+        State state{increment.forces(), increment.answer.result.gap, increment.from, {}, {}};
+        for (const FrictionRow& f : qp_.friction) state.slipped[f.tangential] += increment.answer.result.gap[f.tangential];
+        state.closing = (from.gap - state.gap) / size;
+        state.passing = (state.slipped - from.slipped) / size;
+        return state;
+    }
+
+    /// Tractions in the mean over an increment, as what slips all the way has them: at their bound, which grows or falls evenly
+    /// with the pressure. What sticks has no slip to work against.
+    VectorXd work_of(const State& from, const Increment& increment) const {
+        VectorXd work = VectorXd::Zero(qp_.gap.size());
+        for (const FrictionRow& f : qp_.friction)
+            if (const double now = increment.forces()[f.normal]; now > 0)
+                work[f.tangential] = -0.5 * (1 + std::max(0.0, from.forces[f.normal]) / now) *
+                                     increment.forces()[f.tangential] * increment.answer.result.gap[f.tangential];
+        return work;
+    }
+
+    /// By more than rounding. Between loads under which nothing presses nothing does.
+    bool is_pressed(const VectorXd& forces) const {
+        double sum = 0;
+        for (const FrictionRow& f : qp_.friction) sum += std::max(0.0, forces[f.normal]);
+        return sum > open_force * qp_.load_scale;
+    }
+
+    /// Does a face come into contact from a distance, of which nothing is known yet? Before it touches its bodies may move
+    /// along each other.
+    bool closes_from_afar(const State& from, const VectorXd& forces) const {
+        return from.closing.size() == 0 && std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+                   return forces.segment(f.begin, f.size).maxCoeff() > 0 &&
+                          !(from.forces.segment(f.begin, f.size).maxCoeff() > 0) &&
+                          from.gap.segment(f.begin, f.size).minCoeff() >
+                              tolerance_ * approach_.segment(f.begin, f.size).maxCoeff();
+               });
+    }
+
+    double norm_of_pressure(const VectorXd& forces) const {
+        double square = 0;
+        for (const FrictionRow& f : qp_.friction) square += forces[f.normal] * forces[f.normal] / weight_[f.normal];
+        return std::sqrt(square);
+    }
+    double norm_of_change(const VectorXd& forces) const {
+        double square = 0;
+        for (const FrictionRow& f : qp_.friction) {
+            const double traction = forces[f.tangential] / std::min(1.0, f.coefficient);
+            square += traction * traction / weight_[f.tangential];
+        }
+        return std::max(norm_of_pressure(forces), std::sqrt(square));
+    }
+
+    void take(const Increment& increment, const VectorXd& error, const VectorXd& work, const VectorXd& work_error, int n) {
+        path_->error += error;
+        path_->work += work;
+        path_->work_error += work_error;
+        path_->increments += n;
+        path_->end = increment.answer;
+    }
+
+    /// From a state at `begin` to `end`; at_once: as one increment. The state there; nothing: it was not found.
+    std::optional<State> advance(const State& from, double begin, double end, const Increment& at_once, int level) {
+        const double half = 0.5 * (end - begin), middle = begin + half;
+        const bool has_whole = at_once.has_answer();
+        const Increment first = solve(from, begin, middle);
+        if (!first.has_answer() && (has_whole || level >= most_halvings_to_answer))
+            return take_unchecked(from, at_once, 2 * half);
+        const State halfway = first.has_answer() ? after(from, first, half) : from;
+        if (has_whole) {
+            const Increment second = solve(halfway, middle, end);
+            if (!second.has_answer()) return take_unchecked(from, at_once, 2 * half);
+            const VectorXd change = second.forces() - at_once.forces();
+            const bool is_near = norm_of_change(change) <= tolerance_ * std::max(2 * half, share_at_least) * scale_;
+            if (level == most_halvings || (is_near && !closes_from_afar(from, second.forces()))) {
+                const VectorXd work = work_of(from, first) + work_of(halfway, second);
+                take(second, change.cwiseAbs(), work, (work - work_of(from, at_once)).cwiseAbs(), 2);
+                return after(halfway, second, half);
+            }
+        } else if (level >= most_halvings_to_answer) {
+            return std::nullopt;
+        }
+        const std::optional<State> there = advance(from, begin, middle, first, level + 1);
+        if (!there) return std::nullopt;
+        return advance(*there, middle, end, solve(*there, middle, end), level + 1);
+    }
+
+    /// An increment whose halves have no answer: all that it changes counts as its error.
+    std::optional<State> take_unchecked(const State& from, const Increment& at_once, double size) {
+        if (!at_once.has_answer()) return std::nullopt;
+        const VectorXd work = work_of(from, at_once);
+        take(at_once, (at_once.forces() - from.forces).cwiseAbs(), work, work.cwiseAbs(), 1);
+        return after(from, at_once, size);
+    }
+
+    const ContactQp& qp_;
+    const PathStart& start_;
+    const VectorXd& weight_;
+    const MotionSplit& split_;
+    const MatrixXd& levers_;
+    double tolerance_;
+    std::vector<Face> faces_;
+    double scale_ = 0;
+    VectorXd approach_{};  ///< of the rows, at once
+    VectorXd expected_{};
+    int iterations_ = 0;
+    std::optional<FrictionPath> path_{};
+};
+
+}  // namespace
+
+PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    PathStart start{all.rows.gap0, VectorXd::Zero(offset.back()), !problem.before.empty()};
+    const Index first_constraint = all.rows.n - static_cast<Index>(problem.constraints.size());
+    start.gap.tail(all.rows.n - first_constraint).setZero();
+    if (!start.is_loaded) {
+        for (Index row = 0; row < first_constraint; ++row)
+            if (all.rows.unilateral[static_cast<std::size_t>(row)]) start.gap[row] = std::max(0.0, start.gap[row]);
+    } else {
+        ENSURE(problem.before.size() == problem.parts.size(), "every part has a state before, or none has");
+        for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+            const StateBefore& before = problem.before[i];
+            const VectorXd moved = opening_of(all.rows, i, before.displacement),
+                           opening = opening_of(all.rows, i, before.under_load);
+            start.gap += opening;
+            // held as they were, whatever they are held at now
+            start.gap.tail(all.rows.n - first_constraint) -= moved.tail(all.rows.n - first_constraint);
+            start.mode_load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * before.load;
+        }
+    }
+    start.gap = start.gap.cwiseQuotient(all.rows.weight);
+    return start;
+}
+
+FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split,
+                         const MatrixXd& levers, double tolerance) {
+    return Path(qp, start, weight, split, levers, tolerance).follow();
+}
+
+}  // namespace abut::solver

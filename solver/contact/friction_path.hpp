@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contact problem with friction at the end of a way of the loads: what slips, and what sticks where, depends on the way.
+#pragma once
+#include "solver/contact/assembly_rows.hpp"
+
+namespace abut::solver {
+
+/// Where gaps and loads on motions begin, from where they grow evenly to those of a problem: at the state before or, without
+/// one, at the bodies as drawn, without loads, and without what overlaps.
+struct PathStart {
+    Eigen::VectorXd gap, mode_load;  ///< of scaled rows, of all free motions
+    bool is_loaded = false;          ///< contacts may be pressed there
+};
+PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all);
+
+/// The answer at the end of a path, and what came together on it.
+struct FrictionPath {
+    HeldAnswer end;
+    int increments = 1, iterations = 0;
+    Eigen::VectorXd error;             ///< of the multipliers by the increments' size (m)
+    Eigen::VectorXd work, work_error;  ///< done against slip, by tangential row (m)
+};
+
+/// Follows a path in increments: each is one problem in which slips count from where the one before ended, so that what comes
+/// into contact sticks where it touches, to within an increment. An increment is taken as two halves, and these are halved in
+/// turn where they change pressures (L2, relative to the largest of the path's ends) or tractions (over their bounds) by more
+/// than `tolerance` times the increment's share of the path; where an answer is not found, too. The changes add up to the error
+/// [error of the explicit dependence on the way, of first order in the increments]. qp: of scaled rows, slips from the start;
+/// weight: of the rows; split, levers: as of solve_held. Where bodies slide, or there is no answer at the end however small the
+/// increments, it is that of one increment.
+FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const Eigen::VectorXd& weight, const MotionSplit& split,
+                         const Eigen::MatrixXd& levers, double tolerance);
+
+}  // namespace abut::solver
