@@ -277,9 +277,9 @@ VectorXd in_a_row(const std::vector<PartSystem>& parts, const std::vector<Vector
     return amplitudes;
 }
 
-void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
-                   const FrictionPath& path, AssemblySolution& solution) {
-    solution.increments = path.increments;
+/// Forces of scaled rows; way: by row.
+void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& forces, const OnWay& way,
+                   AssemblySolution& solution) {
     solution.friction.assign(problem.interfaces.size(), {});
     for (std::size_t i = 0; i < problem.interfaces.size(); ++i) {
         const Interface& face = problem.interfaces[i];
@@ -289,12 +289,12 @@ void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, cons
             return forces.segment(first, n).cwiseQuotient(all.rows.weight.segment(first, n).cwiseSqrt()).norm();
         };
         FrictionOnWay& own = solution.friction[i];
-        if (multipliers.size() > 0)
-            if (const double pressure = norm(multipliers, normal); pressure > 0)
+        if (forces.size() > 0)
+            if (const double pressure = norm(forces, normal); pressure > 0)
                 own.error =
-                    std::max(norm(path.error, normal), norm(path.error, tangential) / std::min(1.0, *face.friction)) / pressure;
-        own.work = path.work.segment(tangential, n).sum();
-        own.work_error = path.work_error.segment(tangential, n).sum();
+                    std::max(norm(way.error, normal), norm(way.error, tangential) / std::min(1.0, *face.friction)) / pressure;
+        own.work = way.work.segment(tangential, n).sum();
+        own.work_error = way.work_error.segment(tangential, n).sum();
     }
 }
 
@@ -304,6 +304,7 @@ struct Attempt {
     MatrixXd neutral{};
     bool is_driven = false;   ///< the mechanism is none of the rows'
     bool is_balanced = true;  ///< in the neutral motions in which contact forces have levers, too
+    std::optional<OnWay> on_way{};
 };
 
 /// start: amplitudes, as of `solve_held`.
@@ -329,9 +330,9 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     std::optional<FrictionPath> path;
     if (!qp.friction.empty())
         path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
+    if (path) attempt.on_way = path->way;
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;
-    if (path) fill_friction(problem, all, held.result.multipliers, *path, solution);
     solution.is_one_of_several = path && held.has_answer() && has_another_answer(held.qp, held.result);
     solution.converged = held.result.converged;
     solution.used_fallback = held.result.used_fallback;
@@ -368,15 +369,18 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     return attempt;
 }
 
-/// Of many rows, those that may close: C is made of these alone, and the gaps of the others are looked at under the
-/// displacements. Bearings of 80 rollers have 6800 rows, of which 1800 take part; all of them would make a dense C of 600 MB.
+/// Of many rows, those that may close, faces of friction as a whole: C is made of these alone, and the gaps of the others are
+/// looked at under the displacements. What lies between faces that are not taken is not searched for with friction, where
+/// bodies that nothing presses would make up most of it. Bearings of 80 rollers have 6800 rows, of which 1800 take part; all of
+/// them would make a dense C of 600 MB.
 class RowChoice {
 public:
     RowChoice(const AssemblyProblem& problem, const AssemblyRows& all) : problem_(problem), all_(all) {
-        const bool are_few = all.rows.n < few_rows || !all.friction.empty() || all.rows.softness.size() > 0;
+        const bool are_few = all.rows.n < few_rows || all.rows.softness.size() > 0;
         taken_.assign(at(all.rows.n), are_few ? 1 : 0);
         if (are_few) return;
         for (int row = 0; row < all.rows.n; ++row) taken_[at(row)] = !all.rows.unilateral[at(row)];
+        for (const FrictionRow& f : all.friction) taken_[at(f.tangential)] = 0;
         knows_some_ = all.expected.size() > 0 && !all.expected.isZero(0);
         take_with_neighbours(knows_some_ ? all.expected : settled_forces());
     }
@@ -402,7 +406,10 @@ public:
             }
         AssemblyRows own;
         own.rows.n = static_cast<int>(kept.size());
-        own.rows.turning.resize(all_.rows.turning.size());
+        for (const Turning& t : all_.rows.turning) {
+            const auto own_arms = std::lower_bound(kept.begin(), kept.end(), t.arm.size()) - kept.begin();
+            own.rows.turning.push_back({t.rotation, t.arm(std::vector<Index>(kept.begin(), kept.begin() + own_arms))});
+        }
         own.rows.gap0 = all_.rows.gap0(kept);
         own.rows.weight = all_.rows.weight(kept);
         for (const Index row : kept) own.rows.unilateral.push_back(all_.rows.unilateral[static_cast<std::size_t>(row)]);
@@ -411,6 +418,9 @@ public:
             for (const RowEntry& e : entries)
                 if (number[at(e.row)] >= 0) own.rows.by_part.back().push_back({number[at(e.row)], e.coefficient, e.value});
         }
+        for (const FrictionRow& f : all_.friction)
+            if (number[at(f.normal)] >= 0)
+                own.friction.push_back({number[at(f.normal)], number[at(f.tangential)], f.coefficient});
         own.foundation = all_.foundation(kept);
         const VectorXd& expected = expected_.size() > 0 ? expected_ : all_.expected;
         if (expected.size() > 0 && !expected.isZero(0)) own.expected = expected(kept);
@@ -435,7 +445,8 @@ public:
         const double rounding = gap_rounding * opening.cwiseQuotient(w).cwiseAbs().maxCoeff();
         VectorXd penetrating = VectorXd::Zero(gap.size());
         for (Index row = 0; row < gap.size(); ++row)
-            penetrating[row] = !taken_[static_cast<std::size_t>(row)] && gap[row] < -rounding * w[row];
+            penetrating[row] = !taken_[static_cast<std::size_t>(row)] && all_.rows.unilateral[static_cast<std::size_t>(row)] &&
+                               gap[row] < -rounding * w[row];
         if (penetrating.isZero(0)) return false;
         expected_ = spread(under.multipliers);
         take_with_neighbours(penetrating);
@@ -451,10 +462,15 @@ private:
         return settle_rigidly(qp).multipliers;
     }
 
-    /// Rows that are not zero in `forces`, and those beside.
+    /// Rows that are not zero in `forces`, and those beside; with friction all of their faces.
     void take_with_neighbours(const VectorXd& forces) {
         for (std::size_t f = 0; f < all_.first_row.size(); ++f) {
-            const int begin = all_.first_row[f], end = begin + n_rows(problem_.interfaces[f]);
+            const int begin = all_.first_row[f], n = n_rows(problem_.interfaces[f]), end = begin + n;
+            if (problem_.interfaces[f].friction) continue;
+            if (f + 1 < all_.first_row.size() && problem_.interfaces[f + 1].friction) {
+                if (!forces.segment(begin, n).isZero(0)) std::fill(taken_.begin() + begin, taken_.begin() + end + n, 1);
+                continue;
+            }
             for (int row = begin; row < end; ++row)
                 if (forces[row] != 0)
                     std::fill(taken_.begin() + std::max(begin, row - beside), taken_.begin() + std::min(end, row + beside + 1),
@@ -492,7 +508,13 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
             if (!has_answer) choice.widen();
             if (!has_answer || choice.take_penetrating(attempt.answered)) continue;
             attempt.answered.multipliers = choice.spread(attempt.answered.multipliers);
+            if (attempt.on_way)
+                for (VectorXd* v : {&attempt.on_way->error, &attempt.on_way->work, &attempt.on_way->work_error})
+                    *v = choice.spread(*v);
         }
+        if (attempt.on_way && attempt.answered.multipliers.size() > 0)
+            fill_friction(problem, all, attempt.answered.multipliers.cwiseProduct(all.rows.weight), *attempt.on_way, solution);
+        if (attempt.on_way) solution.increments = attempt.on_way->increments;
         solution.n_multipliers = all.rows.n;
         solution.contact_problems = std::count(all.rows.unilateral.begin(), all.rows.unilateral.end(), 1) > 0 ? 1 : 0;
         solution.iterations = iterations;

@@ -20,6 +20,8 @@ using Eigen::VectorXd;
 /// Increments down to a thousandth of the path: what touches within one sticks to within that of its way. Answers that are not
 /// found on a sixteenth are not found.
 constexpr int most_halvings = 10, most_halvings_to_answer = 4;
+/// Searches that Newton's steps alone do not end cost a hundred times as much: after so many increments are halved no more.
+constexpr int most_fallbacks = 4;
 /// Of the path: changes in shorter increments need be no smaller. Contacts that close change tractions in proportion to the
 /// increment, in which only few do.
 constexpr double share_at_least = 1.0 / 16;
@@ -71,35 +73,40 @@ public:
     FrictionPath follow() {
         const VectorXd none = VectorXd::Zero(qp_.gap.size());
         State begin{none, start_.gap, none, {}, {}};
-        expected_ = qp_.expected;
-        const Increment at_once = solve(begin, 0, 1);
-        path_.emplace(FrictionPath{at_once.answer, 0, 0, none, none, none});
+        const Increment at_once = solve(begin, 0, 1, qp_.expected);
+        path_.emplace(FrictionPath{at_once.answer, {0, none, none, none}});
         bool is_found = false;
         if (const ContactQpResult& r = at_once.answer.result; r.feasible && r.mechanism.size() == 0) {
             if (start_.is_loaded)
-                if (const Increment there = solve(begin, 0, 0); there.has_answer()) begin.forces = there.forces();
+                if (const Increment there = solve(begin, 0, 0, expected_from(at_once)); there.has_answer())
+                    begin.forces = there.forces();
             approach_ = start_.gap - r.gap;
             scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
             const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
             is_found = !is_open && advance(begin, 0, 1, at_once, 0).has_value();
         }
-        if (!is_found) path_.emplace(FrictionPath{at_once.answer, 1, 0, none, none, none});
+        if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none}});
         path_->iterations = iterations_;
         return std::move(*path_);
     }
 
 private:
-    Increment solve(const State& from, double begin, double end) {
+    /// expected: multipliers under the same loads, or others.
+    Increment solve(const State& from, double begin, double end, const VectorXd& expected) {
         ContactQp qp = qp_;
         VectorXd origin = touching(from, end - begin);
         qp.gap = (1 - end) * start_.gap + end * qp_.gap - origin;
         qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
         qp.drawn_gap -= origin;
-        qp.expected = expected_;
+        qp.expected = expected;
         Increment increment{std::move(origin), solve_held(qp, split_, levers_)};
         iterations_ += increment.answer.result.iterations;
-        if (increment.has_answer()) expected_ = increment.forces();
+        fallbacks_ += increment.answer.result.used_fallback;
         return increment;
+    }
+
+    const VectorXd& expected_from(const Increment& increment) const {
+        return increment.has_answer() ? increment.forces() : qp_.expected;
     }
 
     /// The tangential openings that slips of an increment count from. What is open goes on as it did, until it touches.
@@ -166,10 +173,10 @@ private:
     }
 
     void take(const Increment& increment, const VectorXd& error, const VectorXd& work, const VectorXd& work_error, int n) {
-        path_->error += error;
-        path_->work += work;
-        path_->work_error += work_error;
-        path_->increments += n;
+        path_->way.error += error;
+        path_->way.work += work;
+        path_->way.work_error += work_error;
+        path_->way.increments += n;
         path_->end = increment.answer;
     }
 
@@ -177,26 +184,29 @@ private:
     std::optional<State> advance(const State& from, double begin, double end, const Increment& at_once, int level) {
         const double half = 0.5 * (end - begin), middle = begin + half;
         const bool has_whole = at_once.has_answer();
-        const Increment first = solve(from, begin, middle);
+        const Increment first = solve(from, begin, middle, expected_from(at_once));
         if (!first.has_answer() && (has_whole || level >= most_halvings_to_answer))
             return take_unchecked(from, at_once, 2 * half);
+        VectorXd expected = expected_from(at_once);
         const State halfway = first.has_answer() ? after(from, first, half) : from;
         if (has_whole) {
-            const Increment second = solve(halfway, middle, end);
+            const Increment second = solve(halfway, middle, end, expected);
             if (!second.has_answer()) return take_unchecked(from, at_once, 2 * half);
             const VectorXd change = second.forces() - at_once.forces();
             const bool is_near = norm_of_change(change) <= tolerance_ * std::max(2 * half, share_at_least) * scale_;
-            if (level == most_halvings || (is_near && !closes_from_afar(from, second.forces()))) {
+            if (level == most_halvings || fallbacks_ >= most_fallbacks ||
+                (is_near && !closes_from_afar(from, second.forces()))) {
                 const VectorXd work = work_of(from, first) + work_of(halfway, second);
                 take(second, change.cwiseAbs(), work, (work - work_of(from, at_once)).cwiseAbs(), 2);
                 return after(halfway, second, half);
             }
+            expected = second.forces();
         } else if (level >= most_halvings_to_answer) {
             return std::nullopt;
         }
         const std::optional<State> there = advance(from, begin, middle, first, level + 1);
         if (!there) return std::nullopt;
-        return advance(*there, middle, end, solve(*there, middle, end), level + 1);
+        return advance(*there, middle, end, solve(*there, middle, end, expected), level + 1);
     }
 
     /// An increment whose halves have no answer: all that it changes counts as its error.
@@ -216,8 +226,7 @@ private:
     std::vector<Face> faces_;
     double scale_ = 0;
     VectorXd approach_{};  ///< of the rows, at once
-    VectorXd expected_{};
-    int iterations_ = 0;
+    int iterations_ = 0, fallbacks_ = 0;
     std::optional<FrictionPath> path_{};
 };
 

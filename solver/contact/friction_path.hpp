@@ -13,12 +13,18 @@ struct PathStart {
 };
 PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all);
 
-/// The answer at the end of a path, and what came together on it.
-struct FrictionPath {
-    HeldAnswer end;
-    int increments = 1, iterations = 0;
+/// What comes together on a path.
+struct OnWay {
+    int increments = 1;
     Eigen::VectorXd error;             ///< of the multipliers by the increments' size (m)
     Eigen::VectorXd work, work_error;  ///< done against slip, by tangential row (m)
+};
+
+/// The answer at the end of a path.
+struct FrictionPath {
+    HeldAnswer end;
+    OnWay way;
+    int iterations = 0;
 };
 
 /// Follows a path in increments: each is one problem in which slips count from where the one before ended, so that what comes

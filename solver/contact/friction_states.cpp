@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solver/linear_algebra/complementarity.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -20,6 +21,8 @@ constexpr int most_newton_steps = 60;  // 33 are the most that 5300 rows were se
 constexpr double least_step = 1.0 / 64;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
+constexpr double met = 1e-13;              // of all forces: what is lacking less is rounding
+constexpr double dependent = 1e-8;         // of the longest row of motions: less is rounding of what others hold
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
 
 std::size_t of(Index row) {
@@ -264,6 +267,39 @@ public:
         return states;
     }
 
+    /// Bodies that slip everywhere are free to roll or slide. Where they would be, what is least beyond its bound sticks: round
+    /// bodies between others are held by a single row at its bound. True: something has been held.
+    bool hold_free_motions(const VectorXd& multipliers, const VectorXd& gap, ActiveSet& states) const {
+        std::vector<VectorXd> held;  // orthonormal
+        const Index n = qp_.modes.cols();
+        const double rounding = dependent * qp_.modes.rowwise().norm().maxCoeff();
+        const auto hold = [&](Index row) {
+            VectorXd motion = qp_.modes.row(row).transpose();
+            for (int twice = 0; twice < 2; ++twice)
+                for (const VectorXd& h : held) motion -= h.dot(motion) * h;
+            if (!(motion.norm() > rounding)) return false;
+            held.push_back(motion.normalized());
+            return true;
+        };
+        for (std::size_t k = 0; k < states.size() && static_cast<Index>(held.size()) < n; ++k)
+            if (states[k] == row_state::closed) hold(static_cast<Index>(k));
+        if (static_cast<Index>(held.size()) == n) return false;
+        const VectorXd wanted = multipliers - gap.cwiseQuotient(compliance_);
+        std::vector<std::pair<double, Index>> slipping;
+        for (const FrictionRow& f : qp_.friction)
+            if (direction_of(states[of(f.tangential)]) != 0)
+                slipping.emplace_back(std::abs(wanted[f.tangential]) / (f.coefficient * wanted[f.normal]), f.tangential);
+        std::sort(slipping.begin(), slipping.end());
+        bool any = false;
+        for (const auto& [beyond, row] : slipping) {
+            if (static_cast<Index>(held.size()) == n) break;
+            if (!hold(row)) continue;
+            states[of(row)] = row_state::closed;
+            any = true;
+        }
+        return any;
+    }
+
     /// The sum of the residuals' squares, as energies.
     double energy(const VectorXd& multipliers, const VectorXd& gap) const {
         const VectorXd wanted = multipliers - gap.cwiseQuotient(compliance_);
@@ -279,6 +315,8 @@ public:
         return lack.cwiseAbs2().dot(compliance_);
     }
 
+    double energy_of(const VectorXd& multipliers) const { return multipliers.cwiseAbs2().dot(compliance_); }
+
 private:
     const ContactQp& qp_;
     VectorXd compliance_;
@@ -289,6 +327,7 @@ private:
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations) {
     const Lack lack(shifted);
+    const bool is_exact = shifted.qp.modes.cols() > 0 && proximal.stiffness.isZero(0);
     VectorXd multipliers, gap;  // of the point that a step begins from
     double energy = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_newton_steps; ++step) {
@@ -297,6 +336,7 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Acti
         if (next_states(shifted, states, state) == states) return SetSearch::found;
         const VectorXd gap_there = gap_of(shifted, state);
         const double whole = lack.energy(state.multipliers, gap_there);
+        if (whole <= met * met * lack.energy_of(state.multipliers)) return SetSearch::found;  // whichever way ties fall
         if (step == 0 || whole < energy) {
             multipliers = state.multipliers;
             gap = gap_there;
@@ -313,7 +353,8 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Acti
             multipliers += share * way;
             gap += share * opens;
         }
-        states = lack.states(multipliers, gap);
+        const ActiveSet before = std::exchange(states, lack.states(multipliers, gap));
+        if (is_exact && lack.hold_free_motions(multipliers, gap, states) && states == before) return SetSearch::singular;
     }
     return SetSearch::repeated;
 }

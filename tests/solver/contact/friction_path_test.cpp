@@ -64,8 +64,8 @@ TEST(FrictionPath, WhatTouchesLateSticksWhereItTouches) {
         const VectorXd forces = forces_of(path);
         EXPECT_NEAR(forces[0], 1 - gap, 1e-12) << gap;
         EXPECT_NEAR(forces[1], -0.3 * (1 - gap), 1e-3) << gap << ": it goes " << 0.3 * gap << " aside before it touches";
-        EXPECT_NEAR(path.work.sum(), 0, 1e-3) << gap;
-        EXPECT_LE(std::abs(forces[1] + 0.3 * (1 - gap)), path.error[1] + 0.005 * 0.3)
+        EXPECT_NEAR(path.way.work.sum(), 0, 1e-3) << gap;
+        EXPECT_LE(std::abs(forces[1] + 0.3 * (1 - gap)), path.way.error[1] + 0.005 * 0.3)
             << gap << ", touching but for a tolerance";
     }
 }
@@ -90,19 +90,19 @@ TEST(FrictionPath, SlipsAtItsBoundAndSaysWhatThatTakes) {
     springs.start.is_loaded = true;
     const FrictionPath path = springs.follow();
     EXPECT_NEAR(forces_of(path)[1], -0.5, 1e-12);
-    EXPECT_NEAR(path.work.sum(), 0.5 * 1.5, 1e-12);
-    EXPECT_NEAR(path.work_error.sum(), 0, 1e-12);
+    EXPECT_NEAR(path.way.work.sum(), 0.5 * 1.5, 1e-12);
+    EXPECT_NEAR(path.way.work_error.sum(), 0, 1e-12);
 }
 
 TEST(FrictionPath, InProportionOneIncrementIsAsGoodAsMany) {
     const FrictionPath path = Springs({{0, 1, 0.3}, {0, 2, -0.1}, {0, 1, 0.9}}, 0.5).follow();
-    EXPECT_EQ(path.increments, 2) << "the least that tells";
-    EXPECT_NEAR(path.error.norm(), 0, 1e-12);
+    EXPECT_EQ(path.way.increments, 2) << "the least that tells";
+    EXPECT_NEAR(path.way.error.norm(), 0, 1e-12);
     const VectorXd forces = forces_of(path);
     EXPECT_NEAR(forces[1], -0.3, 1e-12);
     EXPECT_NEAR(forces[5], -0.5, 1e-12);
     // bound and slip both grow evenly: the work is half of what they come to
-    EXPECT_NEAR(path.work.sum(), 0.5 * 0.5 * 0.4, 1e-12);
+    EXPECT_NEAR(path.way.work.sum(), 0.5 * 0.5 * 0.4, 1e-12);
 }
 
 TEST(FrictionPath, RoughFacesToo) {
@@ -112,9 +112,9 @@ TEST(FrictionPath, RoughFacesToo) {
 
 TEST(FrictionPath, OfWhatStaysOpenIsOneIncrement) {
     const FrictionPath path = Springs({{2, 1, 1}, {1.5, 1, -1}}, 0.3).follow();
-    EXPECT_EQ(path.increments, 1);
+    EXPECT_EQ(path.way.increments, 1);
     EXPECT_NEAR(forces_of(path).norm(), 0, 1e-15);
-    EXPECT_EQ(path.error.norm(), 0);
+    EXPECT_EQ(path.way.error.norm(), 0);
 }
 
 TEST(FrictionPath, FollowsMoreCloselyWhereMoreIsAskedFor) {
@@ -134,7 +134,7 @@ TEST(FrictionPath, FollowsMoreCloselyWhereMoreIsAskedFor) {
             ASSERT_TRUE(path.end.has_answer()) << trial;
             const double away = (path.end.result.multipliers - forces_of(closely)).norm();
             EXPECT_LE(away, 2 * tolerance * forces_of(closely).norm()) << trial << " " << tolerance;
-            EXPECT_LE(path.increments, closely.increments) << trial;
+            EXPECT_LE(path.way.increments, closely.way.increments) << trial;
         }
     }
 }
