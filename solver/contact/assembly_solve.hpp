@@ -47,9 +47,9 @@ struct AssemblyProblem {
     std::vector<double> foundation;  ///< by interface: pressure per penetration of a Winkler foundation, for the start
     double load_scale = 0;           ///< the largest single load
     std::vector<double> part_load;   ///< largest load on each part; empty: not known
-    /// By part; empty: at rest as drawn, without loads. With friction loads grow evenly from there.
+    /// The state before, by part, from which loads grow evenly with friction; empty: at rest as drawn, without loads.
     std::vector<StateBefore> before;
-    /// What the increments of that may change pressures and tractions by in all, see follow_path.
+    /// What the increments of friction may change pressures and tractions by in all, see follow_path.
     double path_tolerance = 0.01;
     /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
     std::vector<Eigen::VectorXd> near;

@@ -373,7 +373,8 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
     for (std::size_t k = 0; k < scenes.size(); ++k)
         results.push_back(
             {scene.cases[k].name, scene.cases[k].factors,
-             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds, &known).result});
+             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds, &known).result,
+             scene.in_steps});
     return results;
 }
 

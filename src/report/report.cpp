@@ -95,7 +95,7 @@ std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<M
         tabs.push_back(
             {cases[k].name, loads_text(cases[k]), verdict_word(verdict_of(result)), verdict_sentence(result), data[k]});
     }
-    const bool in_steps = cases.front().result.solver.increments.has_value();
+    const bool in_steps = cases.front().is_step;
     return page(cases.front().result, body, tabs.empty() ? "" : report::instrument(report::tabs_data(tabs, in_steps)));
 }
 

@@ -16,6 +16,7 @@ struct CaseResult {
     std::string name;
     std::map<std::string, double> factors;  ///< of its loads, by name
     Result result;
+    bool is_step = false;  ///< it begins where the one before ends
 };
 
 /// A largest value, where it is, and in which case (index).
