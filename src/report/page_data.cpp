@@ -124,6 +124,10 @@ PageJson contact_json(const ContactResult& c) {
                {"max_pressure", exact(c.max_pressure)},
                {"at_corner", c.errors && c.errors->at_corner},
                {"profile", profile_json(c.profile)}};
+    if (c.friction) {
+        j["shear_force"] = exact(c.friction->shear_force);
+        j["dissipated"] = exact(c.friction->dissipated);
+    }
     j["error"] = c.errors ? exact(std::max(c.errors->pressure, c.errors->peak)) : PageJson(nullptr);
     return j;
 }

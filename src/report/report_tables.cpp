@@ -75,6 +75,31 @@ std::string contact_table(const Result& result, const ResultUnits& u) {
                                                  shapes));
 }
 
+std::string friction_table(const Result& result, const ResultUnits& u) {
+    Rows rows;
+    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+        const std::optional<FrictionResult>& f = result.contacts[k].friction;
+        if (!f) continue;
+        const double forces = f->normal_force, works = forces * model_size(result);
+        rows.push_back({contact_number(k), std::isinf(f->coefficient) ? "rough" : number_text(f->coefficient, 4),
+                        number_text(rounded_off(f->shear_force, forces), 5), number_text(forces, 5),
+                        percent_or_dash(f->utilisation), number_text(f->stick_length, 4), number_text(f->slip_length, 4),
+                        number_text(rounded_off(f->dissipated, works), 4),
+                        number_text(rounded_off(f->dissipated_error, works), 2)});
+    }
+    if (rows.empty()) return "";
+    return subsection("Friction", html_table({{"contact", true},
+                                              {"coefficient", true},
+                                              {heading("shear force", u.force), true},
+                                              {heading("normal force", u.force), true},
+                                              {"of what friction bears", true},
+                                              {heading("sticks along", u.length), true},
+                                              {heading("slips along", u.length), true},
+                                              {heading("work against slip", u.energy), true},
+                                              {"± by the increments", true}},
+                                             rows));
+}
+
 std::string reaction_table(const Result& result, const ResultUnits& u) {
     if (result.reactions.empty()) return "";
     double force = 0, moment = 0;
@@ -289,6 +314,7 @@ std::string tables_section(const Result& result) {
     std::string html = "<section class=\"tables\"><h2>Tables</h2>\n";
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
     html += reaction_table(result, units);
+    html += friction_table(result, units);
     html += preload_table(result, units);
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);

@@ -24,16 +24,12 @@ function followed(cases) {
         return [...names.values()];
     };
     const ofParts = value => cases[0].data.parts.map((part, i) => ({name: part.name, values: cases.map(c => c.data.parts[i] ? value(c.data.parts[i]) : null)}));
-    const integral = (contact, key) => {
-        const {x, y, [key]: list} = contact.profile;
-        return list ? list.reduce((sum, v, i) => i ? sum + (v + list[i - 1]) / 2 * Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]) : 0, 0) : null;
-    };
     const largest = (contact, key) => contact.profile[key] ? size(contact.profile[key]) : null;
-    const {units} = cases[0].data, perLength = units.force && units.length ? `${units.force}/${units.length}` : '';
+    const {units} = cases[0].data, energy = units.force && units.length ? `${units.force} ${units.length}` : '';
     return [
         ['largest pressure', units.stress, ofContacts(c => c.max_pressure.value)], ['contact force', units.force, ofContacts(c => Math.hypot(...c.force))],
-        ['contact length', units.length, ofContacts(c => c.length)], ['shear force per thickness', perLength, ofContacts(c => integral(c, 'shear'))],
-        ['largest slip', units.length, ofContacts(c => largest(c, 'slip'))],
+        ['contact length', units.length, ofContacts(c => c.length)], ['shear force', units.force, ofContacts(c => c.shear_force ?? null)],
+        ['largest slip', units.length, ofContacts(c => largest(c, 'slip'))], ['work against slip', energy, ofContacts(c => c.dissipated ?? null)],
         ['largest von Mises stress', units.stress, ofParts(p => p.max_von_mises.value)], ['largest displacement', units.length, ofParts(p => p.max_displacement.value)],
     ].map(([name, unit, curves]) => ({name, unit, curves: curves.filter(c => size(c.values) > 0).sort((a, b) => size(b.values) - size(a.values)).slice(0, mostCurves)}))
         .filter(f => f.curves.length);
