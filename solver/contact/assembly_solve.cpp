@@ -514,7 +514,9 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
         }
         if (attempt.on_way && attempt.answered.multipliers.size() > 0)
             fill_friction(problem, all, attempt.answered.multipliers.cwiseProduct(all.rows.weight), *attempt.on_way, solution);
+        if (!all.friction.empty()) solution.friction.resize(problem.interfaces.size());  // faces that nothing presses, too
         if (attempt.on_way) solution.increments = attempt.on_way->increments;
+        solution.is_way_broken = attempt.on_way && attempt.on_way->is_broken;
         solution.n_multipliers = all.rows.n;
         solution.contact_problems = std::count(all.rows.unilateral.begin(), all.rows.unilateral.end(), 1) > 0 ? 1 : 0;
         solution.iterations = iterations;

@@ -91,6 +91,7 @@ struct AssemblySolution {
     bool converged = false, used_fallback = false;
     int increments = 1;                   ///< that friction took the way of the loads in
     std::vector<FrictionOnWay> friction;  ///< by interface, where any has friction
+    bool is_way_broken = false;           ///< there are loads on that way under which no answer was found
     bool is_one_of_several = false;       ///< friction: another answer was found from another start
     double residual = 0;  ///< violation of the contact conditions by these displacements and pressures (contact_residual)
     SolveSeconds seconds;

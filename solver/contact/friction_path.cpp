@@ -75,7 +75,7 @@ public:
         State begin{none, start_.gap, none, {}, {}};
         const Increment at_once = solve(begin, 0, 1, qp_.expected);
         path_.emplace(FrictionPath{at_once.answer, {0, none, none, none}});
-        bool is_found = false;
+        bool is_found = false, is_sought = false;
         if (const ContactQpResult& r = at_once.answer.result; r.feasible && r.mechanism.size() == 0) {
             if (start_.is_loaded)
                 if (const Increment there = solve(begin, 0, 0, expected_from(at_once)); there.has_answer())
@@ -83,9 +83,10 @@ public:
             approach_ = start_.gap - r.gap;
             scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
             const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
-            is_found = !is_open && advance(begin, 0, 1, at_once, 0).has_value();
+            is_sought = !is_open;
+            is_found = is_sought && advance(begin, 0, 1, at_once, 0).has_value();
         }
-        if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none}});
+        if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none, at_once.has_answer() && is_sought}});
         path_->iterations = iterations_;
         return std::move(*path_);
     }
@@ -213,6 +214,7 @@ private:
     std::optional<State> take_unchecked(const State& from, const Increment& at_once, double size) {
         if (!at_once.has_answer()) return std::nullopt;
         const VectorXd work = work_of(from, at_once);
+        path_->way.is_broken = true;
         take(at_once, (at_once.forces() - from.forces).cwiseAbs(), work, work.cwiseAbs(), 1);
         return after(from, at_once, size);
     }

@@ -18,6 +18,7 @@ struct OnWay {
     int increments = 1;
     Eigen::VectorXd error;             ///< of the multipliers by the increments' size (m)
     Eigen::VectorXd work, work_error;  ///< done against slip, by tangential row (m)
+    bool is_broken = false;            ///< there are loads on it under which no answer was found
 };
 
 /// The answer at the end of a path.

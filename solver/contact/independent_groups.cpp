@@ -125,6 +125,7 @@ void merge(AssemblySolution&& from, const Members& members, AssemblySolution& to
     append_motions(from.mechanism, members, to.mechanism);
     append_motions(from.sliding, members, to.sliding);
     to.holding_factor = std::max(to.holding_factor, from.holding_factor);
+    to.is_way_broken = to.is_way_broken || from.is_way_broken;
     to.is_one_of_several = to.is_one_of_several || from.is_one_of_several;
     add_outcome(from, to);
     add_seconds(from.seconds, to.seconds);

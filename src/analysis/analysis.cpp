@@ -180,6 +180,12 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     warn_of_turned_contacts(scene, out, result);
     warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);
+    if (solved.solution.is_way_broken)
+        tell({{0, "",
+               "on the way of the loads there are some under which no state of sticking and slipping was found: what friction "
+               "holds where these have passed may be far off; give steps in which contacts close before what pulls along them",
+               "friction holds nothing under some loads on the way to these"}},
+             "load_path", result);
     if (solved.solution.is_one_of_several)
         result.warnings.push_back(
             "friction is so large that this is one of several answers: another state of sticking and slipping balances the "

@@ -50,6 +50,7 @@ void append_solution(solver::AssemblySolution& to, solver::AssemblySolution& fro
     append(to.pressure, from.pressure);
     append(to.constraint_force, from.constraint_force);
     to.holding_factor = std::max(to.holding_factor, from.holding_factor);
+    to.is_way_broken = to.is_way_broken || from.is_way_broken;
     to.is_one_of_several = to.is_one_of_several || from.is_one_of_several;
     append_motions(to.neutral, from.neutral, parts_before);
     append_motions(to.mechanism, from.mechanism, parts_before);

@@ -347,6 +347,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
     if (solved.failure.empty() && before) begin_from(*before, solved);
     if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
+    if (before && before->solution.is_way_broken) solved.solution.is_way_broken = true;  // friction remembers
     return solved;
 }
 

@@ -244,4 +244,27 @@ TEST(FrictionAnalysis, ContactsThatTheLoadsCloseStickWhereTheyTouch) {
     EXPECT_GT(*steps[0].result.solver.increments, 2) << "where it touches is looked for";
 }
 
+/// A stack that is pressed on from above only once its weightless upper block has come down; the middle one is pulled along
+/// from the first load on.
+TEST(FrictionAnalysis, LoadsOnTheWayThatNothingBalancesSpeakAgainstTheAnswer) {
+    const auto scene = [](const std::string& gap) {
+        return read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}},
+            "parts": [{"name": "ground", "material": "rigid", "geometry": {"rectangle": {"min": [-3, -1], "max": [3, 0]}}},
+                      {"name": "middle", "material": "m", "geometry": {"rectangle": {"min": [-1, 0], "max": [1, 1]}}},
+                      {"name": "top", "material": "m", "geometry": {"rectangle": {"min": [-1, "1 + )" +
+                                   gap + R"("], "max": [1, "2 + )" + gap + R"("]}}}],
+            "supports": [{"part": "ground", "rigid": {"translation": [0, 0], "rotation": 0}},
+                         {"on": "top/top", "spring": {"normal": 200}}, {"part": "top", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "loads": [{"part": "top", "force": [0, -100]}, {"part": "middle", "force": [20, 0]}],
+            "contacts": {"friction": 0.5}, "accuracy": {"level": "draft"}})",
+                               "friction.json");
+    };
+    const auto is_told = [](const Result& r) {
+        EXPECT_EQ(r.status, "ok") << r.message;
+        return std::any_of(r.reasons.begin(), r.reasons.end(), [](const Reason& why) { return why.kind == "load_path"; });
+    };
+    EXPECT_FALSE(is_told(analyze(scene("0"), {})));
+    EXPECT_TRUE(is_told(analyze(scene("0.1"), {}))) << "up to two fifths of the loads nothing presses on the middle block";
+}
+
 }  // namespace abut::friction_analysis_test
