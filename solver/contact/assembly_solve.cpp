@@ -277,27 +277,6 @@ VectorXd in_a_row(const std::vector<PartSystem>& parts, const std::vector<Vector
     return amplitudes;
 }
 
-/// Forces of scaled rows; way: by row.
-void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& forces, const OnWay& way,
-                   AssemblySolution& solution) {
-    solution.friction.assign(problem.interfaces.size(), {});
-    for (std::size_t i = 0; i < problem.interfaces.size(); ++i) {
-        const Interface& face = problem.interfaces[i];
-        if (!face.friction) continue;
-        const int n = n_rows(face), normal = all.first_row[i - 1], tangential = all.first_row[i];
-        const auto norm = [&](const VectorXd& forces, int first) {  // L2 of the spline, about
-            return forces.segment(first, n).cwiseQuotient(all.rows.weight.segment(first, n).cwiseSqrt()).norm();
-        };
-        FrictionOnWay& own = solution.friction[i];
-        if (forces.size() > 0)
-            if (const double pressure = norm(forces, normal); pressure > 0)
-                own.error =
-                    std::max(norm(way.error, normal), norm(way.error, tangential) / std::min(1.0, *face.friction)) / pressure;
-        own.work = way.work.segment(tangential, n).sum();
-        own.work_error = way.work_error.segment(tangential, n).sum();
-    }
-}
-
 /// A solution under some rows, before neutral motions are taken.
 struct Attempt {
     RowsSolution answered;
@@ -306,6 +285,30 @@ struct Attempt {
     bool is_balanced = true;  ///< in the neutral motions in which contact forces have levers, too
     std::optional<OnWay> on_way{};
 };
+
+/// What friction came to on the way, by interface; of faces that nothing presses nothing. multipliers: by row, or none.
+void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers,
+                   const std::optional<OnWay>& way, AssemblySolution& solution) {
+    solution.friction.assign(problem.interfaces.size(), {});
+    if (!way) return;
+    solution.increments = way->increments;
+    solution.is_way_broken = way->is_broken;
+    if (multipliers.size() == 0) return;
+    const VectorXd root_of_weight = all.rows.weight.cwiseSqrt(), pressures = multipliers.cwiseProduct(root_of_weight),
+                   errors = way->error.cwiseQuotient(root_of_weight);  // what their rows' norms are L2 norms of, about
+    for (std::size_t i = 0; i < problem.interfaces.size(); ++i) {
+        const Interface& face = problem.interfaces[i];
+        if (!face.friction) continue;
+        const int n = n_rows(face), normal = all.first_row[i - 1], tangential = all.first_row[i];
+        FrictionOnWay& own = solution.friction[i];
+        if (const double pressure = pressures.segment(normal, n).norm(); pressure > 0)
+            own.error = std::max(errors.segment(normal, n).norm(),
+                                 errors.segment(tangential, n).norm() / std::min(1.0, *face.friction)) /
+                        pressure;
+        own.work = way->work.segment(tangential, n).sum();
+        own.work_error = way->work_error.segment(tangential, n).sum();
+    }
+}
 
 /// start: amplitudes, as of `solve_held`.
 Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance,
@@ -330,7 +333,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     std::optional<FrictionPath> path;
     if (!qp.friction.empty())
         path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
-    if (path) attempt.on_way = path->way;
+    if (path) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;
     solution.is_one_of_several = path && held.has_answer() && has_another_answer(held.qp, held.result);
@@ -512,11 +515,7 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
                 for (VectorXd* v : {&attempt.on_way->error, &attempt.on_way->work, &attempt.on_way->work_error})
                     *v = choice.spread(*v);
         }
-        if (attempt.on_way && attempt.answered.multipliers.size() > 0)
-            fill_friction(problem, all, attempt.answered.multipliers.cwiseProduct(all.rows.weight), *attempt.on_way, solution);
-        if (!all.friction.empty()) solution.friction.resize(problem.interfaces.size());  // faces that nothing presses, too
-        if (attempt.on_way) solution.increments = attempt.on_way->increments;
-        solution.is_way_broken = attempt.on_way && attempt.on_way->is_broken;
+        if (!all.friction.empty()) fill_friction(problem, all, attempt.answered.multipliers, attempt.on_way, solution);
         solution.n_multipliers = all.rows.n;
         solution.contact_problems = std::count(all.rows.unilateral.begin(), all.rows.unilateral.end(), 1) > 0 ? 1 : 0;
         solution.iterations = iterations;

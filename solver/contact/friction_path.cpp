@@ -238,7 +238,8 @@ PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     PathStart start{all.rows.gap0, VectorXd::Zero(offset.back()), !problem.before.empty()};
     const Index first_constraint = all.rows.n - static_cast<Index>(problem.constraints.size());
-    start.gap.tail(all.rows.n - first_constraint).setZero();
+    const Index n_constraints = all.rows.n - first_constraint;
+    start.gap.tail(n_constraints).setZero();
     if (!start.is_loaded) {
         for (Index row = 0; row < first_constraint; ++row)
             if (all.rows.unilateral[static_cast<std::size_t>(row)]) start.gap[row] = std::max(0.0, start.gap[row]);
@@ -246,11 +247,9 @@ PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
         ENSURE(problem.before.size() == problem.parts.size(), "every part has a state before, or none has");
         for (std::size_t i = 0; i < problem.parts.size(); ++i) {
             const StateBefore& before = problem.before[i];
-            const VectorXd moved = opening_of(all.rows, i, before.displacement),
-                           opening = opening_of(all.rows, i, before.under_load);
-            start.gap += opening;
-            // held as they were, whatever they are held at now
-            start.gap.tail(all.rows.n - first_constraint) -= moved.tail(all.rows.n - first_constraint);
+            start.gap += opening_of(all.rows, i, before.under_load);
+            if (n_constraints > 0)  // held as they were, whatever they are held at now
+                start.gap.tail(n_constraints) -= opening_of(all.rows, i, before.displacement).tail(n_constraints);
             start.mode_load.segment(offset[i], offset[i + 1] - offset[i]) = problem.parts[i].modes.transpose() * before.load;
         }
     }

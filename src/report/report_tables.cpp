@@ -313,8 +313,8 @@ std::string tables_section(const Result& result) {
     const bool solved = result.status == "ok";
     std::string html = "<section class=\"tables\"><h2>Tables</h2>\n";
     if (solved || !result.contacts.empty()) html += contact_table(result, units);
-    html += reaction_table(result, units);
     html += friction_table(result, units);
+    html += reaction_table(result, units);
     html += preload_table(result, units);
     if (solved) html += equilibrium_table(result, units);
     html += mobility_table(result);

@@ -159,19 +159,18 @@ Knots place_knots(const std::vector<double>& count, const ContactInterface& c, c
     return knots;
 }
 
-}  // namespace
-
+/// The place s1 on the zone's first chain of a place s on the middle curve; where the zone is closed, in the period that begins
+/// at `from`.
 double chain_place(const ContactInterface& c, double s, double from) {
     const double s1 = interpolate(c.s, c.s1, s), period = c.zone.chain1.length;
     return c.zone.closed ? s1 - period * std::floor((s1 - from) / period) : s1;
 }
 
+/// The place s on the middle curve where function k of the pressure has its coefficient.
 double place_of_function(const ContactInterface& c, int k) {
     const double place = solver::greville(c.face.pressure, k), length = c.s.back();
     return c.zone.closed ? place - length * std::floor(place / length) : place;
 }
-
-namespace {
 
 /// Of the solution before: of each function the coefficient of that whose place was nearest. So the same functions are expected
 /// to be closed beside an end of contact, wherever it has moved to.

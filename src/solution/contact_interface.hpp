@@ -82,13 +82,6 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);
 
-/// The place s1 on the zone's first chain of a place s on the middle curve; where the zone is closed, in the period that begins
-/// at `from`.
-double chain_place(const ContactInterface& contact, double s, double from);
-
-/// The place s on the middle curve where function k of the pressure has its coefficient.
-double place_of_function(const ContactInterface& contact, int k);
-
 /// The element of a part that holds a point of its boundary.
 int element_of(const PartOnGrid& on_grid, const geometry::ChainPoint& p);
 

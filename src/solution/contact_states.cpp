@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "src/base/index.hpp"
-#include "src/solution/table.hpp"
 
 namespace abut {
 

@@ -76,7 +76,7 @@ VerifyProblem in_proportion() {
 
 }  // namespace verify_friction_path
 
-std::vector<VerifyProblem> friction_path_problems() {
+std::vector<VerifyProblem> load_path_problems() {
     using namespace verify_friction_path;
     return {indenter(), in_proportion()};
 }

@@ -43,24 +43,24 @@ struct VerifyProblem {
 };
 
 /// The problems of each kind, in order of their names.
-std::vector<VerifyProblem> patch_problems();          ///< E1, E6: fields that the splines hold exactly
-std::vector<VerifyProblem> beam_problems();           ///< E2
-std::vector<VerifyProblem> plate_problems();          ///< E3
-std::vector<VerifyProblem> ring_problems();           ///< E4, E10, and the disc of E5
-std::vector<VerifyProblem> membrane_problems();       ///< E8
-std::vector<VerifyProblem> corner_problems();         ///< E9
-std::vector<VerifyProblem> half_plane_problems();     ///< E13
-std::vector<VerifyProblem> spline_beam_problems();    ///< E14
-std::vector<VerifyProblem> hertz_problems();          ///< C1, C2, C4 with fillets, C5, S-B, S-C
-std::vector<VerifyProblem> block_problems();          ///< C3, C4, C9, S-A, S-E
-std::vector<VerifyProblem> pin_problems();            ///< C6, C7, S-D
-std::vector<VerifyProblem> support_problems();        ///< what holds a part and what does not
-std::vector<VerifyProblem> preload_problems();        ///< H2: tightened bolts
-std::vector<VerifyProblem> spin_problems();           ///< E5
-std::vector<VerifyProblem> thermal_problems();        ///< E7, and interference by temperature
-std::vector<VerifyProblem> friction_problems();       ///< F: friction, at the limit of rest and between
-std::vector<VerifyProblem> friction_path_problems();  ///< F14 on: the way of the loads
-std::vector<VerifyProblem> motion_problems();         ///< L: parts that go far before they rest
-std::vector<VerifyProblem> axisymmetric_problems();   ///< R: cylinders, spheres, discs, press fits and Hertz around an axis
+std::vector<VerifyProblem> patch_problems();         ///< E1, E6: fields that the splines hold exactly
+std::vector<VerifyProblem> beam_problems();          ///< E2
+std::vector<VerifyProblem> plate_problems();         ///< E3
+std::vector<VerifyProblem> ring_problems();          ///< E4, E10, and the disc of E5
+std::vector<VerifyProblem> membrane_problems();      ///< E8
+std::vector<VerifyProblem> corner_problems();        ///< E9
+std::vector<VerifyProblem> half_plane_problems();    ///< E13
+std::vector<VerifyProblem> spline_beam_problems();   ///< E14
+std::vector<VerifyProblem> hertz_problems();         ///< C1, C2, C4 with fillets, C5, S-B, S-C
+std::vector<VerifyProblem> block_problems();         ///< C3, C4, C9, S-A, S-E
+std::vector<VerifyProblem> pin_problems();           ///< C6, C7, S-D
+std::vector<VerifyProblem> support_problems();       ///< what holds a part and what does not
+std::vector<VerifyProblem> preload_problems();       ///< H2: tightened bolts
+std::vector<VerifyProblem> spin_problems();          ///< E5
+std::vector<VerifyProblem> thermal_problems();       ///< E7, and interference by temperature
+std::vector<VerifyProblem> friction_problems();      ///< F: friction, at the limit of rest and between
+std::vector<VerifyProblem> load_path_problems();     ///< F14 on: friction where the way of the loads counts
+std::vector<VerifyProblem> motion_problems();        ///< L: parts that go far before they rest
+std::vector<VerifyProblem> axisymmetric_problems();  ///< R: cylinders, spheres, discs, press fits and Hertz around an axis
 
 }  // namespace abut

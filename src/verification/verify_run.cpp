@@ -22,8 +22,8 @@ std::vector<VerifyProblem> all_problems() {
     for (const auto& group :
          {patch_problems(), beam_problems(), plate_problems(), ring_problems(), membrane_problems(), corner_problems(),
           half_plane_problems(), spline_beam_problems(), hertz_problems(), block_problems(), pin_problems(), support_problems(),
-          preload_problems(), spin_problems(), thermal_problems(), friction_problems(), friction_path_problems(),
-          motion_problems(), axisymmetric_problems()})
+          preload_problems(), spin_problems(), thermal_problems(), friction_problems(), load_path_problems(), motion_problems(),
+          axisymmetric_problems()})
         all.insert(all.end(), group.begin(), group.end());
     return all;
 }

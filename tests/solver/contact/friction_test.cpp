@@ -351,6 +351,30 @@ TEST(Friction, SlidesAsFarAsAStop) {
     }
 }
 
+TEST(Friction, OfARollerThatSpreadsOnBothItsFacesIsFoundByNewtonsSteps) {
+    // two pairs below and two above, pressed by 1; each face spreads to both sides by more than friction bears. Where all four
+    // slip nothing would hold the roller from moving along and from turning: it takes two rows at their bound.
+    ContactQp qp;
+    qp.compliance = MatrixXd::Identity(8, 8);
+    qp.gap = (VectorXd(8) << -1, 0.5, -1, -0.5, -1, 0.5, -1, -0.5).finished();
+    qp.modes = MatrixXd::Zero(8, 2);
+    for (const Index row : {1, 3}) qp.modes.row(row) << 1, 1;
+    for (const Index row : {5, 7}) qp.modes.row(row) << -1, 1;
+    qp.mode_load = VectorXd::Zero(2);
+    qp.unilateral = {1, 0, 1, 0, 1, 0, 1, 0};
+    qp.foundation = VectorXd::Ones(8);
+    qp.drawn_gap = qp.gap;
+    qp.load_scale = 1;
+    for (int k = 0; k < 4; ++k) qp.friction.push_back({2 * k, 2 * k + 1, 0.1});
+    const ContactQpResult r = solve_contact_qp(qp);
+    ASSERT_TRUE(r.feasible && r.converged);
+    EXPECT_FALSE(r.used_fallback);
+    EXPECT_LE(r.iterations, 10);
+    for (const Index row : {1, 5}) EXPECT_NEAR(r.multipliers[row], -0.1, 1e-12);
+    for (const Index row : {3, 7}) EXPECT_NEAR(r.multipliers[row], 0.1, 1e-12);
+    EXPECT_LT(r.residual, 1e-12);
+}
+
 TEST(Friction, ViolationsAreSeen) {
     const ContactQp qp = pushed_block(0.3, 0.2);
     const ContactQpResult r = solve_contact_qp(qp);
