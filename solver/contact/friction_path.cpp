@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/contact/condensation.hpp"
+#include "solver/contact/friction_states.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -122,9 +123,14 @@ private:
         return origin;
     }
 
+    /// Bodies that nothing holds yet are where they were drawn: where a search has put them says nothing.
     State after(const State& from, const Increment& increment, double size) const {
-        State state{increment.forces(), increment.answer.result.gap, increment.from, {}, {}};
-        for (const FrictionRow& f : qp_.friction) state.slipped[f.tangential] += increment.answer.result.gap[f.tangential];
+        const ContactQpResult& r = increment.answer.result;
+        const MatrixXd& modes = increment.answer.qp.modes;
+        const VectorXd loose = held_motions(increment.answer.qp, r.active).free_part(r.amplitudes());
+        const VectorXd gap = modes.cols() > 0 ? VectorXd(r.gap - modes * loose) : r.gap;
+        State state{increment.forces(), gap, increment.from, {}, {}};
+        for (const FrictionRow& f : qp_.friction) state.slipped[f.tangential] += gap[f.tangential];
         state.closing = (from.gap - state.gap) / size;
         state.passing = (state.slipped - from.slipped) / size;
         return state;

@@ -21,7 +21,6 @@ constexpr int most_newton_steps = 60;  // 33 are the most that 5300 rows were se
 constexpr double least_step = 1.0 / 64;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
-constexpr double met = 1e-13;              // of all forces: what is lacking less is rounding
 constexpr double dependent = 1e-8;         // of the longest row of motions: less is rounding of what others hold
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
 
@@ -205,6 +204,32 @@ ActiveSet states_of(const ContactQp& qp, const VectorXd& multipliers) {
     return states;
 }
 
+HeldMotions::HeldMotions(const ContactQp& qp)
+    : modes_(qp.modes),
+      basis_(MatrixXd::Zero(qp.modes.cols(), qp.modes.cols())),
+      rounding_(qp.modes.size() > 0 ? dependent * qp.modes.rowwise().norm().maxCoeff() : 0) {}
+
+bool HeldMotions::hold(Index row) {
+    if (are_all()) return false;
+    const VectorXd motion = free_part(modes_.row(row).transpose());
+    if (!(motion.norm() > rounding_)) return false;
+    basis_.col(n_++) = motion.normalized();
+    return true;
+}
+
+VectorXd HeldMotions::free_part(const VectorXd& motion) const {
+    const auto held = basis_.leftCols(n_);
+    const VectorXd once = motion - held * (held.transpose() * motion);
+    return once - held * (held.transpose() * once);  // what rounding left
+}
+
+HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states) {
+    HeldMotions held(qp);
+    for (std::size_t k = 0; k < states.size() && !held.are_all(); ++k)
+        if (states[k] == row_state::closed) held.hold(static_cast<Index>(k));
+    return held;
+}
+
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state) {
     const ContactQp& qp = shifted.qp;
     const Unknowns u = unknowns_of(qp, states);
@@ -270,20 +295,8 @@ public:
     /// Bodies that slip everywhere are free to roll or slide. Where they would be, what is least beyond its bound sticks: round
     /// bodies between others are held by a single row at its bound. True: something has been held.
     bool hold_free_motions(const VectorXd& multipliers, const VectorXd& gap, ActiveSet& states) const {
-        std::vector<VectorXd> held;  // orthonormal
-        const Index n = qp_.modes.cols();
-        const double rounding = dependent * qp_.modes.rowwise().norm().maxCoeff();
-        const auto hold = [&](Index row) {
-            VectorXd motion = qp_.modes.row(row).transpose();
-            for (int twice = 0; twice < 2; ++twice)
-                for (const VectorXd& h : held) motion -= h.dot(motion) * h;
-            if (!(motion.norm() > rounding)) return false;
-            held.push_back(motion.normalized());
-            return true;
-        };
-        for (std::size_t k = 0; k < states.size() && static_cast<Index>(held.size()) < n; ++k)
-            if (states[k] == row_state::closed) hold(static_cast<Index>(k));
-        if (static_cast<Index>(held.size()) == n) return false;
+        HeldMotions held = held_motions(qp_, states);
+        if (held.are_all()) return false;
         const VectorXd wanted = multipliers - gap.cwiseQuotient(compliance_);
         std::vector<std::pair<double, Index>> slipping;
         for (const FrictionRow& f : qp_.friction)
@@ -292,8 +305,8 @@ public:
         std::sort(slipping.begin(), slipping.end());
         bool any = false;
         for (const auto& [beyond, row] : slipping) {
-            if (static_cast<Index>(held.size()) == n) break;
-            if (!hold(row)) continue;
+            if (held.are_all()) break;
+            if (!held.hold(row)) continue;
             states[of(row)] = row_state::closed;
             any = true;
         }
@@ -315,8 +328,6 @@ public:
         return lack.cwiseAbs2().dot(compliance_);
     }
 
-    double energy_of(const VectorXd& multipliers) const { return multipliers.cwiseAbs2().dot(compliance_); }
-
 private:
     const ContactQp& qp_;
     VectorXd compliance_;
@@ -336,7 +347,6 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Acti
         if (next_states(shifted, states, state) == states) return SetSearch::found;
         const VectorXd gap_there = gap_of(shifted, state);
         const double whole = lack.energy(state.multipliers, gap_there);
-        if (whole <= met * met * lack.energy_of(state.multipliers)) return SetSearch::found;  // whichever way ties fall
         if (step == 0 || whole < energy) {
             multipliers = state.multipliers;
             gap = gap_there;

@@ -10,6 +10,25 @@ namespace abut::solver {
 /// The states that multipliers are at: what is pressed is closed, and sticks where its traction is below its bound.
 ActiveSet states_of(const ContactQp& qp, const Eigen::VectorXd& multipliers);
 
+/// Motions that rows hold, row by row: an orthonormal basis of those of their modes that are not of rows before.
+class HeldMotions {
+public:
+    explicit HeldMotions(const ContactQp& qp);
+    /// Takes a row. False: it holds nothing that is not held yet.
+    bool hold(Eigen::Index row);
+    bool are_all() const { return n_ == basis_.cols(); }
+    /// What of a motion nothing holds.
+    Eigen::VectorXd free_part(const Eigen::VectorXd& motion) const;
+
+private:
+    const Eigen::MatrixXd& modes_;
+    Eigen::MatrixXd basis_;
+    double rounding_;
+    Eigen::Index n_ = 0;
+};
+/// The motions that closed rows hold, those that stick among them.
+HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states);
+
 /// The point where closed rows have no gap, open ones no multiplier, and slipping ones the traction that their pressure gives
 /// them. False: the rows ask for gaps that cannot be, or (redundant ones apart) leave a motion without its balance.
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state);

@@ -267,4 +267,25 @@ TEST(FrictionAnalysis, LoadsOnTheWayThatNothingBalancesSpeakAgainstTheAnswer) {
     EXPECT_TRUE(is_told(analyze(scene("0.1"), {}))) << "up to two fifths of the loads nothing presses on the middle block";
 }
 
+/// Two rollers between plates, one drawn smaller and lower: it is touched late and above first, and nothing holds it until
+/// then. Friction hardly matters: forces are those that rollers have without.
+TEST(FrictionAnalysis, ARollerThatIsTouchedLateIsWhereItWasDrawn) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "analysis": "plane_strain", "thickness": 10,
+        "materials": {"steel": {"E": 210000, "nu": 0.3}},
+        "parts": [{"name": "bed", "material": "rigid", "geometry": {"rectangle": {"min": [-60, -10], "max": [60, 0]}}},
+                  {"name": "lid", "material": "rigid", "geometry": {"rectangle": {"min": [-60, 20], "max": [60, 30]}}},
+                  {"name": "small", "material": "steel", "geometry": {"circle": {"center": [-30, 9.997], "radius": 9.996}}},
+                  {"name": "large", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}}],
+        "supports": [{"part": "bed", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"part": "lid", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "lid", "force": [300, -6000]}], "contacts": {"friction": 0.2}, "accuracy": {"level": "draft"}})",
+                                             "rollers.json"),
+                             {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.contacts.size(), 4U);
+    for (const std::size_t k : {0, 2}) EXPECT_NEAR(r.contacts[k].friction->normal_force, 1477, 0.01 * 1477);
+    for (const std::size_t k : {1, 3}) EXPECT_NEAR(r.contacts[k].friction->normal_force, 4523, 0.01 * 4523);
+    for (const ContactResult& c : r.contacts) EXPECT_LT(std::abs(c.friction->shear_force), 0.01);
+}
+
 }  // namespace abut::friction_analysis_test
