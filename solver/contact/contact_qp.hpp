@@ -40,6 +40,7 @@ struct ContactQp {
     /// known.
     Eigen::VectorXd near{};
     std::vector<FrictionRow> friction{};  ///< their tangential rows count as bilateral in `unilateral`
+    bool asks_holding_factor = true;      ///< of a mechanism; it takes as long as a hundred searches
 };
 
 /// The solution of the contact problem, or why there is none.

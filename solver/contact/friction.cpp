@@ -70,13 +70,21 @@ void write_answer(const ShiftedQp& shifted, const VectorXd& settled, ContactStat
     result.motion = std::move(state.amplitudes);
 }
 
-/// The search without a proximal term; where it does not find the answer nothing is changed.
+/// Amplitudes measured from where a pass has left the bodies: what nothing holds stays there.
+ShiftedQp moved_to(const ShiftedQp& shifted, const VectorXd& amplitudes) {
+    return {shifted.qp, amplitudes.size() > 0 ? VectorXd(shifted.gap + shifted.qp.modes * amplitudes) : shifted.gap};
+}
+
+/// The search without a proximal term, from the states in `result` and the amplitudes in `state`, if any; where it does not
+/// find the answer nothing is changed.
 bool search_exactly(const ShiftedQp& shifted, ContactState& state, ContactQpResult& result) {
     ContactState exact;
     ActiveSet states = result.active;
-    if (search_states(shifted, no_term(shifted.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
-        !is_in_balance(shifted.qp, exact.multipliers))
+    const ShiftedQp near = moved_to(shifted, state.amplitudes);
+    if (search_states(near, no_term(near.qp.modes.cols()), states, exact, result.iterations) != SetSearch::found ||
+        !is_in_balance(near.qp, exact.multipliers))
         return false;
+    if (state.amplitudes.size() > 0) exact.amplitudes += state.amplitudes;
     state = std::move(exact);
     result.active = std::move(states);
     return true;
@@ -93,6 +101,8 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
 bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
     const ActiveSet before = result.active;
     if (search_states(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
+    result.active = before;
+    if (search_by_bounds(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
     result.used_fallback = true;
     bool any = false;
     for (const Ties ties : {Ties::of_bounds, Ties::of_pressures}) {
@@ -109,13 +119,26 @@ bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState
     return any;
 }
 
+/// Are a pass's states those of an answer without the term, from where it has left the bodies? `state` is that answer then.
+bool rests_exactly(const ShiftedQp& shifted, ContactState& state, const ContactQpResult& result) {
+    const ShiftedQp near = moved_to(shifted, state.amplitudes);
+    ContactState exact;
+    if (!solve_states(near, no_term(near.qp.modes.cols()), result.active, exact)) return false;
+    if (next_states(near, result.active, exact) != result.active || !is_in_balance(near.qp, exact.multipliers)) return false;
+    exact.amplitudes += state.amplitudes;
+    state = std::move(exact);
+    return true;
+}
+
 bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {
     const Index n = shifted.qp.modes.cols();
     for (int pass = 0; pass < friction_passes; ++pass) {
         if (!solve_pass(shifted, proximal, state, result)) return false;
         if (search_exactly(shifted, state, result)) return true;
         ContactState exact;
-        if (solve_states(shifted, no_term(n), result.active, exact) && meets_conditions(shifted, exact)) {
+        const ShiftedQp near = moved_to(shifted, state.amplitudes);
+        if (solve_states(near, no_term(n), result.active, exact) && meets_conditions(near, exact)) {
+            exact.amplitudes += state.amplitudes;
             state = std::move(exact);
             return true;
         }
@@ -192,6 +215,7 @@ Creep creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& s
             state.multipliers.resize(0);
             return {};
         }
+        if (rests_exactly(shifted, state, result)) return {true, {}};
         const VectorXd motion = state.amplitudes - term.anchor;
         const double borne_before = borne;
         borne = imbalance_of(qp, state.multipliers).norm();
@@ -300,7 +324,7 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     if (can_balance(qp, balance)) return false;
     result.feasible = false;
     result.mechanism = sliding_motion(qp, balance);
-    result.holding_factor = least_holding_factor(qp);
+    if (qp.asks_holding_factor) result.holding_factor = least_holding_factor(qp);
     return true;
 }
 
@@ -346,7 +370,8 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
             qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result).sliding : std::nullopt;
         if (sliding) {
             result.mechanism = sliding->motion;
-            result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
+            if (qp.asks_holding_factor)
+                result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
             write_answer(near, start.amplitudes, state, result);
             return result;
         }

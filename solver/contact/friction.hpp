@@ -34,8 +34,9 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// 4. Step 1 from where the creep ended, else passes of step 1 under a term that is reduced tenfold each time. Each pass tries
 ///    the set without the term.
 /// Newton steps are cut where whole ones do not bring the residual of all conditions down. In 3 and 4, where that does not end,
-/// Lemke's pivots find the states of the linear complementarity problem that it is [Klarbring86], beginning with those of the
-/// pass before. Converged is what meets all conditions.
+/// they begin again from states under given bounds of friction, and where that does not end either Lemke's pivots find the
+/// states of the linear complementarity problem that it is [Klarbring86], beginning with those of the pass before. Converged is
+/// what meets all conditions.
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// Several answers are possible where coefficients are large: is there another one, found from everything slipping?

@@ -21,8 +21,9 @@ using Eigen::VectorXd;
 /// Increments down to a thousandth of the path: what touches within one sticks to within that of its way. Answers that are not
 /// found on a sixteenth are not found.
 constexpr int most_halvings = 10, most_halvings_to_answer = 4;
-/// Searches that Newton's steps alone do not end cost a hundred times as much: after so many increments are halved no more.
-constexpr int most_fallbacks = 4;
+/// Where bodies roll and slide until others hold them searches take hundreds of steps: after so many increments are halved no
+/// more.
+constexpr int most_steps = 4000;
 /// Of the path: changes in shorter increments need be no smaller. Contacts that close change tractions in proportion to the
 /// increment, in which only few do.
 constexpr double share_at_least = 1.0 / 16;
@@ -85,7 +86,10 @@ public:
             scale_ = std::max(norm_of_pressure(begin.forces), norm_of_pressure(r.multipliers));
             const bool is_open = at_once.has_answer() && !is_pressed(begin.forces) && !is_pressed(r.multipliers);
             is_sought = !is_open;
-            is_found = is_sought && advance(begin, 0, 1, at_once, 0).has_value();
+            if (const double rest = is_sought ? fall(begin, at_once) : 0; rest > 0)
+                is_found = advance(begin, rest, 1, solve(begin, rest, 1, at_once.forces()), 0).has_value();
+            else
+                is_found = is_sought && advance(begin, 0, 1, at_once, 0).has_value();
         }
         if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none, at_once.has_answer() && is_sought}});
         path_->iterations = iterations_;
@@ -101,10 +105,24 @@ private:
         qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
         qp.drawn_gap -= origin;
         qp.expected = expected;
+        qp.asks_holding_factor = begin == 0 && end == 1;
         Increment increment{std::move(origin), solve_held(qp, split_, levers_)};
         iterations_ += increment.answer.result.iterations;
-        fallbacks_ += increment.answer.result.used_fallback;
         return increment;
+    }
+
+    /// Bodies that nothing holds come to rest on others under any load at all, in no proportion to it: within the least
+    /// increment. Where that ends, and the state there; 0: nothing comes from afar, or not so.
+    double fall(State& state, const Increment& at_once) {
+        if (!at_once.has_answer() || !closes_from_afar(state, at_once.forces())) return 0;
+        const double size = std::ldexp(1, -most_halvings);
+        const Increment least = solve(state, 0, size, at_once.forces());
+        if (!least.has_answer() || !is_pressed(least.forces())) return 0;
+        const VectorXd none = VectorXd::Zero(qp_.gap.size());
+        take(least, none, work_of(state, least), none, 1);
+        state = after(state, least, size);
+        state.closing = state.passing = VectorXd(0);
+        return size;
     }
 
     const VectorXd& expected_from(const Increment& increment) const {
@@ -201,8 +219,7 @@ private:
             if (!second.has_answer()) return take_unchecked(from, at_once, 2 * half);
             const VectorXd change = second.forces() - at_once.forces();
             const bool is_near = norm_of_change(change) <= tolerance_ * std::max(2 * half, share_at_least) * scale_;
-            if (level == most_halvings || fallbacks_ >= most_fallbacks ||
-                (is_near && !closes_from_afar(from, second.forces()))) {
+            if (level == most_halvings || iterations_ >= most_steps || (is_near && !closes_from_afar(from, second.forces()))) {
                 const VectorXd work = work_of(from, first) + work_of(halfway, second);
                 take(second, change.cwiseAbs(), work, (work - work_of(from, at_once)).cwiseAbs(), 2);
                 return after(halfway, second, half);
@@ -234,7 +251,7 @@ private:
     std::vector<Face> faces_;
     double scale_ = 0;
     VectorXd approach_{};  ///< of the rows, at once
-    int iterations_ = 0, fallbacks_ = 0;
+    int iterations_ = 0;
     std::optional<FrictionPath> path_{};
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/linear_algebra/box_qp.hpp"
 #include "solver/linear_algebra/complementarity.hpp"
 #include "solver/linear_algebra/dense.hpp"
 
@@ -18,10 +19,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_newton_steps = 60;  // 33 are the most that 5300 rows were seen to take
+constexpr int most_steps_astray = 10;  // nearer to no solution: beyond, one in two hundred finds back
 constexpr double least_step = 1.0 / 64;
 constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
 constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
 constexpr double dependent = 1e-8;         // of the longest row of motions: less is rounding of what others hold
+constexpr int most_rounds = 6;             // of given bounds: where friction is moderate, three are enough
 constexpr double rough_coefficient = 100;  // of pivots, which need a number
 
 std::size_t of(Index row) {
@@ -90,16 +93,27 @@ std::optional<VectorXd> solved(const MatrixXd& a, const VectorXd& b) {
     return is_consistent ? std::optional(x) : std::nullopt;
 }
 
+/// What multipliers over the force unit do to gaps where the amplitudes follow: C + G E^-1 G', and the gaps without any.
+struct Gaps {
+    MatrixXd follow;  ///< E^-1 G' (n x m)
+    VectorXd gap;
+};
+
+Gaps gaps_of(const ShiftedQp& shifted, const Proximal& proximal) {
+    const ContactQp& qp = shifted.qp;
+    if (qp.modes.cols() == 0) return {MatrixXd(0, qp.gap.size()), shifted.gap};
+    const Cholesky stiffness(proximal.stiffness);
+    return {stiffness.solve_columns(qp.modes.transpose()),
+            shifted.gap + qp.modes * (proximal.anchor + stiffness.solve(qp.mode_load))};
+}
+
 /// The complementarity problem in z = (pressures, l_t + mu l_n, slip backward), bilateral rows and amplitudes eliminated.
 class Pivots {
 public:
-    Pivots(const ShiftedQp& shifted, const Proximal& proximal)
-        : qp_(shifted.qp), unit_(force_unit(qp_)), c_(unit_ * qp_.compliance.to_dense()), g_(shifted.gap) {
-        const Cholesky stiffness(proximal.stiffness);
-        if (qp_.modes.cols() > 0) {
-            c_ += unit_ * qp_.modes * stiffness.solve_columns(qp_.modes.transpose());
-            g_ += qp_.modes * (proximal.anchor + stiffness.solve(qp_.mode_load));
-        }
+    Pivots(const ShiftedQp& shifted, const Proximal& proximal) : qp_(shifted.qp) {
+        Gaps gaps = gaps_of(shifted, proximal);
+        c_ = force_unit(qp_) * (qp_.compliance.to_dense() + qp_.modes * gaps.follow);
+        g_ = std::move(gaps.gap);
         sort_rows();
         eliminate_bilateral();
     }
@@ -181,7 +195,6 @@ private:
     }
 
     const ContactQp& qp_;
-    double unit_;
     MatrixXd c_;
     VectorXd g_;
     std::vector<Index> pressed_, bilateral_;
@@ -335,18 +348,95 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// Friction whose bounds are those of pressures before, whatever presses now (Tresca's): a convex problem.
+class GivenBounds {
+public:
+    GivenBounds(const ShiftedQp& shifted, const Proximal& proximal)
+        : qp_(shifted.qp), unit_(force_unit(qp_)), gaps_(gaps_of(shifted, proximal)) {
+        compliance_.times = [this](const VectorXd& l) -> VectorXd {
+            return unit_ * (qp_.compliance * l + qp_.modes * (gaps_.follow * l));
+        };
+        compliance_.among = [this](const std::vector<Index>& rows) -> MatrixXd {
+            MatrixXd c = qp_.modes(rows, Eigen::all) * gaps_.follow(Eigen::all, rows);
+            for (std::size_t j = 0; j < rows.size(); ++j)
+                for (std::size_t i = 0; i < rows.size(); ++i)
+                    c(static_cast<Index>(i), static_cast<Index>(j)) += qp_.compliance(rows[i], rows[j]);
+            return unit_ * c;
+        };
+        compliance_.diagonal = qp_.compliance.diagonal();
+        if (qp_.modes.cols() > 0) compliance_.diagonal += qp_.modes.cwiseProduct(gaps_.follow.transpose()).rowwise().sum();
+        compliance_.diagonal *= unit_;
+    }
+    GivenBounds(const GivenBounds&) = delete;
+    GivenBounds& operator=(const GivenBounds&) = delete;
+
+    /// forces: multipliers before, whose pressures give the bounds, and those found. The states of these; nothing: none are.
+    std::optional<ActiveSet> states(VectorXd& forces, int& iterations) const {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        VectorXd upper = VectorXd::Constant(forces.size(), infinity), lower = -upper;
+        for (std::size_t k = 0; k < qp_.unilateral.size(); ++k)
+            if (qp_.unilateral[k]) lower[static_cast<Index>(k)] = 0;
+        for (const FrictionRow& f : qp_.friction) {
+            const double pressure = forces[f.normal] / unit_;
+            upper[f.tangential] = pressure > 0 ? f.coefficient * pressure : 0;
+            lower[f.tangential] = -upper[f.tangential];
+        }
+        const std::optional<VectorXd> l = minimize_in_box(compliance_, gaps_.gap, lower, upper, forces / unit_, iterations);
+        if (!l) return std::nullopt;
+        ActiveSet states = bilateral_rows(qp_);
+        for (std::size_t k = 0; k < states.size(); ++k)
+            if (qp_.unilateral[k] && (*l)[static_cast<Index>(k)] > 0) states[k] = row_state::closed;
+        for (const FrictionRow& f : qp_.friction) {
+            char& state = states[of(f.tangential)] = states[of(f.normal)];
+            if (state == row_state::open || !(upper[f.tangential] > 0)) continue;
+            if ((*l)[f.tangential] <= lower[f.tangential]) state = row_state::slips_forward;
+            if ((*l)[f.tangential] >= upper[f.tangential]) state = row_state::slips_backward;
+        }
+        forces = unit_ * *l;
+        return states;
+    }
+
+private:
+    const ContactQp& qp_;
+    double unit_;
+    Gaps gaps_;
+    Semidefinite compliance_;
+};
+
+}  // namespace
+
+SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                           int& iterations) {
+    const GivenBounds given(shifted, proximal);
+    VectorXd forces = VectorXd::Zero(shifted.gap.size());
+    if (ContactState before; solve_states(shifted, proximal, states, before)) forces = before.multipliers;
+    for (int round = 0; round < most_rounds; ++round) {
+        std::optional<ActiveSet> under_bounds = given.states(forces, iterations);
+        if (!under_bounds) return SetSearch::singular;
+        states = std::move(*under_bounds);
+        if (search_states(shifted, proximal, states, state, iterations) == SetSearch::found) return SetSearch::found;
+    }
+    return SetSearch::repeated;
+}
+
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations) {
     const Lack lack(shifted);
     const bool is_exact = shifted.qp.modes.cols() > 0 && proximal.stiffness.isZero(0);
     VectorXd multipliers, gap;  // of the point that a step begins from
-    double energy = std::numeric_limits<double>::infinity();
+    double energy = std::numeric_limits<double>::infinity(), least = energy;
+    int steps_since_least = 0;
     for (int step = 0; step < most_newton_steps; ++step) {
         ++iterations;
         if (!solve_states(shifted, proximal, states, state)) return SetSearch::singular;
         if (next_states(shifted, states, state) == states) return SetSearch::found;
         const VectorXd gap_there = gap_of(shifted, state);
         const double whole = lack.energy(state.multipliers, gap_there);
+        steps_since_least = whole < least ? 0 : steps_since_least + 1;
+        if (steps_since_least > most_steps_astray) return SetSearch::repeated;
+        least = std::min(least, whole);
         if (step == 0 || whole < energy) {
             multipliers = state.multipliers;
             gap = gap_there;

@@ -42,6 +42,12 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations);
 
+/// Newton's steps from states that are found under given bounds of friction (Tresca's), those of the pressures of `states`,
+/// then of the pressures found under them, and so on. A problem with given bounds is convex, and always ends; where friction is
+/// moderate, one to three of them lead to where Newton's steps end. The proximal term must be positive definite.
+SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                           int& iterations);
+
 /// Pivots break ties by a trifle of the pressures everywhere, or of each traction's own bound. Where coefficients are small the
 /// first may be as large as what it is to decide on, and the second below its rounding.
 enum class Ties { of_bounds, of_pressures };

@@ -117,6 +117,22 @@ TEST(FrictionPath, OfWhatStaysOpenIsOneIncrement) {
     EXPECT_EQ(path.way.error.norm(), 0);
 }
 
+TEST(FrictionPath, WhatFallsOnOthersDoesSoInOneIncrement) {
+    // nothing holds the body against its load down; it lies on the face from the first load on, and sticks there as it goes
+    // aside
+    Springs body({{0.5, 0, 0.3}}, 0.5);
+    body.qp.modes = MatrixXd{{1}, {0}};
+    body.qp.mode_load = VectorXd{{-1}};
+    body.start.mode_load = VectorXd{{0}};
+    const MatrixXd one = MatrixXd::Identity(1, 1), none(1, 0);
+    const FrictionPath path =
+        follow_path(body.qp, body.start, VectorXd::Ones(2), {one, none, none}, MatrixXd::Zero(2, 0), 0.005);
+    const VectorXd forces = forces_of(path);
+    EXPECT_NEAR(forces[0], 1, 1e-12);
+    EXPECT_NEAR(forces[1], -0.3, 1e-12);
+    EXPECT_EQ(path.way.increments, 3);
+}
+
 TEST(FrictionPath, FollowsMoreCloselyWhereMoreIsAskedFor) {
     // springs that feel each other: no prediction is exact
     std::mt19937 random(3);
