@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 constexpr int most_halvings = 10, most_halvings_to_answer = 4;
 /// Where bodies roll and slide until others hold them searches take hundreds of steps: after so many increments are halved no
 /// more.
-constexpr int most_steps = 4000;
+constexpr int most_steps = 10000;
 /// Of the path: changes in shorter increments need be no smaller. Contacts that close change tractions in proportion to the
 /// increment, in which only few do.
 constexpr double share_at_least = 1.0 / 16;
