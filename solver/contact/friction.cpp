@@ -119,15 +119,13 @@ bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState
     return any;
 }
 
-/// Are a pass's states those of an answer without the term, from where it has left the bodies? `state` is that answer then.
-bool rests_exactly(const ShiftedQp& shifted, ContactState& state, const ContactQpResult& result) {
+/// The answer on a pass's states without the term, from where it has left the bodies.
+std::optional<ContactState> without_term(const ShiftedQp& shifted, const ContactState& state, const ActiveSet& states) {
     const ShiftedQp near = moved_to(shifted, state.amplitudes);
     ContactState exact;
-    if (!solve_states(near, no_term(near.qp.modes.cols()), result.active, exact)) return false;
-    if (next_states(near, result.active, exact) != result.active || !is_in_balance(near.qp, exact.multipliers)) return false;
+    if (!solve_states(near, no_term(near.qp.modes.cols()), states, exact)) return std::nullopt;
     exact.amplitudes += state.amplitudes;
-    state = std::move(exact);
-    return true;
+    return exact;
 }
 
 bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {
@@ -135,11 +133,9 @@ bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& sta
     for (int pass = 0; pass < friction_passes; ++pass) {
         if (!solve_pass(shifted, proximal, state, result)) return false;
         if (search_exactly(shifted, state, result)) return true;
-        ContactState exact;
-        const ShiftedQp near = moved_to(shifted, state.amplitudes);
-        if (solve_states(near, no_term(n), result.active, exact) && meets_conditions(near, exact)) {
-            exact.amplitudes += state.amplitudes;
-            state = std::move(exact);
+        if (std::optional<ContactState> exact = without_term(shifted, state, result.active);
+            exact && meets_conditions(shifted, *exact)) {
+            state = std::move(*exact);
             return true;
         }
         if (meets_conditions(shifted, state)) return true;
@@ -215,7 +211,11 @@ Creep creep(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& s
             state.multipliers.resize(0);
             return {};
         }
-        if (rests_exactly(shifted, state, result)) return {true, {}};
+        if (std::optional<ContactState> exact = without_term(shifted, state, result.active);
+            exact && next_states(shifted, result.active, *exact) == result.active && is_in_balance(qp, exact->multipliers)) {
+            state = std::move(*exact);
+            return {true, {}};
+        }
         const VectorXd motion = state.amplitudes - term.anchor;
         const double borne_before = borne;
         borne = imbalance_of(qp, state.multipliers).norm();

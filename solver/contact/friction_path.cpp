@@ -112,12 +112,12 @@ private:
     }
 
     /// Bodies that nothing holds come to rest on others under any load at all, in no proportion to it: within the least
-    /// increment. Where that ends, and the state there; 0: nothing comes from afar, or not so.
+    /// increment. Where that ends, and the state there; 0: nothing does so.
     double fall(State& state, const Increment& at_once) {
         if (!at_once.has_answer() || !closes_from_afar(state, at_once.forces())) return 0;
         const double size = std::ldexp(1, -most_halvings);
         const Increment least = solve(state, 0, size, at_once.forces());
-        if (!least.has_answer() || !is_pressed(least.forces())) return 0;
+        if (!least.has_answer() || !closes_from_afar(state, least.forces())) return 0;
         const VectorXd none = VectorXd::Zero(qp_.gap.size());
         take(least, none, work_of(state, least), none, 1);
         state = after(state, least, size);
@@ -141,12 +141,21 @@ private:
         return origin;
     }
 
+    /// The states but of faces' rows that carry nothing beyond rounding: what is just touched is not held.
+    ActiveSet carrying(const ContactQpResult& r) const {
+        ActiveSet states = r.active;
+        for (const FrictionRow& f : qp_.friction)
+            if (!(r.multipliers[f.normal] > open_force * qp_.load_scale))
+                states[static_cast<std::size_t>(f.normal)] = states[static_cast<std::size_t>(f.tangential)] = row_state::open;
+        return states;
+    }
+
     /// Bodies that nothing holds yet are where they were drawn: where a search has put them says nothing.
     State after(const State& from, const Increment& increment, double size) const {
         const ContactQpResult& r = increment.answer.result;
-        const MatrixXd& modes = increment.answer.qp.modes;
-        const VectorXd loose = held_motions(increment.answer.qp, r.active).free_part(r.amplitudes());
-        const VectorXd gap = modes.cols() > 0 ? VectorXd(r.gap - modes * loose) : r.gap;
+        const ContactQp& qp = increment.answer.qp;
+        VectorXd gap = r.gap;
+        if (qp.modes.cols() > 0) gap -= qp.modes * held_motions(qp, carrying(r)).free_part(r.amplitudes());
         State state{increment.forces(), gap, increment.from, {}, {}};
         for (const FrictionRow& f : qp_.friction) state.slipped[f.tangential] += gap[f.tangential];
         state.closing = (from.gap - state.gap) / size;

@@ -346,10 +346,6 @@ private:
     VectorXd compliance_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Friction whose bounds are those of pressures before, whatever presses now (Tresca's): a convex problem.
 class GivenBounds {
 public:
@@ -407,20 +403,6 @@ private:
 
 }  // namespace
 
-SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
-                           int& iterations) {
-    const GivenBounds given(shifted, proximal);
-    VectorXd forces = VectorXd::Zero(shifted.gap.size());
-    if (ContactState before; solve_states(shifted, proximal, states, before)) forces = before.multipliers;
-    for (int round = 0; round < most_rounds; ++round) {
-        std::optional<ActiveSet> under_bounds = given.states(forces, iterations);
-        if (!under_bounds) return SetSearch::singular;
-        states = std::move(*under_bounds);
-        if (search_states(shifted, proximal, states, state, iterations) == SetSearch::found) return SetSearch::found;
-    }
-    return SetSearch::repeated;
-}
-
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations) {
     const Lack lack(shifted);
@@ -455,6 +437,20 @@ SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, Acti
         }
         const ActiveSet before = std::exchange(states, lack.states(multipliers, gap));
         if (is_exact && lack.hold_free_motions(multipliers, gap, states) && states == before) return SetSearch::singular;
+    }
+    return SetSearch::repeated;
+}
+
+SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
+                           int& iterations) {
+    const GivenBounds given(shifted, proximal);
+    VectorXd forces = VectorXd::Zero(shifted.gap.size());
+    if (ContactState before; solve_states(shifted, proximal, states, before)) forces = before.multipliers;
+    for (int round = 0; round < most_rounds; ++round) {
+        std::optional<ActiveSet> under_bounds = given.states(forces, iterations);
+        if (!under_bounds) return SetSearch::singular;
+        states = std::move(*under_bounds);
+        if (search_states(shifted, proximal, states, state, iterations) == SetSearch::found) return SetSearch::found;
     }
     return SetSearch::repeated;
 }

@@ -45,11 +45,12 @@ private:
         if (free_.empty()) return;
         VectorXd left = gradient()(free_);
         MatrixXd a = a_.among(free_);
-        for (bool is_there = false; !is_there && !free_.empty(); ++steps) {
+        while (!free_.empty()) {
+            ++steps;
             const Cholesky factor(a);
             const VectorXd way = factor.succeeded() ? VectorXd(-factor.solve(left)) : VectorXd(-least_squares(a, left));
             double share = 1;
-            std::size_t first = free_.size();
+            std::size_t first = free_.size();  // to come to its bound
             for (std::size_t i = 0; i < free_.size(); ++i) {
                 const Index k = free_[i];
                 const double step = way[static_cast<Index>(i)], to = (step > 0 ? upper_ : lower_)[k];
@@ -58,9 +59,8 @@ private:
                 first = i;
             }
             x_(free_) += share * way;
+            if (first == free_.size()) return;
             left *= 1 - share;
-            is_there = first == free_.size();
-            if (is_there) break;
             const Index k = free_[first];
             x_[k] = (way[static_cast<Index>(first)] > 0 ? upper_ : lower_)[k];
             take_out(first, a, left);
