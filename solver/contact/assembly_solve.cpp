@@ -292,7 +292,7 @@ void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, cons
     solution.friction.assign(problem.interfaces.size(), {});
     if (!way) return;
     solution.increments = way->increments;
-    solution.is_way_broken = way->is_broken;
+    solution.is_way_broken = way->is_broken || problem.is_way_before_broken;
     if (multipliers.size() == 0) return;
     const VectorXd root_of_weight = all.rows.weight.cwiseSqrt(), pressures = multipliers.cwiseProduct(root_of_weight),
                    errors = way->error.cwiseQuotient(root_of_weight);  // what their rows' norms are L2 norms of, about
@@ -331,8 +331,8 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     if (attempt.is_driven) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     std::optional<FrictionPath> path;
-    if (!qp.friction.empty())
-        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
+    if (problem.path_tolerance && !qp.friction.empty())
+        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, *problem.path_tolerance);
     if (path) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;

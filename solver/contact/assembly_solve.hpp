@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solves an assembly: parts, their interfaces and constraints, condensed to the multipliers and the free rigid motions.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,10 @@ struct AssemblyProblem {
     std::vector<double> part_load;   ///< largest load on each part; empty: not known
     /// The state before, by part, from which loads grow evenly with friction; empty: at rest as drawn, without loads.
     std::vector<StateBefore> before;
-    /// What the increments of friction may change pressures and tractions by in all, see follow_path.
-    double path_tolerance = 0.01;
+    bool is_way_before_broken = false;  ///< `is_way_broken` of the state before: friction remembers
+    /// What the increments of friction may change pressures and tractions by in all, see follow_path; empty: the loads are put
+    /// on at once.
+    std::optional<double> path_tolerance{};
     /// `amplitudes` of a solution of the same parts under other rows, which the search begins from; empty: none. Speed only.
     std::vector<Eigen::VectorXd> near;
     /// The outward normals of the interfaces' points, by interface, point and body, in the body's frame: a motion across all of

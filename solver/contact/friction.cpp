@@ -331,10 +331,11 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
 /// From the expected states; where these do not lead to an answer at once, by creep from them.
 bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     const ActiveSet expected = result.active = states_of(qp, qp.expected);
-    const std::optional<VectorXd> settled = settle_on(qp, expected);
-    if (!settled) return false;
-    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     const Index n = qp.modes.cols();
+    std::optional<VectorXd> settled = settle_on(qp, expected);
+    if (!settled && acts_on_free(qp, held_motions(qp, expected), VectorXd::Zero(qp.gap.size()))) return false;
+    if (!settled) settled = VectorXd::Zero(n);
+    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
     ContactState state;
     result.converged = search_exactly(near, state, result);
     if (!result.converged && n > 0 && solve_states(near, no_term(n), expected, state)) {

@@ -66,10 +66,9 @@ double force_unit(const ContactQp& qp) {
     return softest > 0 ? 1 / softest : 1;
 }
 
-/// Unknowns: closed multipliers over the force unit, amplitudes.
-MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unknowns& u, double unit) {
-    const ContactQp& qp = shifted.qp;
-    const Index m = static_cast<Index>(u.rows.size()), n = qp.modes.cols();
+/// Unknowns: closed multipliers over the force unit, amplitudes of `modes` under a `stiffness`.
+MatrixXd matrix_of(const ContactQp& qp, const MatrixXd& modes, const MatrixXd& stiffness, const Unknowns& u, double unit) {
+    const Index m = static_cast<Index>(u.rows.size()), n = modes.cols();
     MatrixXd a(m + n, m + n);
     for (Index j = 0; j < m; ++j)
         for (Index i = 0; i < m; ++i) a(i, j) = unit * qp.compliance(u.rows[of(i)], u.rows[of(j)]);
@@ -77,11 +76,11 @@ MatrixXd matrix_of(const ShiftedQp& shifted, const Proximal& proximal, const Unk
         for (Index i = 0; i < m; ++i) a(i, s.column) += s.factor * unit * qp.compliance(u.rows[of(i)], s.tangential);
     if (n == 0) return a;
     for (Index j = 0; j < m; ++j) {
-        a.row(j).tail(n) = qp.modes.row(u.rows[of(j)]);
+        a.row(j).tail(n) = modes.row(u.rows[of(j)]);
         a.col(j).tail(n) = a.row(j).tail(n).transpose();
     }
-    for (const Unknowns::Slip& s : u.slips) a.col(s.column).tail(n) += s.factor * qp.modes.row(s.tangential).transpose();
-    a.bottomRightCorner(n, n) = -proximal.stiffness / unit;
+    for (const Unknowns::Slip& s : u.slips) a.col(s.column).tail(n) += s.factor * modes.row(s.tangential).transpose();
+    a.bottomRightCorner(n, n) = -stiffness / unit;
     return a;
 }
 
@@ -243,20 +242,33 @@ HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states) {
     return held;
 }
 
+bool acts_on_free(const ContactQp& qp, const HeldMotions& held, const VectorXd& forces) {
+    if (held.are_all()) return false;
+    const VectorXd of_rows = qp.modes.transpose() * forces;
+    const double terms = (qp.mode_load.cwiseAbs() + qp.modes.cwiseAbs().transpose() * forces.cwiseAbs()).maxCoeff();
+    return held.free_part(qp.mode_load + of_rows).cwiseAbs().maxCoeff() > consistent * terms;
+}
+
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state) {
     const ContactQp& qp = shifted.qp;
     const Unknowns u = unknowns_of(qp, states);
-    const Index m = static_cast<Index>(u.rows.size()), n = qp.modes.cols();
     const double unit = force_unit(qp);
+    const bool is_exact = proximal.stiffness.isZero(0);
+    const std::optional<HeldMotions> held = is_exact ? std::optional(held_motions(qp, states)) : std::nullopt;
+    const MatrixXd modes = held ? MatrixXd(qp.modes * held->basis()) : qp.modes;
+    const Index m = static_cast<Index>(u.rows.size()), n = modes.cols();
+    const VectorXd load = qp.mode_load + proximal.stiffness * proximal.anchor;
     VectorXd right(m + n);
     right.head(m) = -shifted.gap(u.rows);
-    right.tail(n) = -(qp.mode_load + proximal.stiffness * proximal.anchor) / unit;
-    const std::optional<VectorXd> x = solved(matrix_of(shifted, proximal, u, unit), right);
+    right.tail(n) = -(held ? VectorXd(held->basis().transpose() * load) : load) / unit;
+    const MatrixXd stiffness = is_exact ? MatrixXd::Zero(n, n) : proximal.stiffness;
+    const std::optional<VectorXd> x = solved(matrix_of(qp, modes, stiffness, u, unit), right);
     if (!x) return false;
     state.multipliers = VectorXd::Zero(shifted.gap.size());
     state.multipliers(u.rows) = unit * x->head(m);
     for (const Unknowns::Slip& s : u.slips) state.multipliers[s.tangential] = s.factor * unit * (*x)[s.column];
-    state.amplitudes = x->tail(n);
+    state.amplitudes = held ? VectorXd(held->basis() * x->tail(n)) : VectorXd(x->tail(n));
+    if (held && acts_on_free(qp, *held, state.multipliers)) return false;
     state.closing = qp.compliance * state.multipliers;
     return true;
 }

@@ -19,6 +19,7 @@ public:
     bool are_all() const { return n_ == basis_.cols(); }
     /// What of a motion nothing holds.
     Eigen::VectorXd free_part(const Eigen::VectorXd& motion) const;
+    auto basis() const { return basis_.leftCols(n_); }  ///< orthonormal
 
 private:
     const Eigen::MatrixXd& modes_;
@@ -28,9 +29,12 @@ private:
 };
 /// The motions that closed rows hold, those that stick among them.
 HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states);
+/// Do the loads, with these forces of the rows, act on motions that are not held, by more than rounding?
+bool acts_on_free(const ContactQp& qp, const HeldMotions& held, const Eigen::VectorXd& forces);
 
 /// The point where closed rows have no gap, open ones no multiplier, and slipping ones the traction that their pressure gives
-/// them. False: the rows ask for gaps that cannot be, or (redundant ones apart) leave a motion without its balance.
+/// them. Without a proximal term what no row holds stays where it is. False: the rows ask for gaps that cannot be, or leave a
+/// motion without its balance.
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state);
 
 /// The states after a step: rows of pressure as in next_set; what sticks beyond its bound slips, what would slip against its

@@ -51,6 +51,7 @@ struct Mover {
             own.parts.push_back(std::move(whole.parts[at(part)]));
             own.load_scale = std::max(own.load_scale, whole.part_load[at(part)]);
             own.path_tolerance = whole.path_tolerance;
+            own.is_way_before_broken = whole.is_way_before_broken;
             if (!whole.before.empty()) own.before.push_back(whole.before[at(part)]);
             if (!whole.near.empty()) own.near.push_back(whole.near[at(part)]);
         }

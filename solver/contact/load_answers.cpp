@@ -128,9 +128,9 @@ LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
     all.modes = modes_;
     all.mode_load = mode_load;
     HeldAnswer held =
-        all.friction.empty()
+        all.friction.empty() || !problem_.path_tolerance
             ? solve_held(all, split_, levers_)
-            : follow_path(all, path_start(problem_, rows_), rows_.rows.weight, split_, levers_, problem_.path_tolerance).end;
+            : follow_path(all, path_start(problem_, rows_), rows_.rows.weight, split_, levers_, *problem_.path_tolerance).end;
     if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))

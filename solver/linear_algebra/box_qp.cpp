@@ -17,6 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double gradient_rounding = 1e-13;  // of its terms
+constexpr int patience = 10;                 // steps, while no fewer entries are wrong
 
 class BoxQp {
 public:
@@ -27,6 +28,7 @@ public:
     }
 
     std::optional<VectorXd> run(int& steps) {
+        if (by_blocks(steps)) return x_;
         const Index most = 10 * (x_.size() + 10);
         for (Index releases = 0; releases < most; ++releases) {
             settle(steps);
@@ -39,6 +41,55 @@ public:
 
 private:
     VectorXd gradient() const { return a_.times(x_) + b_; }
+    double rounding() const {
+        return gradient_rounding * (b_.cwiseAbs().maxCoeff() + a_.diagonal.maxCoeff() * x_.cwiseAbs().sum());
+    }
+
+    /// All entries that are beyond a bound or against it change at once [Hintermueller02], mostly to the end in a few steps.
+    /// False, and nothing is changed: it goes round in circles.
+    bool by_blocks(int& steps) {
+        const VectorXd x_before = x_;
+        const std::vector<Index> free_before = free_;
+        std::vector<char> is_free(static_cast<std::size_t>(x_.size()), 0);
+        for (const Index k : free_) is_free[static_cast<std::size_t>(k)] = 1;
+        Index fewest = x_.size() + 1;
+        for (int left = patience; left > 0; --left) {
+            ++steps;
+            x_(free_).setZero();
+            if (!free_.empty()) {
+                const Cholesky factor(a_.among(free_));
+                if (!factor.succeeded()) break;
+                x_(free_) = -factor.solve(gradient()(free_));
+            }
+            const VectorXd g = gradient();
+            const double beyond = rounding();
+            Index n_wrong = 0;
+            for (Index k = 0; k < x_.size(); ++k) {
+                char& free = is_free[static_cast<std::size_t>(k)];
+                const double inside = std::clamp(x_[k], lower_[k], upper_[k]);
+                const bool is_wrong = free ? x_[k] != inside : against_its_bound(k, g) > beyond;
+                if (!is_wrong) continue;
+                free = !free;
+                x_[k] = inside;
+                ++n_wrong;
+            }
+            if (n_wrong == 0) return true;
+            free_.clear();
+            for (Index k = 0; k < x_.size(); ++k)
+                if (is_free[static_cast<std::size_t>(k)]) free_.push_back(k);
+            if (n_wrong < fewest) left = patience + 1;
+            fewest = std::min(fewest, n_wrong);
+        }
+        x_ = x_before;
+        free_ = free_before;
+        return false;
+    }
+
+    /// How much the value falls by as an entry leaves its bound; not positive: it does not.
+    double against_its_bound(Index k, const VectorXd& gradient) const {
+        const bool may_rise = x_[k] <= lower_[k] && x_[k] < upper_[k], may_fall = x_[k] >= upper_[k] && x_[k] > lower_[k];
+        return may_rise ? -gradient[k] : may_fall ? gradient[k] : 0;
+    }
 
     /// To the least value with the free entries, fewer by each that comes to a bound on the way.
     void settle(int& steps) {
@@ -79,13 +130,12 @@ private:
     /// Which entry at a bound gains most by leaving it; -1: none does.
     Index most_against_its_bound() const {
         const VectorXd g = gradient();
-        const double rounding = gradient_rounding * (b_.cwiseAbs().maxCoeff() + a_.diagonal.maxCoeff() * x_.cwiseAbs().sum());
+        const double least = rounding();
         Index found = -1;
         double most = 0;
         for (Index k = 0; k < x_.size(); ++k) {
-            const bool may_rise = x_[k] <= lower_[k] && x_[k] < upper_[k], may_fall = x_[k] >= upper_[k] && x_[k] > lower_[k];
-            const double against = may_rise ? -g[k] : may_fall ? g[k] : 0;
-            if (!(against > rounding)) continue;
+            const double against = against_its_bound(k, g);
+            if (!(against > least)) continue;
             const double gain = against * against / std::max(a_.diagonal[k], std::numeric_limits<double>::min());
             if (gain > most) {
                 most = gain;

@@ -14,9 +14,9 @@ struct Semidefinite {
     Eigen::VectorXd diagonal;
 };
 
-/// The x with lower <= x <= upper (either may be infinite) that minimises x'Ax / 2 + b'x: an active set of bounds that only
-/// descends [Nocedal06, 16.5], from `start` moved between the bounds. Nothing where it does not end. steps: the systems solved,
-/// of the entries between their bounds, are added.
+/// The x with lower <= x <= upper (either may be infinite) that minimises x'Ax / 2 + b'x, from `start` moved between the
+/// bounds: a primal-dual active set [Hintermueller02]; where that does not end, one that only descends [Nocedal06, 16.5].
+/// Nothing where it does not end. steps: the systems solved, of the entries between their bounds, are added.
 std::optional<Eigen::VectorXd> minimize_in_box(const Semidefinite& a, const Eigen::VectorXd& b, const Eigen::VectorXd& lower,
                                                const Eigen::VectorXd& upper, const Eigen::VectorXd& start, int& steps);
 

@@ -179,7 +179,8 @@ private:
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
     }
 
-    /// Knots move to where contact was found to end, and the contact alone is solved again. False: they are there.
+    /// Knots move to where contact was found to end, and the contact alone is solved again; with friction at last along the
+    /// loads' way. False: they are there.
     bool follow_ends(SolvedAssembly& now, int moves) {
         if (scene_.contacts.penalty) return false;
         int moved = 0;
@@ -194,6 +195,9 @@ private:
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
         }
+        const bool may_rest = is_solved(now) && now.solution.sliding.empty();
+        if (may_rest && !now.problem.path_tolerance && follow_loads(scene_, now, seconds_, threads_))
+            out_.iterations += now.solution.iterations;
         return moved > 0;
     }
 

@@ -242,7 +242,6 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
 void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
     {
         const Timed timed(seconds, "solve");
-        solved.problem.path_tolerance = path_share * target_of(scene.accuracy);
         tighten(scene, solved, threads);
         if (!solved.failure.empty()) return;
         solved.solution = solve_groups(solved.problem, threads);
@@ -271,6 +270,7 @@ void begin_from(const SolvedAssembly& before, SolvedAssembly& solved) {
         ENSURE(state.displacement.size() == none.size(), "a state before is of the same grids");
         solved.problem.before.push_back(std::move(state));
     }
+    solved.problem.is_way_before_broken = before.solution.is_way_broken;
 }
 
 /// What cannot be put on a grid is told in `failure`.
@@ -347,7 +347,6 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     } catch (const InputError& error) { solved.failure = one_line(error.problems().front()); }
     if (solved.failure.empty() && before) begin_from(*before, solved);
     if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
-    if (before && before->solution.is_way_broken) solved.solution.is_way_broken = true;  // friction remembers
     return solved;
 }
 
@@ -372,9 +371,23 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
         solved.problem.foundation.clear();
         solved.problem.own_normals.clear();
         solved.problem.near = std::move(solved.solution.amplitudes);
+        solved.problem.path_tolerance.reset();
         make_interfaces(scene, candidates, threads, solved);
     }
     solve_contacts(scene, solved, seconds, threads);
+}
+
+bool follow_loads(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads) {
+    std::vector<solver::Interface>& faces = solved.problem.interfaces;
+    if (std::none_of(faces.begin(), faces.end(), [](const solver::Interface& f) { return f.friction.has_value(); }))
+        return false;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const VectorXd& at_once = solved.solution.pressure[k];
+        faces[k].expected.assign(at_once.begin(), at_once.begin() + n_rows(faces[k]));
+    }
+    solved.problem.path_tolerance = path_share * target_of(scene.accuracy);
+    solve_contacts(scene, solved, seconds, threads);
+    return true;
 }
 
 double largest_condition(const SolvedAssembly& solved, int threads, PartConditions* known) {

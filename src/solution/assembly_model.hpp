@@ -16,7 +16,8 @@ namespace abut {
 /// "rows", "condensation", "contact iterations" and "displacements" are parts of "solve".
 using Stopwatches = std::map<std::string, double>;
 
-/// Solves one pass. What cannot be solved is told in `failure`. threads: at most so many, see solver::usable_threads.
+/// Solves one pass, with friction as under loads that are put on at once. What cannot be solved is told in `failure`. threads:
+/// at most so many, see solver::usable_threads.
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads = 1);
@@ -36,9 +37,13 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
                           Stopwatches& seconds, int threads);
 
 /// Solves again on the same grids and factorisations, with interfaces made anew, where the candidates expect other ends of
-/// contact. Costs the contact solution alone.
+/// contact. Costs the contact solution alone. Loads are put on at once.
 void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& candidates, SolvedAssembly& solved,
                           Stopwatches& seconds, int threads);
+
+/// Solves again where there is friction, which depends on the way: the loads grow evenly from the state before. False: there
+/// is none.
+bool follow_loads(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads);
 
 /// The condition numbers of parts' scaled matrices that are known, by scene part.
 using PartConditions = std::map<int, double>;
