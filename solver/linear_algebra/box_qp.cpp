@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 #include "solver/linear_algebra/dense.hpp"
@@ -22,10 +23,7 @@ constexpr int patience = 10;                 // steps, while no fewer entries ar
 class BoxQp {
 public:
     BoxQp(const Semidefinite& a, const VectorXd& b, const VectorXd& lower, const VectorXd& upper, const VectorXd& start)
-        : a_(a), b_(b), lower_(lower), upper_(upper), x_(start.cwiseMax(lower).cwiseMin(upper)) {
-        for (Index k = 0; k < x_.size(); ++k)
-            if (x_[k] > lower[k] && x_[k] < upper[k]) free_.push_back(k);
-    }
+        : a_(a), b_(b), lower_(lower), upper_(upper), x_(start.cwiseMax(lower).cwiseMin(upper)), free_(between_bounds()) {}
 
     std::optional<VectorXd> run(int& steps) {
         if (by_blocks(steps)) return x_;
@@ -46,12 +44,9 @@ private:
     }
 
     /// All entries that are beyond a bound or against it change at once [Hintermueller02], mostly to the end in a few steps.
-    /// False, and nothing is changed: it goes round in circles.
+    /// False: it goes round in circles; x is where fewest were wrong.
     bool by_blocks(int& steps) {
-        const VectorXd x_before = x_;
-        const std::vector<Index> free_before = free_;
-        std::vector<char> is_free(static_cast<std::size_t>(x_.size()), 0);
-        for (const Index k : free_) is_free[static_cast<std::size_t>(k)] = 1;
+        VectorXd nearest = x_;
         Index fewest = x_.size() + 1;
         for (int left = patience; left > 0; --left) {
             ++steps;
@@ -61,28 +56,46 @@ private:
                 if (!factor.succeeded()) break;
                 x_(free_) = -factor.solve(gradient()(free_));
             }
-            const VectorXd g = gradient();
-            const double beyond = rounding();
-            Index n_wrong = 0;
-            for (Index k = 0; k < x_.size(); ++k) {
-                char& free = is_free[static_cast<std::size_t>(k)];
-                const double inside = std::clamp(x_[k], lower_[k], upper_[k]);
-                const bool is_wrong = free ? x_[k] != inside : against_its_bound(k, g) > beyond;
-                if (!is_wrong) continue;
-                free = !free;
-                x_[k] = inside;
-                ++n_wrong;
+            std::vector<Index> wrong = take_to_bounds();
+            if (wrong.empty()) return true;
+            if (static_cast<Index>(wrong.size()) < fewest) {
+                fewest = static_cast<Index>(wrong.size());
+                nearest = x_;
+                left = patience + 1;
             }
-            if (n_wrong == 0) return true;
-            free_.clear();
-            for (Index k = 0; k < x_.size(); ++k)
-                if (is_free[static_cast<std::size_t>(k)]) free_.push_back(k);
-            if (n_wrong < fewest) left = patience + 1;
-            fewest = std::min(fewest, n_wrong);
+            std::vector<Index> changed;
+            std::set_symmetric_difference(free_.begin(), free_.end(), wrong.begin(), wrong.end(), std::back_inserter(changed));
+            free_ = std::move(changed);
         }
-        x_ = x_before;
-        free_ = free_before;
+        x_ = std::move(nearest);
+        free_ = between_bounds();
         return false;
+    }
+
+    std::vector<Index> between_bounds() const {
+        std::vector<Index> between;
+        for (Index k = 0; k < x_.size(); ++k)
+            if (x_[k] > lower_[k] && x_[k] < upper_[k]) between.push_back(k);
+        return between;
+    }
+
+    /// Free entries beyond a bound are taken there. These, and those against their bounds.
+    std::vector<Index> take_to_bounds() {
+        const VectorXd g = gradient();
+        const double least = rounding();
+        std::vector<Index> wrong;
+        auto free = free_.begin();
+        for (Index k = 0; k < x_.size(); ++k) {
+            if (free == free_.end() || *free != k) {
+                if (against_its_bound(k, g) > least) wrong.push_back(k);
+                continue;
+            }
+            ++free;
+            const double inside = std::clamp(x_[k], lower_[k], upper_[k]);
+            if (x_[k] != inside) wrong.push_back(k);
+            x_[k] = inside;
+        }
+        return wrong;
     }
 
     /// How much the value falls by as an entry leaves its bound; not positive: it does not.

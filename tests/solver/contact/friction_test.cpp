@@ -342,6 +342,34 @@ TEST(Friction, OfAFitHoldsAsMuchAsItsPressureGives) {
     }
 }
 
+TEST(Friction, ThatIsExpectedIsFoundAtOnceBesideABodyThatNothingHolds) {
+    const ContactQp block = pushed_block(0.3, 0.2);
+    const Index m = block.gap.size(), n = block.modes.cols();
+    ContactQp qp = block;
+    MatrixXd compliance = MatrixXd::Zero(m + 2, m + 2);
+    compliance.topLeftCorner(m, m) = block.compliance.to_dense();
+    compliance.bottomRightCorner(2, 2).setIdentity();
+    qp.compliance = compliance;
+    qp.modes = MatrixXd::Zero(m + 2, n + 2);
+    qp.modes.topLeftCorner(m, n) = block.modes;
+    qp.modes.bottomRightCorner(2, 2).setIdentity();
+    for (VectorXd* v : {&qp.gap, &qp.drawn_gap, &qp.foundation}) {
+        v->conservativeResize(m + 2);
+        v->tail(2) << 1, 1;
+    }
+    qp.mode_load.conservativeResize(n + 2);
+    qp.mode_load.tail(2).setZero();
+    qp.unilateral.insert(qp.unilateral.end(), {1, 0});
+    qp.friction.push_back({static_cast<int>(m), static_cast<int>(m + 1), 0.3});
+    qp.expected = VectorXd::Zero(m + 2);
+    qp.expected.head(m) = solve_with_friction(block).multipliers;
+    const ContactQpResult r = solve_with_friction(qp);
+    ASSERT_TRUE(r.converged);
+    EXPECT_EQ(r.iterations, 1);
+    EXPECT_LT((r.multipliers - qp.expected).norm(), 1e-12 * qp.expected.norm());
+    EXPECT_EQ(r.amplitudes().tail(2).norm(), 0);
+}
+
 TEST(Friction, SlidesAsFarAsAStop) {
     for (const double gap : {0.5, 50.0, 5e4}) {
         const ContactQpResult r = solve_contact_qp(wedged_block(0.2, 0.7, gap));

@@ -52,6 +52,20 @@ TEST(BoxQp, IsSolvedFromAnyStart) {
         }
 }
 
+/// A stretched string over a floor: where it lies follows from where it does not, so that single entries take a step each.
+TEST(BoxQp, OfManyEntriesIsSolvedInFewSteps) {
+    constexpr Index n = 200;
+    MatrixXd a = 2 * MatrixXd::Identity(n, n);
+    for (Index k = 1; k < n; ++k) a(k, k - 1) = a(k - 1, k) = -1;
+    const VectorXd lower = VectorXd::LinSpaced(n, -1, 1).array().square() - 0.5, upper = VectorXd::Constant(n, infinity),
+                   b = VectorXd::Constant(n, 1e-4);
+    int steps = 0;
+    const auto x = minimize_in_box(of(a), b, lower, upper, lower, steps);
+    ASSERT_TRUE(x);
+    EXPECT_LT(violation(a, b, lower, upper, *x), 1e-12);
+    EXPECT_LT(steps, n / 4);
+}
+
 TEST(BoxQp, OfWhatIsSingularHasAnAnswerWithinItsBounds) {
     const MatrixXd a = MatrixXd{{1, -1}, {-1, 1}};
     int steps = 0;
