@@ -185,6 +185,7 @@ private:
         if (scene_.contacts.penalty) return false;
         int moved = 0;
         for (; moved < moves && is_solved(now); ++moved) {
+            if (!now.solution.converged) follow_way(now);  // may find what is not found at once
             const std::vector<std::size_t> elsewhere = moved_ends(scene_, now, out_.candidates);
             if (elsewhere.empty()) break;
             if (now.known)  // what stays is not computed again
@@ -195,10 +196,15 @@ private:
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
         }
+        follow_way(now);
+        return moved > 0;
+    }
+
+    /// Friction depends on the way. What slides at once slides.
+    void follow_way(SolvedAssembly& now) {
         const bool may_rest = is_solved(now) && now.solution.sliding.empty();
         if (may_rest && !now.problem.path_tolerance && follow_loads(scene_, now, seconds_, threads_))
             out_.iterations += now.solution.iterations;
-        return moved > 0;
     }
 
     bool may_widen() const {
