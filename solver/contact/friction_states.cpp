@@ -21,12 +21,11 @@ using Eigen::VectorXd;
 constexpr int most_newton_steps = 60;  // 33 are the most that 5300 rows were seen to take
 constexpr int most_steps_astray = 10;  // nearer to no solution: beyond, one in two hundred finds back
 constexpr double least_step = 1.0 / 64;
-constexpr double consistent = 1e-10;             // of the terms: what a singular system leaves is rounding
-constexpr double at_bound = 1e-12;               // of the largest multiplier: a traction so near to its bound is there
-constexpr double dependent = 1e-8;               // of the longest row of motions: less is rounding of what others hold
-constexpr int most_rounds = 6;                   // of given bounds: where friction is moderate, three are enough
-constexpr std::size_t most_pairs_pivoted = 200;  // of more a single search by pivots takes many seconds
-constexpr double rough_coefficient = 100;        // of pivots, which need a number
+constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
+constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
+constexpr double dependent = 1e-8;         // of the longest row of motions: less is rounding of what others hold
+constexpr int most_rounds = 6;             // of given bounds: where friction is moderate, three are enough
+constexpr double rough_coefficient = 100;  // of pivots, which need a number
 
 std::size_t of(Index row) {
     return static_cast<std::size_t>(row);
@@ -470,7 +469,6 @@ SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, A
 
 std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected,
                                         Ties ties) {
-    if (shifted.qp.friction.size() > most_pairs_pivoted) return std::nullopt;
     ContactState state;
     const bool is_known = solve_states(shifted, proximal, expected, state);
     return Pivots(shifted, proximal).states(expected, is_known ? gap_of(shifted, state) : VectorXd(0), ties);

@@ -21,7 +21,8 @@ using Eigen::VectorXd;
 constexpr double least_pivot = 1e-11;  // of the largest entry of the column
 /// Before a path is given up; most take n pivots as loads grow, 5 n otherwise, fewer from an expected set.
 constexpr int pivots_a_row = 6, pivots_a_row_as_loads_grow = 2, pivots_a_row_near = 1;
-constexpr Index exchanges_together = 32;  // so many are one product of matrices: the table is passed through less
+constexpr Index most_rows_from_nothing = 600;  // of more it takes ten seconds and more to find out that there is no way
+constexpr Index exchanges_together = 32;       // so many are one product of matrices: the table is passed through less
 
 std::size_t of(Index i) {
     return static_cast<std::size_t>(i);
@@ -178,6 +179,7 @@ std::optional<VectorXd> complementary(const MatrixXd& matrix, const VectorXd& q,
     if (!positive.empty())
         if (std::optional<MatrixXd> table = exchanged(matrix, moved, positive))
             if (auto z = pivoted(std::move(*table), VectorXd::Ones(n), basic, pivots_a_row_near * n)) return z;
+    if (n > most_rows_from_nothing) return std::nullopt;
     for (Index i = 0; i < n; ++i) basic[of(i)] = i;
     MatrixXd table(n, n + 1);
     table << moved, matrix;

@@ -184,10 +184,15 @@ private:
     bool follow_ends(SolvedAssembly& now, int moves) {
         if (scene_.contacts.penalty) return false;
         int moved = 0;
-        for (; moved < moves && is_solved(now); ++moved) {
-            if (!now.solution.converged) follow_way(now);  // may find what is not found at once
-            const std::vector<std::size_t> elsewhere = moved_ends(scene_, now, out_.candidates);
-            if (elsewhere.empty()) break;
+        for (bool is_along_way = false; is_solved(now);) {
+            if (is_along_way || !now.solution.converged) follow_way(now);
+            const std::vector<std::size_t> elsewhere =
+                moved < moves ? moved_ends(scene_, now, out_.candidates) : std::vector<std::size_t>();
+            if (elsewhere.empty()) {
+                if (is_along_way || !follow_way(now)) break;
+                is_along_way = true;
+                continue;
+            }
             if (now.known)  // what stays is not computed again
                 expect_ends(scene_, now, elsewhere, out_.candidates);
             else
@@ -195,16 +200,17 @@ private:
             expect_pressures(now, out_.candidates);
             solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
             out_.iterations += now.solution.iterations;
+            ++moved;
         }
-        follow_way(now);
         return moved > 0;
     }
 
-    /// Friction depends on the way. What slides at once slides.
-    void follow_way(SolvedAssembly& now) {
+    /// Friction depends on the way. False: there is none, or it is followed already; what slides at once slides.
+    bool follow_way(SolvedAssembly& now) {
         const bool may_rest = is_solved(now) && now.solution.sliding.empty();
-        if (may_rest && !now.problem.path_tolerance && follow_loads(scene_, now, seconds_, threads_))
-            out_.iterations += now.solution.iterations;
+        if (!may_rest || now.problem.path_tolerance || !follow_loads(scene_, now, seconds_, threads_)) return false;
+        out_.iterations += now.solution.iterations;
+        return true;
     }
 
     bool may_widen() const {
