@@ -10,8 +10,9 @@ namespace abut::solver {
 /// do not end. Ties of the ratio test are broken by moving q by a trifle (tie_fraction of its largest entry), the same each
 /// time: the values are exact to that only, the set of positive entries is what it is for. Rows and columns of M should be of
 /// one size. positive: which z are expected to be positive (n, or empty): pivots begin there, and from nothing where that
-/// does not end. ties: by row, the trifle's share (n, or empty: 1), of rows whose terms are all small. Cost: n^2 a pivot,
-/// usually n pivots from nothing, as many as are expected wrongly from a set.
+/// does not end (of n <= 600: of more that takes ten seconds, and seldom ends). ties: by row, the trifle's share (n, or empty:
+/// 1), of rows whose terms are all small. Cost: n^2 a pivot, usually n pivots from nothing, as many as are expected wrongly
+/// from a set.
 std::optional<Eigen::VectorXd> complementary(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& q,
                                              const std::vector<char>& positive = {}, const Eigen::VectorXd& ties = {});
 

@@ -153,11 +153,8 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
                 walks[k].take(without_answer(scene, scene.cases[k - 1].name));
                 return;
             }
-            SolvedAssembly now = solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts,
-                                            prepared, before, seconds, threads);
-            if (scene.in_steps && now.solution.mechanism.empty())
-                now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
-            walks[k].take(std::move(now));
+            walks[k].take(solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts,
+                                     prepared, before, seconds, threads));
         };
         std::vector<std::size_t> later;
         const std::size_t n_before = n_begun, may_begin = std::max(first_steps, 2 * n_begun);

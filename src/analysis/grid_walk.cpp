@@ -148,6 +148,8 @@ public:
         for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
         out_.iterations += now.solution.iterations;
         follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
+        if (scene_.in_steps && now.solution.mechanism.empty())
+            now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
         add_uses(out_.uses, now.uses);
         is_answered_ = false;
         failed_.clear();
