@@ -10,6 +10,7 @@
 
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/extent_by_theory.hpp"
+#include "src/analysis/follow_ends.hpp"
 #include "src/analysis/grading.hpp"
 #include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/next_candidates.hpp"
@@ -50,10 +51,6 @@ bool grids_are_fixed(const Scene& scene) {
     if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
     return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
-
-bool is_solved(const SolvedAssembly& s) {
-    return s.failure.empty() && s.solution.mechanism.empty();
 }
 
 /// energy: of each part, as shares of what it stores.
@@ -147,7 +144,7 @@ public:
         out_.stress.clear();
         for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
         out_.iterations += now.solution.iterations;
-        follow_ends(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
+        follow(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         if (scene_.in_steps && now.solution.mechanism.empty())
             now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
         add_uses(out_.uses, now.uses);
@@ -159,6 +156,13 @@ public:
     }
 
 private:
+    /// False: the ends are there.
+    bool follow(SolvedAssembly& now, int moves) {
+        const EndsFollowed followed = follow_ends(scene_, now, out_.candidates, moves, seconds_, threads_);
+        out_.iterations += followed.iterations;
+        return followed.moves > 0;
+    }
+
     void search() { take_own(search_scene(scene_, factor_, seconds_, out_.uses)); }
 
     void take_own(const std::vector<Candidate>& candidates) {
@@ -179,40 +183,6 @@ private:
         out_.largest.clear();
         theory_ = {};
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
-    }
-
-    /// Knots move to where contact was found to end, and the contact alone is solved again; with friction at last along the
-    /// loads' way. False: they are there.
-    bool follow_ends(SolvedAssembly& now, int moves) {
-        if (scene_.contacts.penalty) return false;
-        int moved = 0;
-        for (bool is_along_way = false; is_solved(now);) {
-            if (is_along_way || !now.solution.converged) follow_way(now);
-            const std::vector<std::size_t> elsewhere =
-                moved < moves ? moved_ends(scene_, now, out_.candidates) : std::vector<std::size_t>();
-            if (elsewhere.empty()) {
-                if (is_along_way || !follow_way(now)) break;
-                is_along_way = true;
-                continue;
-            }
-            if (now.known)  // what stays is not computed again
-                expect_ends(scene_, now, elsewhere, out_.candidates);
-            else
-                expect_ends(scene_, now, now.stretches, out_.candidates);
-            expect_pressures(now, out_.candidates);
-            solve_contacts_again(scene_, out_.candidates, now, seconds_, threads_);
-            out_.iterations += now.solution.iterations;
-            ++moved;
-        }
-        return moved > 0;
-    }
-
-    /// Friction depends on the way. False: there is none, or it is followed already; what slides at once slides.
-    bool follow_way(SolvedAssembly& now) {
-        const bool may_rest = is_solved(now) && now.solution.sliding.empty();
-        if (!may_rest || now.problem.path_tolerance || !follow_loads(scene_, now, seconds_, threads_)) return false;
-        out_.iterations += now.solution.iterations;
-        return true;
     }
 
     bool may_widen() const {
@@ -454,7 +424,7 @@ private:
         if (grids_are_fixed(scene_))
             return end(std::move(now), scene_.accuracy.target ? PathEnd::fixed_grids : PathEnd::no_need);
         if (!is_in_contact(now)) return step_without_contact(std::move(now));
-        if (is_reached() && !next_.on_final_cells() && follow_ends(now, max_knot_moves - knot_moves_before)) {
+        if (is_reached() && !next_.on_final_cells() && follow(now, max_knot_moves - knot_moves_before)) {
             out_.passes.pop_back();
             out_.errors.pop_back();
             record(now);
