@@ -69,7 +69,8 @@ std::vector<FrictionRow> friction_rows(const AssemblyProblem& problem, const std
         if (!face.friction) continue;
         ENSURE(i > 0 && face.bilateral && *face.friction > 0 && n_rows(problem.interfaces[i - 1]) == n_rows(face),
                "an interface of friction follows that of its pressure");
-        for (int k = 0; k < n_rows(face); ++k) friction.push_back({first_row[i - 1] + k, first_row[i] + k, *face.friction});
+        const double coefficient = std::min(*face.friction, rough_coefficient);
+        for (int k = 0; k < n_rows(face); ++k) friction.push_back({first_row[i - 1] + k, first_row[i] + k, coefficient});
     }
     return friction;
 }
@@ -331,12 +332,12 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     if (attempt.is_driven) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     std::optional<FrictionPath> path;
-    if (problem.path_tolerance && !qp.friction.empty())
-        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, *problem.path_tolerance);
-    if (path) attempt.on_way = std::move(path->way);
+    if (!qp.friction.empty())
+        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
+    if (path && problem.path_tolerance) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;
-    solution.is_one_of_several = path && held.has_answer() && has_another_answer(held.qp, held.result);
+    solution.is_one_of_several = attempt.on_way && held.has_answer() && has_another_answer(held.qp, held.result);
     solution.converged = held.result.converged;
     solution.used_fallback = held.result.used_fallback;
     solution.seconds.contact = laps.lap();

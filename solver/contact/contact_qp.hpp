@@ -17,11 +17,15 @@ namespace abut::solver {
 class ClosedFactor;
 
 /// A row of tangential traction, whose gap is the slip, and the row of the pressure that bounds it: |l_t| <= coefficient l_n,
-/// l_t = -coefficient l_n sign(slip) where it slips. An infinite coefficient: no slip where there is pressure.
+/// l_t = -coefficient l_n sign(slip) where it slips.
 struct FrictionRow {
     int normal, tangential;
-    double coefficient;  ///< > 0
+    double coefficient;  ///< > 0, finite
 };
+
+/// The coefficient of rough faces: slip is left to pressures of less than a ten-thousandth of the traction. An infinite one
+/// would let tractions jump from none to any where pressure begins, and such a problem need not have an answer.
+inline constexpr double rough_coefficient = 1e4;
 
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {

@@ -35,6 +35,8 @@ constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy
 constexpr int factors_tried = 16;
 /// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
 constexpr double large_coefficient = 0.5, differs = 1e-6;
+/// What is above no pair of materials has; slip that tells no difference to it, of the largest closing.
+constexpr double moderate_coefficient = 5, trifle_of_slip = 1e-3;
 
 VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
     return qp.modes.transpose() * multipliers + qp.mode_load;
@@ -269,9 +271,8 @@ NonnegativeResult balance_in_cones(const ContactQp& qp, double factor) {
     for (const FrictionRow& f : qp.friction) {
         const VectorXd n = qp.modes.row(f.normal).transpose(), t = qp.modes.row(f.tangential).transpose();
         is_friction[static_cast<std::size_t>(f.normal)] = is_friction[static_cast<std::size_t>(f.tangential)] = 1;
-        const bool is_rough = std::isinf(f.coefficient);
-        append(is_rough ? n : VectorXd(n + factor * f.coefficient * t), 1);
-        append(is_rough ? t : VectorXd(n - factor * f.coefficient * t), !is_rough);
+        append(n + factor * f.coefficient * t, 1);
+        append(n - factor * f.coefficient * t, 1);
     }
     for (std::size_t k = 0; k < is_friction.size(); ++k)
         if (!is_friction[k]) append(qp.modes.row(static_cast<Index>(k)).transpose(), qp.unilateral[k]);
@@ -347,9 +348,7 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     return result.converged;
 }
 
-}  // namespace
-
-ContactQpResult solve_with_friction(const ContactQp& qp) {
+ContactQpResult solve_from_anywhere(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
     if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
@@ -387,10 +386,46 @@ ContactQpResult solve_with_friction(const ContactQp& qp) {
     return result;
 }
 
+bool has_answer(const ContactQpResult& result) {
+    return result.converged && result.mechanism.size() == 0;
+}
+
+/// Steep friction from that of a moderate coefficient, whose states it mostly shares. Where they differ by slip alone that is
+/// no more than a trifle, this is the answer: pressures next to none would decide between states, and there may be none.
+std::optional<ContactQpResult> solve_from_moderate(const ContactQp& qp) {
+    ContactQp moderate = qp;
+    for (FrictionRow& f : moderate.friction) f.coefficient = std::min(f.coefficient, moderate_coefficient);
+    moderate.asks_holding_factor = false;
+    ContactQpResult near = solve_from_anywhere(moderate);
+    if (!has_answer(near)) return std::nullopt;
+    const ShiftedQp settled{qp, qp.gap + qp.modes * near.settled};
+    ContactState state{near.multipliers, near.motion, qp.compliance * near.multipliers};
+    ContactQpResult result;
+    result.active = states_of(qp, near.multipliers);
+    result.converged = search_exactly(settled, state, result);
+    result.iterations += near.iterations;
+    if (result.converged) {
+        write_answer(settled, near.settled, state, result);
+        return result;
+    }
+    near.residual = friction_residual(qp, {near.multipliers, near.gap, imbalance_of(qp, near.multipliers)});
+    near.iterations = result.iterations;
+    return near.residual <= trifle_of_slip ? std::optional(std::move(near)) : std::nullopt;
+}
+
+}  // namespace
+
+ContactQpResult solve_with_friction(const ContactQp& qp) {
+    const auto is_steep = [](const FrictionRow& f) { return f.coefficient > moderate_coefficient; };
+    if (std::any_of(qp.friction.begin(), qp.friction.end(), is_steep))
+        if (std::optional<ContactQpResult> result = solve_from_moderate(qp)) return std::move(*result);
+    return solve_from_anywhere(qp);
+}
+
 /// The other end to begin at: all that is pressed slips, the way that the bodies moved as they settled.
 bool has_another_answer(const ContactQp& qp, const ContactQpResult& result) {
     const auto is_large = [](const FrictionRow& f) {
-        return f.coefficient >= large_coefficient && std::isfinite(f.coefficient);
+        return f.coefficient >= large_coefficient && f.coefficient < rough_coefficient;
     };
     if (std::none_of(qp.friction.begin(), qp.friction.end(), is_large)) return false;
     const ShiftedQp near{qp, qp.gap + qp.modes * result.settled};
@@ -425,7 +460,7 @@ double friction_residual(const ContactQp& qp, const ContactConditions& c) {
     }
     for (const FrictionRow& f : qp.friction) {
         const double pressure = std::max(0.0, scaled(c.multipliers[f.normal], largest));
-        const double bound = pressure > 0 ? f.coefficient * pressure : 0, t = scaled(c.multipliers[f.tangential], largest);
+        const double bound = f.coefficient * pressure, t = scaled(c.multipliers[f.tangential], largest);
         const double slip = scaled(c.gap[f.tangential], length);
         const double left = pressure == 0 ? 0 : slip > 0 ? t + bound : bound - t;  // of the way to the slip's own bound
         worst = std::max({worst, std::abs(t) - bound, std::min(std::abs(slip), left)});

@@ -34,6 +34,7 @@ struct State {
     VectorXd forces;            ///< multipliers
     VectorXd gap, slipped;      ///< of pressures' rows, and of tangential ones since the start; of others nothing
     VectorXd closing, passing;  ///< what these change by along the whole path, as they did last; empty: not known
+    bool is_followed = false;   ///< else they are what loads alone would do
 };
 
 /// An increment: slips count from where the bodies are as it begins, but where they touch in it from where they are then.
@@ -63,21 +64,24 @@ std::vector<Face> faces_of(const std::vector<FrictionRow>& friction) {
 class Path {
 public:
     Path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split, const MatrixXd& levers,
-         double tolerance)
+         std::optional<double> tolerance)
         : qp_(qp),
           start_(start),
           weight_(weight),
           split_(split),
           levers_(levers),
-          tolerance_(tolerance),
+          tolerance_(tolerance.value_or(0)),
+          is_at_once_(!tolerance),
           faces_(faces_of(qp.friction)) {}
 
     FrictionPath follow() {
         const VectorXd none = VectorXd::Zero(qp_.gap.size());
         State begin{none, start_.gap, none, {}, {}};
+        go_as_unpressed(begin);
         const Increment at_once = solve(begin, 0, 1, qp_.expected);
         path_.emplace(FrictionPath{at_once.answer, {0, none, none, none}});
         bool is_found = false, is_sought = false;
+        if (is_at_once_) return finished();
         if (const ContactQpResult& r = at_once.answer.result; r.feasible && r.mechanism.size() == 0) {
             if (start_.is_loaded)
                 if (const Increment there = solve(begin, 0, 0, expected_from(at_once)); there.has_answer())
@@ -92,17 +96,48 @@ public:
                 is_found = is_sought && advance(begin, 0, 1, at_once, 0).has_value();
         }
         if (!is_found) path_.emplace(FrictionPath{at_once.answer, {1, none, none, none, at_once.has_answer() && is_sought}});
+        return finished();
+    }
+
+private:
+    FrictionPath finished() {
         path_->iterations = iterations_;
         return std::move(*path_);
     }
 
-private:
+    /// Bodies that are held go where the loads take them until they touch.
+    void go_as_unpressed(State& begin) const {
+        const auto is_open = [&](const FrictionRow& f) { return start_.gap[f.normal] > 0; };
+        if (std::none_of(qp_.friction.begin(), qp_.friction.end(), is_open)) return;
+        const std::optional<VectorXd> there = unpressed(0), here = unpressed(1);
+        if (!there || !here) return;
+        begin.gap = *there;
+        begin.closing = *there - *here;
+        begin.passing = *here - *there;
+    }
+
+    /// The gaps at a place of the path where no contact carries anything; nothing: the bodies are not held then.
+    std::optional<VectorXd> unpressed(double end) const {
+        const ContactQp qp = at(end);
+        ActiveSet open = bilateral_rows(qp);
+        for (const FrictionRow& f : qp.friction) open[static_cast<std::size_t>(f.tangential)] = row_state::open;
+        ContactState state;
+        if (!state_with_friction(qp, open, state)) return std::nullopt;
+        return gap_of({qp, qp.gap}, state);
+    }
+
+    ContactQp at(double end) const {
+        ContactQp qp = qp_;
+        qp.gap = (1 - end) * start_.gap + end * qp_.gap;
+        qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
+        return qp;
+    }
+
     /// expected: multipliers under the same loads, or others.
     Increment solve(const State& from, double begin, double end, const VectorXd& expected) {
-        ContactQp qp = qp_;
+        ContactQp qp = at(end);
         VectorXd origin = touching(from, end - begin);
-        qp.gap = (1 - end) * start_.gap + end * qp_.gap - origin;
-        qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
+        qp.gap -= origin;
         qp.drawn_gap -= origin;
         qp.expected = expected;
         qp.asks_holding_factor = begin == 0 && end == 1;
@@ -122,6 +157,7 @@ private:
         take(least, none, work_of(state, least), none, 1);
         state = after(state, least, size);
         state.closing = state.passing = VectorXd(0);
+        state.is_followed = false;
         return size;
     }
 
@@ -156,7 +192,7 @@ private:
         const ContactQp& qp = increment.answer.qp;
         VectorXd gap = r.gap;
         if (qp.modes.cols() > 0) gap -= qp.modes * held_motions(qp, carrying(r)).free_part(r.amplitudes());
-        State state{increment.forces(), gap, increment.from, {}, {}};
+        State state{increment.forces(), gap, increment.from, {}, {}, true};
         for (const FrictionRow& f : qp_.friction) state.slipped[f.tangential] += gap[f.tangential];
         state.closing = (from.gap - state.gap) / size;
         state.passing = (state.slipped - from.slipped) / size;
@@ -184,12 +220,10 @@ private:
     /// Does a face come into contact from a distance, of which nothing is known yet? Before it touches its bodies may move
     /// along each other.
     bool closes_from_afar(const State& from, const VectorXd& forces) const {
-        return from.closing.size() == 0 && std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) {
-                   return forces.segment(f.begin, f.size).maxCoeff() > 0 &&
-                          !(from.forces.segment(f.begin, f.size).maxCoeff() > 0) &&
-                          from.gap.segment(f.begin, f.size).minCoeff() >
-                              tolerance_ * approach_.segment(f.begin, f.size).maxCoeff();
-               });
+        return !from.is_followed && std::any_of(faces_.begin(), faces_.end(), [&](const Face& f) {
+            return forces.segment(f.begin, f.size).maxCoeff() > 0 && !(from.forces.segment(f.begin, f.size).maxCoeff() > 0) &&
+                   from.gap.segment(f.begin, f.size).minCoeff() > tolerance_ * approach_.segment(f.begin, f.size).maxCoeff();
+        });
     }
 
     double norm_of_pressure(const VectorXd& forces) const {
@@ -257,6 +291,7 @@ private:
     const MotionSplit& split_;
     const MatrixXd& levers_;
     double tolerance_;
+    bool is_at_once_;
     std::vector<Face> faces_;
     double scale_ = 0;
     VectorXd approach_{};  ///< of the rows, at once
@@ -290,7 +325,7 @@ PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
 }
 
 FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split,
-                         const MatrixXd& levers, double tolerance) {
+                         const MatrixXd& levers, std::optional<double> tolerance) {
     return Path(qp, start, weight, split, levers, tolerance).follow();
 }
 

@@ -32,10 +32,11 @@ struct FrictionPath {
 /// into contact sticks where it touches, to within an increment. An increment is taken as two halves, and these are halved in
 /// turn where they change pressures (L2, relative to the largest of the path's ends) or tractions (over their bounds) by more
 /// than `tolerance` times the increment's share of the path; where an answer is not found, too. The changes add up to the
-/// error. What falls onto others under any load at all does so in a first, least increment. qp: of scaled rows, slips from the
-/// start; weight: of the rows; split, levers: as of solve_held. Where bodies slide, or there is no answer at the end however
-/// small the increments, it is that of one increment.
+/// error. What falls onto others under any load at all does so in a first, least increment. Before anything is known of the
+/// way, bodies that are held go where the loads alone would take them until they touch. qp: of scaled rows, slips from the
+/// start; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at once. Where bodies slide,
+/// or there is no answer at the end however small the increments, it is that of one increment.
 FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const Eigen::VectorXd& weight, const MotionSplit& split,
-                         const Eigen::MatrixXd& levers, double tolerance);
+                         const Eigen::MatrixXd& levers, std::optional<double> tolerance);
 
 }  // namespace abut::solver

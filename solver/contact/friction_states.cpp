@@ -21,11 +21,10 @@ using Eigen::VectorXd;
 constexpr int most_newton_steps = 60;  // 33 are the most that 5300 rows were seen to take
 constexpr int most_steps_astray = 10;  // nearer to no solution: beyond, one in two hundred finds back
 constexpr double least_step = 1.0 / 64;
-constexpr double consistent = 1e-10;       // of the terms: what a singular system leaves is rounding
-constexpr double at_bound = 1e-12;         // of the largest multiplier: a traction so near to its bound is there
-constexpr double dependent = 1e-8;         // of the longest row of motions: less is rounding of what others hold
-constexpr int most_rounds = 6;             // of given bounds: where friction is moderate, three are enough
-constexpr double rough_coefficient = 100;  // of pivots, which need a number
+constexpr double consistent = 1e-10;  // of the terms: what a singular system leaves is rounding
+constexpr double at_bound = 1e-12;    // of the largest multiplier: a traction so near to its bound is there
+constexpr double dependent = 1e-8;    // of the longest row of motions: less is rounding of what others hold
+constexpr int most_rounds = 6;        // of given bounds: where friction is moderate, three are enough
 
 std::size_t of(Index row) {
     return static_cast<std::size_t>(row);
@@ -121,7 +120,7 @@ public:
     std::optional<ActiveSet> states(const ActiveSet& expected, const VectorXd& gap, Ties by) const {
         const Index u = static_cast<Index>(pressed_.size()), f = static_cast<Index>(qp_.friction.size()), n = u + 2 * f;
         VectorXd mu(f);
-        for (Index k = 0; k < f; ++k) mu[k] = std::min(qp_.friction[of(k)].coefficient, rough_coefficient);
+        for (Index k = 0; k < f; ++k) mu[k] = qp_.friction[of(k)].coefficient;
         // the friction rows' pressures come first among the pressed ones
         MatrixXd m = MatrixXd::Zero(n, n);
         m.topLeftCorner(u + f, u + f) = c_;
@@ -146,7 +145,6 @@ public:
                     : (*z)[u + f + k] > 0 ? row_state::slips_backward
                     : (*z)[u + k] > 0     ? row_state::closed
                                           : row_state::slips_forward;
-            if (state != row_state::open && std::isinf(qp_.friction[of(k)].coefficient)) state = row_state::closed;
         }
         return states;
     }
@@ -347,7 +345,7 @@ public:
             if (qp_.unilateral[k]) lack[row] = multipliers[row] - std::max(0.0, wanted[row]);
         }
         for (const FrictionRow& f : qp_.friction) {
-            const double pressure = std::max(0.0, wanted[f.normal]), bound = pressure > 0 ? f.coefficient * pressure : 0;
+            const double bound = f.coefficient * std::max(0.0, wanted[f.normal]);
             lack[f.tangential] = multipliers[f.tangential] - std::clamp(wanted[f.tangential], -bound, bound);
         }
         return lack.cwiseAbs2().dot(compliance_);
@@ -388,7 +386,7 @@ public:
             if (qp_.unilateral[k]) lower[static_cast<Index>(k)] = 0;
         for (const FrictionRow& f : qp_.friction) {
             const double pressure = forces[f.normal] / unit_;
-            upper[f.tangential] = pressure > 0 ? f.coefficient * pressure : 0;
+            upper[f.tangential] = f.coefficient * std::max(0.0, pressure);
             lower[f.tangential] = -upper[f.tangential];
         }
         const std::optional<VectorXd> l = minimize_in_box(compliance_, gaps_.gap, lower, upper, forces / unit_, iterations);

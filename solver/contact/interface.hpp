@@ -40,9 +40,9 @@ struct Interface {
     bool periodic = false;   ///< all the way round: mortar's pressure has periodic knots
     std::vector<InterfacePoint> points{};
     std::vector<double> penalty{};  ///< by point: pressure per penetration (beta of eq 4.23); empty: mortar
-    /// The coefficient of friction, > 0, infinite for rough faces. Set: this is the tangential traction of the interface before
-    /// it in the list, which has the same points and spline with normals turned left, and is bounded by so much of its
-    /// pressure; gaps are slips. Such an interface is bilateral.
+    /// The coefficient of friction, > 0, infinite for rough faces (rough_coefficient). Set: this is the tangential traction of
+    /// the interface before it in the list, which has the same points and spline with normals turned left, and is bounded by so
+    /// much of its pressure; gaps are slips. Such an interface is bilateral.
     std::optional<double> friction{};
     /// The interface's unknown coefficients, about, from a solution before; empty: nothing is known. Speed only.
     std::vector<double> expected{};

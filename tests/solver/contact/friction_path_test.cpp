@@ -44,7 +44,7 @@ struct Springs {
         qp.drawn_gap = start.gap;
     }
 
-    FrictionPath follow(double tolerance = 0.005) const {
+    FrictionPath follow(std::optional<double> tolerance = 0.005) const {
         const MatrixXd none(0, 0);
         return follow_path(qp, start, VectorXd::Ones(qp.gap.size()), {none, none, none}, MatrixXd::Zero(qp.gap.size(), 0),
                            tolerance);
@@ -67,6 +67,16 @@ TEST(FrictionPath, WhatTouchesLateSticksWhereItTouches) {
         EXPECT_NEAR(path.way.work.sum(), 0, 1e-3) << gap;
         EXPECT_LE(std::abs(forces[1] + 0.3 * (1 - gap)), path.way.error[1] + 0.005 * 0.3)
             << gap << ", touching but for a tolerance";
+    }
+}
+
+/// Where the loads are put on at once, too: held bodies go where these take them.
+TEST(FrictionPath, WhatTouchesIsHeldFromThereAtOnce) {
+    for (const double gap : {0.1, 0.5, 0.999}) {
+        const VectorXd forces = forces_of(Springs({{gap, 1, 3}, {gap, 1, -0.1}}, rough_coefficient).follow(std::nullopt));
+        EXPECT_NEAR(forces[0], 1 - gap, 1e-12) << gap;
+        EXPECT_NEAR(forces[1], -3 * (1 - gap), 1e-12) << gap;
+        EXPECT_NEAR(forces[3], 0.1 * (1 - gap), 1e-12) << gap;
     }
 }
 
@@ -106,7 +116,7 @@ TEST(FrictionPath, InProportionOneIncrementIsAsGoodAsMany) {
 }
 
 TEST(FrictionPath, RoughFacesToo) {
-    const VectorXd forces = forces_of(Springs({{0.4, 1, 3}}, std::numeric_limits<double>::infinity()).follow());
+    const VectorXd forces = forces_of(Springs({{0.4, 1, 3}}, rough_coefficient).follow());
     EXPECT_NEAR(forces[1], -3 * 0.6, 1e-2);
 }
 
