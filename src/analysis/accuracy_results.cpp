@@ -238,6 +238,7 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
                 if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name))
                     own = std::max(own, std::min(c.errors->force, c.errors->pressure));
         }
+        own = std::max(own, out.largest[k].displacement_error / p.max_displacement.value);
         // what lifts off goes by where its contacts end, of which energies know little
         if (k < error.moved.size()) own = std::max(own, missing_of_displacement * error.moved[k] / p.max_displacement.value);
         p.max_displacement_error = std::min(1.0, own);

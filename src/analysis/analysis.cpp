@@ -78,6 +78,7 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +
         holding_friction(out) +
         ". Add a support, or a part that it can rest on; contacts.search_distance says how far contacts are looked for";
+    if (const std::string rigid = rigid_stops(scene, out.candidates, solved); !rigid.empty()) result.message += ". " + rigid;
     if (const std::string touches = unpaired_touches(scene); !touches.empty())
         result.message +=
             ". Sharp edges are no contacts, of whose faces none oppose the other part's within 60 degrees: round those of " +

@@ -11,6 +11,7 @@
 #include "src/analysis/singular_places.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/base/index.hpp"
+#include "src/contact/pair_rules.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/left_out_parts.hpp"
 #include "src/plan/plan.hpp"
@@ -204,16 +205,21 @@ std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
 }
 
 void check_rules(const Scene& scene, const Outcome& out, Result& result) {
-    std::vector<Finding> findings;
-    for (std::size_t r = 0; r < scene.contacts.pairs.size(); ++r) {
-        const bool used = std::any_of(out.candidates.begin(), out.candidates.end(),
-                                      [&](const Candidate& c) { return c.rule == static_cast<int>(r); });
-        if (const std::string rule = "contacts.pairs " + std::to_string(r);
-            !used && scene.contacts.pairs[r].kind != PairRule::Kind::ignore)
-            findings.push_back(
-                {0, rule, rule + " has no effect: these edges face each other nowhere within the search distance"});
+    std::vector<Finding> apart, overruled;
+    const auto name = [](int r) { return "contacts.pairs " + std::to_string(r); };
+    for (int r = 0; r < static_cast<int>(scene.contacts.pairs.size()); ++r) {
+        if (scene.contacts.pairs[at(r)].kind == PairRule::Kind::ignore ||
+            std::any_of(out.candidates.begin(), out.candidates.end(), [&](const Candidate& c) { return c.rule == r; }))
+            continue;
+        const int later = PairRules(scene).later_than(r);
+        (later < 0 ? apart : overruled)
+            .push_back({0, name(r),
+                        name(r) + " has no effect: " +
+                            (later < 0 ? "these edges face each other nowhere within the search distance"
+                                       : name(later) + ", which comes later, speaks of these edges, too")});
     }
-    remark(std::move(findings), result);
+    remark(std::move(apart), result);
+    remark(std::move(overruled), result);
 }
 
 /// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are

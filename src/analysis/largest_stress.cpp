@@ -7,6 +7,7 @@
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/stress.hpp"
 #include "src/analysis/singular_places.hpp"
+#include "src/analysis/stress_error.hpp"
 #include "src/answers/field_results.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/grid_design.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double rounding_of_strain = 1e-11;  // of displacement over size
 constexpr double cells_from_corner = 2;       // a largest stress no farther from a corner is the corner's
+constexpr double half_a_cell = 0.5;           // over which an error of strains adds up, before it changes sign
 
 /// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
 /// quadrature points of its element. At one point they may agree by chance.
@@ -54,19 +56,24 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     const Eigen::VectorXd& displacement = solved.solution.displacement[k];
     const LargestOfPart found = largest_of_part(grid, displacement, stress);
     LargestStress result;
-    result.displacement = found.displacement;
-    result.von_mises = found.von_mises;
-    if (found.element < 0 || grid.is_rigid) return result;
-    if (found.von_mises.value <= rounding_of_strain * grid.input.elasticity.d11 * found.displacement.value / grid.size)
+    result.displacement = found.displacement.value;
+    result.von_mises = found.von_mises.value;
+    if (found.von_mises.element < 0 || grid.is_rigid) return result;
+    if (result.von_mises.value <= rounding_of_strain * grid.input.elasticity.d11 * result.displacement.value / grid.size)
         return result;
-    result.cell = grid.cells.grid.box(grid.elements.cell_of(found.element)).size().maxCoeff();
+    const auto cell_of = [&](const LargestOfPart::Found& f) {
+        return grid.cells.grid.box(grid.elements.cell_of(f.element)).size().maxCoeff();
+    };
+    result.displacement_error =
+        half_a_cell * cell_of(found.displacement) * strain_error(grid.input, displacement, stress, found.displacement.element);
+    result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
         return (p.at - result.von_mises.at).norm() <= cells_from_corner * result.cell;
     });
-    result.smoothing = smoothing_around(grid, displacement, stress, found.element, found.local);
+    result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
     if (result.at_corner) return result;
-    const double hidden = hidden_share(grid.local, found.local, result.cell);
+    const double hidden = hidden_share(grid.local, found.von_mises.local, result.cell);
     result.error = std::max(result.smoothing / result.von_mises.value, hidden);
     return result;
 }

@@ -18,12 +18,13 @@ namespace abut {
 
 /// The largest stress of one part, and its largest displacement.
 struct LargestStress {
-    ValueAt displacement;         ///< the largest, too: both are found in one go
-    ValueAt von_mises;            ///< assembly coordinates
-    double cell = 0;              ///< size of the cell there
-    double smoothing = 0;         ///< von Mises stress of what smoothed stresses and the others differ by in that cell
-    bool at_corner = false;       ///< there is no limit there
-    std::optional<double> error;  ///< of the stress, relative; unset at corners, and where nothing is strained
+    ValueAt displacement;           ///< the largest, too: both are found in one go
+    double displacement_error = 0;  ///< absolute: of the strains in the cell there, of which energies know little
+    ValueAt von_mises;              ///< assembly coordinates
+    double cell = 0;                ///< size of the cell there
+    double smoothing = 0;           ///< von Mises stress of what smoothed stresses and the others differ by in that cell
+    bool at_corner = false;         ///< there is no limit there
+    std::optional<double> error;    ///< of the stress, relative; unset at corners, and where nothing is strained
 };
 
 /// The largest stress of each part of solved.grids. stress: of fits that have not failed; before: the largest stresses on the

@@ -2,6 +2,7 @@
 #include "src/analysis/stress_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "solver/assembly/ring.hpp"
@@ -147,6 +148,19 @@ std::vector<double> element_errors(const solver::PartInput& input, const Eigen::
     add_full_cells(input, raw, smoothed, errors);
     for (const solver::CellRule& rule : input.cut_rules) add(rule);
     return errors;
+}
+
+double strain_error(const solver::PartInput& input, const Eigen::VectorXd& displacement, const solver::StressField& smoothed,
+                    int element) {
+    const solver::StressOf raw(input, displacement);
+    const auto error_in = input.axis ? twice_error_of_ring : twice_error;
+    double twice = 0, volume = 0;
+    for_all_cells(input, [&](const solver::CellRule& cell) {
+        if (cell.element != element) return;
+        twice += error_in(input, raw, smoothed, cell);
+        volume = std::accumulate(cell.weights.begin(), cell.weights.end(), volume);
+    });
+    return volume > 0 ? std::sqrt(std::max(0.0, twice) / volume / (2 * input.elasticity.d33)) : 0;
 }
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads) {

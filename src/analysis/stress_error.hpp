@@ -25,6 +25,10 @@ double strain_energy(const solver::PartInput& input, const solver::StressOf& str
 std::vector<double> element_errors(const solver::PartInput& input, const Eigen::VectorXd& displacement,
                                    const solver::StressField& smoothed);
 
+/// The strain of the same difference in one element, in the root of its mean square.
+double strain_error(const solver::PartInput& input, const Eigen::VectorXd& displacement, const solver::StressField& smoothed,
+                    int element);
+
 /// The estimated error of the strain energy of each of solved.grids; the root of its share of the energy is that of the
 /// stresses in the energy norm. None where a smoothing failed, or where nothing is strained. Cost: an evaluation of both
 /// stresses at every quadrature point.

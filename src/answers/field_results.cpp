@@ -273,11 +273,8 @@ LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& dis
     const auto take = [&](int element, const Vec2& local) {
         const FieldSample s = sample(element, local);
         const double u = s.displacement.norm(), v = von_mises(s.stress);
-        if (u > r.displacement.value) r.displacement = {u, s.at};
-        if (!(v > r.von_mises.value)) return;
-        r.von_mises = {v, s.at};
-        r.element = element;
-        r.local = local;
+        if (u > r.displacement.value.value) r.displacement = {{u, s.at}, element, local};
+        if (v > r.von_mises.value.value) r.von_mises = {{v, s.at}, element, local};
     };
     const int n = patches_per_side(grid.cells.cell_class.size());
     for (std::size_t c = 0; c < grid.cells.cell_class.size(); ++c) {

@@ -16,9 +16,12 @@ FieldSample sample_field(const PartOnGrid& grid, const Eigen::VectorXd& displace
 /// The largest displacement and von Mises stress of a part, with their places, and the element and local point of that stress
 /// (element -1: there is none).
 struct LargestOfPart {
-    ValueAt displacement, von_mises;
-    int element = -1;
-    Vec2 local{0, 0};
+    struct Found {
+        ValueAt value;
+        int element = -1;
+        Vec2 local{0, 0};
+    };
+    Found displacement, von_mises;
 };
 LargestOfPart largest_of_part(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress);
 

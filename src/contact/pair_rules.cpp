@@ -47,6 +47,18 @@ int PairRules::of(int part1, int edge1, int part2, int edge2) const {
     return -1;
 }
 
+int PairRules::later_than(int r) const {
+    const auto share = [](const Edges& a, const Edges& b) {
+        return std::any_of(a.begin(), a.end(), [&](const auto& edge) { return b.count(edge) > 0; });
+    };
+    const auto& [one, other] = edges_[static_cast<std::size_t>(r)];
+    for (int q = static_cast<int>(edges_.size()) - 1; q > r; --q) {
+        const auto& [a, b] = edges_[static_cast<std::size_t>(q)];
+        if ((share(one, a) && share(other, b)) || (share(one, b) && share(other, a))) return q;
+    }
+    return -1;
+}
+
 std::vector<RuledZone> split_by_rules(const Scene& scene, const PairRules& rules, int first, int second,
                                       const FacingZone& zone) {
     if (rules.none()) return {{zone, -1}};

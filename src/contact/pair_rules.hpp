@@ -18,6 +18,8 @@ public:
     /// The index into ContactOptions::pairs of the last rule that speaks of a pair of edges, or -1: later rules are for
     /// exceptions.
     int of(int part1, int edge1, int part2, int edge2) const;
+    /// The last later rule that speaks of pairs of edges which rule r speaks of, or -1.
+    int later_than(int r) const;
 
 private:
     using Edges = std::set<std::array<int, 2>>;  // part, edge

@@ -40,6 +40,23 @@ double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidat
 
 }  // namespace
 
+std::string rigid_stops(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
+    const auto is_rigid = [&](int part) {
+        const int i = solved.solver_part[at(part)];
+        return i >= 0 && solved.grids[at(i)].is_rigid;
+    };
+    const auto moves = [&](int part) {
+        return std::any_of(solved.solution.mechanism.begin(), solved.solution.mechanism.end(),
+                           [&](const solver::PartMotion& m) { return m.part == solved.solver_part[at(part)]; });
+    };
+    for (const Candidate& c : candidates)
+        if (is_rigid(c.first) && is_rigid(c.second) && (moves(c.first) || moves(c.second)))
+            return scene.parts[at(c.first)].name + " and " + scene.parts[at(c.second)].name +
+                   " face each other, but both are rigid, and no pressure follows between rigid parts: make one of them "
+                   "elastic";
+    return "";
+}
+
 std::string rigid_pair_failure(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
     for (const Candidate& c : candidates) {
         const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];

@@ -138,6 +138,19 @@ Result column(double width, double stress, double thickness_of_plate = 1) {
 
 /// Euler's stress of the column pinned at both ends, with the length from corner to corner, is 0.1 here but for its ends'
 /// share.
+TEST(Assumptions, RulesThatLaterOnesOverruleAreSaid) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}}, "parts": [
+        {"name": "a", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [4, 1]}}},
+        {"name": "b", "material": "m", "geometry": {"rectangle": {"min": [0, 1], "max": [4, 2]}}}],
+        "supports": [{"on": "a/bottom", "fix": ["x", "y"]}, {"part": "b", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"on": "b/top", "pressure": 1}], "accuracy": {"cell_size": 0.25},
+        "contacts": {"pairs": [{"between": ["a/top", "b/bottom"], "friction": 0.1}, {"between": ["a/left", "b/top"], "friction": 0.1},
+                               {"between": ["b/*", "a/top"], "friction": 0.3}]}})");
+    EXPECT_FALSE(warning(r, "contacts.pairs 0 has no effect: contacts.pairs 2, which comes later,").empty());
+    EXPECT_FALSE(warning(r, "contacts.pairs 1 has no effect: these edges face each other nowhere").empty());
+    EXPECT_TRUE(warning(r, "contacts.pairs 2 has no effect").empty());
+}
+
 TEST(Assumptions, SlenderColumnsAreSaidToBuckle) {
     const double thickness = 0.11;
     const double euler = std::pow(M_PI * thickness / 10, 2) / 12 * 1000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors of the largest displacements of parts that lift off: these go by where contacts end.
+// Errors of the largest displacements: of parts that lift off they go by where contacts end, elsewhere by the cells there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,6 +48,39 @@ TEST(DisplacementErrors, AreNotStatedTooLowWherePartsLiftOff) {
                   2 * *r.parts[k].max_displacement_error + *finer.parts[k].max_displacement_error)
             << r.parts[k].name;
     }
+}
+
+/// A quarter of a hollow cylinder under pressure inside, in plane strain, or of a hollow sphere.
+PartResult pressed_from_inside(double radius, double outer, bool is_sphere, const std::string& level) {
+    const auto circle = [](double r) { return R"({"circle": {"center": [0, 0], "radius": )" + test::number(r) + "}}"; };
+    const std::string kind = is_sphere ? "axisymmetric" : "plane_strain",
+                      left = is_sphere ? "" : R"(, {"on": "s/left", "symmetry": true})";
+    const Result r = test::answer(R"({"abut": 1, "analysis": ")" + kind + R"(", "materials": {"m": {"E": 1e5, "nu": 0.3}},
+        "parts": [{"name": "s", "material": "m", "geometry": {"difference": [{"intersection": [)" +
+                                  circle(outer) + R"(, {"rectangle": {"min": [0, 0], "max": [11, 11]}}]}, {"name": "hole", )" +
+                                  circle(radius).substr(1) + R"(]}}],
+        "supports": [{"on": "s/bottom", "symmetry": true})" +
+                                  left + R"(], "loads": [{"on": "s/hole/circle", "pressure": 10}], "accuracy": {"level": ")" +
+                                  level + R"("}})");
+    EXPECT_EQ(r.status, "ok") << r.message;
+    return r.parts.at(0);
+}
+
+/// Lame's solutions, the largest displacement at the inner radius.
+TEST(DisplacementErrors, AreNotStatedTooLowOfSmoothStresses) {
+    constexpr double outer = 10, E = 1e5, nu = 0.3, pressure = 10;
+    for (const double a : {1.0, 2.0, 5.0, 9.0})
+        for (const bool is_sphere : {true, false})
+            for (const char* level : {"draft", "standard"}) {
+                const double n = is_sphere ? 3 : 2, ratio = std::pow(outer / a, n);
+                const double truth = pressure * a / (E * (ratio - 1)) *
+                                     (is_sphere ? 1 - 2 * nu + 0.5 * (1 + nu) * ratio : (1 + nu) * (1 - 2 * nu + ratio));
+                const PartResult r = pressed_from_inside(a, outer, is_sphere, level);
+                ASSERT_TRUE(r.max_displacement_error);
+                const double error = std::abs(r.max_displacement.value / truth - 1);
+                EXPECT_LE(error, 1.2 * *r.max_displacement_error) << a << " " << is_sphere << " " << level;
+                EXPECT_LE(*r.max_displacement_error, 10 * error + 1e-4) << a << " " << is_sphere << " " << level;
+            }
 }
 
 TEST(DisplacementErrors, AreThoseOfEachAssemblyWhereSeveralStandSideBySide) {

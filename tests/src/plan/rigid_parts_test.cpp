@@ -181,6 +181,17 @@ TEST(RigidParts, CannotBePressedAgainstEachOther) {
     EXPECT_EQ(apart.status, "ok") << apart.message;
 }
 
+TEST(RigidParts, ThatWouldRestOnAnotherAreNamedWithIt) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "parts": [
+        {"name": "table", "material": "rigid", "geometry": {"rectangle": {"min": [0, 0], "max": [9, 1]}}},
+        {"name": "weight", "material": "rigid", "geometry": {"rectangle": {"min": [3, 1], "max": [5, 3]}}}],
+        "supports": [{"on": "table/bottom", "fix": ["x", "y"]}], "loads": [{"on": "weight/top", "pressure": 1}]})",
+                                             "scene.json"),
+                             {});
+    EXPECT_EQ(r.status, "failed");
+    EXPECT_NE(r.message.find("table and weight face each other, but both are rigid"), std::string::npos) << r.message;
+}
+
 TEST(RigidParts, CarryForcesOnTheWholePart) {
     const Result r = answer({.load = R"({"on": "punch/top", "pressure": 10}, {"part": "punch", "force": [0, -5]})"});
     ASSERT_EQ(r.status, "ok") << r.message;
