@@ -216,7 +216,9 @@ ContactQp under_motions(ContactQp qp, const MatrixXd& held) {
 }  // namespace
 
 HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions)
-    : qp(under_motions(std::move(of_all), motions)), held(std::move(motions)), result(solve_contact_qp(qp)) {}
+    : qp(under_motions(std::move(of_all), motions)), held(std::move(motions)), result(solve_contact_qp(qp)) {
+    for (FrictionRow& f : qp.friction) f.coefficient = std::min(f.coefficient, result.most_friction);
+}
 
 HeldAnswer::HeldAnswer(ContactQp of_all, MatrixXd motions, const VectorXd& start)
     : qp(under_motions(std::move(of_all), motions)), held(std::move(motions)) {
@@ -353,6 +355,8 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
         recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
     } else {
         recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
+        if (held.result.slip_of_steep > trifle_of_slip)
+            solution.residual = std::max(solution.residual, held.result.slip_of_steep);
     }
     if (levers.cols() > 0) {
         const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);

@@ -35,8 +35,7 @@ constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy
 constexpr int factors_tried = 16;
 /// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
 constexpr double large_coefficient = 0.5, differs = 1e-6;
-/// What is above no pair of materials has; slip that tells no difference to it, of the largest closing.
-constexpr double moderate_coefficient = 5, trifle_of_slip = 1e-3;
+constexpr double moderate_coefficient = 5;  // above those of any pair of materials
 
 VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
     return qp.modes.transpose() * multipliers + qp.mode_load;
@@ -390,35 +389,50 @@ bool has_answer(const ContactQpResult& result) {
     return result.converged && result.mechanism.size() == 0;
 }
 
-/// Steep friction from that of a moderate coefficient, whose states it mostly shares. Where they differ by slip alone that is
-/// no more than a trifle, this is the answer: pressures next to none would decide between states, and there may be none.
-std::optional<ContactQpResult> solve_from_moderate(const ContactQp& qp) {
-    ContactQp moderate = qp;
-    for (FrictionRow& f : moderate.friction) f.coefficient = std::min(f.coefficient, moderate_coefficient);
+ContactQp with_friction_up_to(ContactQp qp, double most) {
+    for (FrictionRow& f : qp.friction) f.coefficient = std::min(f.coefficient, most);
+    return qp;
+}
+
+/// The work done against slip, of the elastic energy.
+double share_of_slip(const ContactQp& qp, const ContactQpResult& r) {
+    double work = 0;
+    for (const FrictionRow& f : qp.friction) work += std::abs(r.multipliers[f.tangential] * r.gap[f.tangential]);
+    const double energy = 0.5 * r.multipliers.dot(qp.compliance * r.multipliers);
+    return energy > 0 ? work / energy : 0;
+}
+
+/// Steep friction from that of a smaller coefficient, with which it shares most states. Where that lets next to nothing slip it
+/// is the answer: pressures of next to nothing would bear tractions else, slip and all. So it is where none is found from
+/// there. Nothing: it does not hold what the loads move.
+std::optional<ContactQpResult> solve_from_less(const ContactQp& qp, double most_friction) {
+    ContactQp moderate = with_friction_up_to(qp, most_friction);
     moderate.asks_holding_factor = false;
     ContactQpResult near = solve_from_anywhere(moderate);
     if (!has_answer(near)) return std::nullopt;
+    near.most_friction = most_friction;
+    near.slip_of_steep = share_of_slip(qp, near);
+    if (near.slip_of_steep <= trifle_of_slip) return near;
     const ShiftedQp settled{qp, qp.gap + qp.modes * near.settled};
     ContactState state{near.multipliers, near.motion, qp.compliance * near.multipliers};
     ContactQpResult result;
     result.active = states_of(qp, near.multipliers);
     result.converged = search_exactly(settled, state, result);
     result.iterations += near.iterations;
-    if (result.converged) {
-        write_answer(settled, near.settled, state, result);
-        return result;
-    }
-    near.residual = friction_residual(qp, {near.multipliers, near.gap, imbalance_of(qp, near.multipliers)});
     near.iterations = result.iterations;
-    return near.residual <= trifle_of_slip ? std::optional(std::move(near)) : std::nullopt;
+    if (!result.converged) return near;
+    write_answer(settled, near.settled, state, result);
+    result.slip_of_steep = share_of_slip(qp, result);
+    return result.slip_of_steep < near.slip_of_steep ? result : near;
 }
 
 }  // namespace
 
 ContactQpResult solve_with_friction(const ContactQp& qp) {
-    const auto is_steep = [](const FrictionRow& f) { return f.coefficient > moderate_coefficient; };
-    if (std::any_of(qp.friction.begin(), qp.friction.end(), is_steep))
-        if (std::optional<ContactQpResult> result = solve_from_moderate(qp)) return std::move(*result);
+    double steepest = 0;
+    for (const FrictionRow& f : qp.friction) steepest = std::max(steepest, f.coefficient);
+    for (double most = moderate_coefficient; most < steepest; most *= 10)
+        if (std::optional<ContactQpResult> result = solve_from_less(qp, most)) return std::move(*result);
     return solve_from_anywhere(qp);
 }
 

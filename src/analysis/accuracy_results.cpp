@@ -53,6 +53,7 @@ void fill_contact(const ContactError& e, double of_force, double target, std::si
     c.error_estimate = pressure;
     c.errors =
         ContactErrors{pressure, std::max(e.peak, 0.5 * of_level), of_force, std::max(e.length, 0.5 * of_level), e.at_corner};
+    if (c.friction) c.friction->stick_length_error = e.stick_length;
     const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
     if (e.at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,

@@ -73,6 +73,7 @@ void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
         result.message = solved.failure;
         return;
     }
+    warn_of_unused_rules(scene, out, result);
     result.driven = twists_of(solved, solved.solution.mechanism);
     result.message =
         "the loads move a part that nothing holds: " + motions_text(scene, solved, solved.solution.mechanism) +

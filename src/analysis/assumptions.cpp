@@ -204,24 +204,6 @@ std::string pairs_beyond_search(const Scene& scene, const SolvedAssembly& s) {
     return names;
 }
 
-void check_rules(const Scene& scene, const Outcome& out, Result& result) {
-    std::vector<Finding> apart, overruled;
-    const auto name = [](int r) { return "contacts.pairs " + std::to_string(r); };
-    for (int r = 0; r < static_cast<int>(scene.contacts.pairs.size()); ++r) {
-        if (scene.contacts.pairs[at(r)].kind == PairRule::Kind::ignore ||
-            std::any_of(out.candidates.begin(), out.candidates.end(), [&](const Candidate& c) { return c.rule == r; }))
-            continue;
-        const int later = PairRules(scene).later_than(r);
-        (later < 0 ? apart : overruled)
-            .push_back({0, name(r),
-                        name(r) + " has no effect: " +
-                            (later < 0 ? "these edges face each other nowhere within the search distance"
-                                       : name(later) + ", which comes later, speaks of these edges, too")});
-    }
-    remark(std::move(apart), result);
-    remark(std::move(overruled), result);
-}
-
 /// Supports by weight functions do without the projection that nearly incompressible parts need: their stresses of degree 2 are
 /// 4 % off at nu = 0.49 and as large as themselves at 0.4999 (the thick ring E10, eight cells across).
 void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& result) {
@@ -305,12 +287,30 @@ void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Resul
 
 }  // namespace
 
+void warn_of_unused_rules(const Scene& scene, const Outcome& out, Result& result) {
+    std::vector<Finding> apart, overruled;
+    const auto name = [](int r) { return "contacts.pairs " + std::to_string(r); };
+    for (int r = 0; r < static_cast<int>(scene.contacts.pairs.size()); ++r) {
+        if (scene.contacts.pairs[at(r)].kind == PairRule::Kind::ignore ||
+            std::any_of(out.candidates.begin(), out.candidates.end(), [&](const Candidate& c) { return c.rule == r; }))
+            continue;
+        const int later = PairRules(scene).later_than(r);
+        (later < 0 ? apart : overruled)
+            .push_back({0, name(r),
+                        name(r) + " has no effect: " +
+                            (later < 0 ? "these edges face each other nowhere within the search distance"
+                                       : name(later) + ", which comes later, speaks of these edges, too")});
+    }
+    remark(std::move(apart), result);
+    remark(std::move(overruled), result);
+}
+
 void check_assumptions(const Scene& scene, const ResolvedConditions& conditions, const Outcome& out, Result& result) {
     check_kinematics(scene, conditions, out.solved, result);
     check_yield(scene, out.solved, result);
     check_bonds(result);
     check_thickness(scene, out.solved, result);
-    check_rules(scene, out, result);
+    warn_of_unused_rules(scene, out, result);
     check_grids(scene, out, result);
     check_rounding(out.target, result);
     check_balance(result);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace abut {
 
@@ -101,6 +102,29 @@ double missing_of_traction(double refinement) {
     return refinement < 1 ? std::clamp(refinement / (1 - refinement), missing_at_least, 1.0) : 1;
 }
 
+double length_of(const ContactRecord& c) {
+    return std::accumulate(c.stretches.begin(), c.stretches.end(), 0.0,
+                           [](double sum, const PressedStretch& stretch) { return sum + stretch.end - stretch.begin; });
+}
+
+/// Length that sticks by less than a share of what friction bears there: where a traction comes to its bound without a kink
+/// that is much of a contact.
+double length_near_bound(const ContactRecord& c, double share) {
+    constexpr int samples = 8;         // by interval
+    constexpr double at_bound = 1e-6;  // slips
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
+        const double begin = c.pressure.breakpoints[i], step = (c.pressure.breakpoints[i + 1] - begin) / samples;
+        for (int k = 0; k < samples; ++k) {
+            const double s = begin + (k + 0.5) * step;
+            const double left = 1 - std::abs(solver::pressure_at(c.pressure, c.shear->coefficients, s)) /
+                                        (c.shear->coefficient * solver::pressure_at(c.pressure, c.coefficients, s));
+            if (left > at_bound && left < share) length += step;
+        }
+    }
+    return length;
+}
+
 /// Friction's traction counts like the pressure, over its bound. The borders of slip are ends to it. Inside, where slip once
 /// ended, its roots are not where anything is known of them now.
 void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure,
@@ -121,9 +145,12 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
         square += its;
         e.local_of_shear.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
     }
+    const double of_length = ends_in_length * now.shear->border_error / bound * length_of(now);
     e.ends = std::max(e.ends, now.shear->border_error / bound);
     e.inside = std::max(e.inside, std::sqrt(square));
     e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error / bound, std::sqrt(square)));
+    e.stick_length = std::max({std::abs(now.shear->stick_length - before.shear->stick_length), now.shear->unseen, of_length,
+                               length_near_bound(now, e.pressure)});
 }
 
 }  // namespace

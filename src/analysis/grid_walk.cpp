@@ -19,6 +19,7 @@
 #include "src/analysis/singular_errors.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/analysis/stress_raisers.hpp"
+#include "src/analysis/tipping.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
@@ -35,6 +36,9 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
 /// On the same candidates, since contacts were last found or lost; in all so many times as many.
 constexpr int max_passes = 7, most_beginnings = 4;
+
+/// The last pressure's middle is a sixth as far from the end from pass to pass: this many tell a thousandth of a zone.
+constexpr int max_tippings = 5;
 
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
@@ -404,6 +408,13 @@ private:
             wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
             return false;
         }
+        if (now.failure.empty() && !grids_are_fixed(scene_) && tipped_ < max_tippings &&
+            add_tipping_ends(scene_, out_.candidates, now, raisers_)) {
+            ++tipped_;
+            comparable_from_ = out_.passes.size();
+            add_raisers();
+            return false;
+        }
         const bool slides = !now.solution.sliding.empty();  // so far as the brake let it, which says nothing
         const double needed = stuck || slides ? 0.0 : needed_search_factor(scene_, now);
         if (now.failure.empty() && may_widen() &&
@@ -521,7 +532,7 @@ private:
         double factor = 0;
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
-    int widenings_ = 0;
+    int widenings_ = 0, tipped_ = 0;
     bool is_over_ = false, is_answered_ = false, begins_like_another_ = false;
     std::string failed_, finer_failed_;
     bool meets_others_ = false;

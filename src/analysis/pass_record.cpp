@@ -81,10 +81,17 @@ double force_of(const ContactRecord& c) {
 std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_t contact) {
     const double coefficient = friction_of(solved, contact);
     if (coefficient == 0) return std::nullopt;
-    ShearRecord record{
-        solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])], std::min(1.0, coefficient), {}, 0};
+    const std::vector<StickBorder> borders = stick_borders(solved, contact);
+    const FrictionLengths lengths = friction_lengths(solved, contact, borders);
+    ShearRecord record{solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])],
+                       coefficient,
+                       std::min(1.0, coefficient),
+                       {},
+                       0,
+                       lengths.stick,
+                       lengths.unseen};
     double squares = std::pow(traction_error_at_ends(solved, contact), 2);
-    for (const StickBorder& border : stick_borders(solved, contact)) {
+    for (const StickBorder& border : borders) {
         record.borders.push_back({border.s, border.s, false, false, border.end, {}});
         squares += border.end.error * border.end.error;
     }

@@ -89,13 +89,18 @@ FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
     const solver::FrictionOnWay& on_way = solved.solution.friction[at(solved.shear_of[k])];
     friction.dissipated = on_way.work;
     friction.dissipated_error = on_way.work_error;
+    if (std::isinf(friction.coefficient)) {  // what a finite one would have done is not its own
+        friction.dissipated_error += std::abs(on_way.work);
+        friction.dissipated = 0;
+    }
     if (solved.stretches[k].empty()) return friction;
     const FrictionSums sums = friction_sums(solved, k);
     friction.shear_force = sums.shear;
     friction.normal_force = sums.normal;
     friction.utilisation = std::abs(sums.shear) / (friction.coefficient * sums.normal);
-    friction.stick_length = sums.stick_length;
-    friction.slip_length = sums.slip_length;
+    const FrictionLengths lengths = friction_lengths(solved, k, stick_borders(solved, k));
+    friction.stick_length = lengths.stick;
+    friction.slip_length = lengths.slip;
     return friction;
 }
 

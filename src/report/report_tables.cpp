@@ -83,7 +83,8 @@ std::string friction_table(const Result& result, const ResultUnits& u) {
         const double forces = f->normal_force, works = forces * model_size(result);
         rows.push_back({contact_number(k), std::isinf(f->coefficient) ? "rough" : number_text(f->coefficient, 4),
                         number_text(rounded_off(f->shear_force, forces), 5), number_text(forces, 5),
-                        percent_or_dash(f->utilisation), number_text(f->stick_length, 4), number_text(f->slip_length, 4),
+                        percent_or_dash(f->utilisation), number_text(f->stick_length, 4),
+                        f->stick_length_error ? number_text(*f->stick_length_error, 2) : "–", number_text(f->slip_length, 4),
                         number_text(rounded_off(f->dissipated, works), 4),
                         number_text(rounded_off(f->dissipated_error, works), 2)});
     }
@@ -94,6 +95,7 @@ std::string friction_table(const Result& result, const ResultUnits& u) {
                                               {heading("normal force", u.force), true},
                                               {"of what friction bears", true},
                                               {heading("sticks along", u.length), true},
+                                              {"±", true},
                                               {heading("slips along", u.length), true},
                                               {heading("work against slip", u.energy), true},
                                               {"± by the increments", true}},

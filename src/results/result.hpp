@@ -137,6 +137,7 @@ struct FrictionResult {
     double normal_force = 0;                   ///< integral of the pressure
     std::optional<double> utilisation;         ///< |shear force| / (coefficient normal force); unset where nothing presses
     double stick_length = 0, slip_length = 0;  ///< on the middle curve
+    std::optional<double> stick_length_error;  ///< estimated, absolute; so much the other may be off by
     double dissipated = 0;                     ///< work against slip, of the step where there are steps
     double dissipated_error = 0;               ///< of it, by the size of the increments
 };

@@ -137,6 +137,7 @@ Json friction(const FrictionResult& f) {
             {"normal_force", number(f.normal_force)},
             {"utilisation", number(f.utilisation)},
             {"stick_length", number(f.stick_length)},
+            {"stick_length_error", number(f.stick_length_error)},
             {"slip_length", number(f.slip_length)},
             {"dissipated", number(f.dissipated)},
             {"dissipated_error", number(f.dissipated_error)}};

@@ -88,6 +88,15 @@ FrictionState state_at(const SolvedAssembly& solved, std::size_t contact, double
     return traction < 0 ? FrictionState::slip_forward : FrictionState::slip_backward;
 }
 
+namespace {
+
+/// How near to an end of contact no border is looked for.
+double unseen_beside(const PressedStretch& stretch, const StretchEnd& end) {
+    return std::max(end.reach / error_reach, border_slack * (stretch.end - stretch.begin));
+}
+
+}  // namespace
+
 std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t contact) {
     std::vector<StickBorder> borders;
     const double coefficient = friction_of(solved, contact);
@@ -95,9 +104,8 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     const auto is_within = [&](double s) {
         return std::any_of(solved.stretches[contact].begin(), solved.stretches[contact].end(),
                            [&](const PressedStretch& stretch) {
-                               const double slack = border_slack * (stretch.end - stretch.begin);
-                               return s > stretch.begin + std::max(stretch.at_begin.reach / error_reach, slack) &&
-                                      s < stretch.end - std::max(stretch.at_end.reach / error_reach, slack);
+                               return s > stretch.begin + unseen_beside(stretch, stretch.at_begin) &&
+                                      s < stretch.end - unseen_beside(stretch, stretch.at_end);
                            });
     };
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
@@ -134,7 +142,11 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         sums.normal += weight * pressure_in(solved, contact, p.s);
         sums.shear += weight * traction_in(solved, contact, p.s);
     }
-    const std::vector<StickBorder> borders = stick_borders(solved, contact);
+    return sums;
+}
+
+FrictionLengths friction_lengths(const SolvedAssembly& solved, std::size_t contact, const std::vector<StickBorder>& borders) {
+    FrictionLengths lengths;
     for (const PressedStretch& stretch : solved.stretches[contact]) {
         std::vector<double> cuts{stretch.begin};
         for (const StickBorder& border : borders)
@@ -142,10 +154,13 @@ FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact) {
         cuts.push_back(stretch.end);
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const bool is_slip = slips(state_at(solved, contact, 0.5 * (cuts[k] + cuts[k + 1])));
-            (is_slip ? sums.slip_length : sums.stick_length) += cuts[k + 1] - cuts[k];
+            (is_slip ? lengths.slip : lengths.stick) += cuts[k + 1] - cuts[k];
+            if (is_slip) continue;
+            if (k == 0) lengths.unseen += unseen_beside(stretch, stretch.at_begin);
+            if (k + 2 == cuts.size()) lengths.unseen += unseen_beside(stretch, stretch.at_end);
         }
     }
-    return sums;
+    return lengths;
 }
 
 }  // namespace abut

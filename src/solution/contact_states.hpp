@@ -27,10 +27,17 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
 /// stretch that slips is beside the knots. None of rough faces, where the traction may have no limit.
 double traction_error_at_ends(const SolvedAssembly& solved, std::size_t contact);
 
-/// What friction does in a contact.
+/// How much of a contact sticks, and how much slips, on the middle curve.
+struct FrictionLengths {
+    double stick = 0, slip = 0;
+    double unseen = 0;  ///< of what counts as sticking, beside ends of contact: borders there would not be seen
+};
+/// borders: of the contact.
+FrictionLengths friction_lengths(const SolvedAssembly& solved, std::size_t contact, const std::vector<StickBorder>& borders);
+
+/// Integrals of the pressure and of the traction on the second part (force).
 struct FrictionSums {
-    double normal = 0, shear = 0;              ///< integrals of pressure and of traction on the second part (force)
-    double stick_length = 0, slip_length = 0;  ///< on the middle curve
+    double normal = 0, shear = 0;
 };
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact);
 

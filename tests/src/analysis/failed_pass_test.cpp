@@ -2,6 +2,7 @@
 // Passes that fail after others gave answers.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <new>
 #include <string>
@@ -102,6 +103,47 @@ TEST(FailedPass, GridsAndNumbersFailButMechanicsAreTheAnswer) {
               }),
               "");
     EXPECT_EQ(failed_by([](SolvedAssembly& s) { s.solution.displacement[0].array() += 100; }), "");  // farther than its size
+}
+
+namespace {
+
+/// A block on a table, turned by an angle, pressed by a force at a distance from its middle; half of it is 20 wide.
+Result pressed_beside_its_middle(double distance, double angle) {
+    const auto turned = [=](double x, double y) {
+        return "[" + std::to_string(x * std::cos(angle) - y * std::sin(angle)) + ", " +
+               std::to_string(x * std::sin(angle) + y * std::cos(angle)) + "]";
+    };
+    const auto rectangle = [&](double x0, double y0, double x1, double y1) {
+        return R"({"polygon": [)" + turned(x0, y0) + ", " + turned(x1, y0) + ", " + turned(x1, y1) + ", " + turned(x0, y1) +
+               "]}";
+    };
+    return analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [
+        {"name": "table", "material": "m", "geometry": )" +
+                                       rectangle(-150, -30, 150, 0) + R"(},
+        {"name": "block", "material": "m", "geometry": )" +
+                                       rectangle(-20, 0, 20, 30) + R"(}],
+        "supports": [{"on": "table/e0", "fix": ["x", "y"]}],
+        "loads": [{"on": "block/e2", "force": )" +
+                                       turned(0, -1000) + R"(, "at": )" + turned(distance, 30) + R"(}],
+        "contacts": {"friction": 0.5}, "accuracy": {"level": "draft"}})",
+                                   "scene.json"),
+                   {});
+}
+
+}  // namespace
+
+/// First cells whose last pressure has its middle farther in do not tell that a part tips.
+TEST(FailedPass, OfPartsThatSeemToTipIsFollowedByCellsThatTell) {
+    for (const double angle : {0.0, 0.3})
+        for (const double distance : {18.5, 19.5, 19.9}) {
+            const Result r = pressed_beside_its_middle(distance, angle);
+            EXPECT_EQ(r.status, "ok") << distance << " " << angle << ": " << r.message;
+        }
+    const Result tips = pressed_beside_its_middle(20.1, 0);
+    EXPECT_EQ(tips.status, "failed");
+    ASSERT_FALSE(tips.driven.empty());
+    const Screw& twist = tips.driven.front().twist;
+    EXPECT_NEAR(-twist[1] / twist[2], 20, 0.05) << "about its corner";
 }
 
 }  // namespace abut::failed_pass_test

@@ -288,4 +288,34 @@ TEST(FrictionAnalysis, ARollerThatIsTouchedLateIsWhereItWasDrawn) {
     for (const ContactResult& c : r.contacts) EXPECT_LT(std::abs(c.friction->shear_force), 0.01);
 }
 
+namespace {
+
+/// The length that sticks, within twice the error that is stated of it, and that no larger than 0.15 of the contact.
+void expect_stick(const ContactResult& c, double half_over_a) {
+    ASSERT_TRUE(c.friction && c.friction->stick_length_error);
+    const double truth = half_over_a * c.contact_length;
+    EXPECT_LE(std::abs(c.friction->stick_length - truth), 2 * *c.friction->stick_length_error) << half_over_a;
+    EXPECT_LE(*c.friction->stick_length_error, 0.15 * c.contact_length) << half_over_a;
+}
+
+}  // namespace
+
+/// Cattaneo and Mindlin: what sticks is sqrt(1 - share) of the contact. Under a rigid cylinder (F14) a traction comes to its
+/// bound without a kink, and small errors of it move the border far.
+TEST(FrictionAnalysis, LengthsThatStickAreWithinTheirErrors) {
+    const std::string folder = std::string(ABUT_SOURCE_DIR) + "/data/verification/";
+    for (const double share : {0.1, 0.35, 0.5, 0.9, 0.97}) {
+        Scene scene = read_scene(folder + "cattaneo.json");
+        for (auto& load : scene.cases[1].factors)
+            if (load.first == "shear") load.second = share / 0.5;
+        scene.cases.resize(2);
+        expect_stick(analyze_cases(scene, {}).at(1).result.contacts.at(0), std::sqrt(1 - share));
+    }
+    for (const double target : {0.05, 0.01, 0.002}) {
+        Scene scene = read_scene(folder + "friction_indenter.json");
+        scene.accuracy.target = target;
+        expect_stick(analyze(scene, {}).contacts.at(0), 0.42984);
+    }
+}
+
 }  // namespace abut::friction_analysis_test
