@@ -23,8 +23,8 @@ struct FrictionRow {
     double coefficient;  ///< > 0, finite
 };
 
-/// The coefficient of rough faces: slip is left to pressures of less than a ten-thousandth of the traction. An infinite one
-/// would let tractions jump from none to any where pressure begins, and such a problem need not have an answer.
+/// The coefficient of rough faces, or less where that holds as well (friction.hpp). An infinite one would let tractions jump
+/// from none to any where pressure begins, and such a problem need not have an answer.
 inline constexpr double rough_coefficient = 1e4;
 /// Work against slip that is a trifle to steep friction, of the elastic energy.
 inline constexpr double trifle_of_slip = 1e-4;
