@@ -355,8 +355,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
         recover_displacements(problem, rows, answer.forces.cwiseQuotient(rows.weight), threads, solution);
     } else {
         recover_refined(problem, rows, held.qp, held.held, held.result.active, threads, answer, solution);
-        if (held.result.slip_of_steep > trifle_of_slip)
-            solution.residual = std::max(solution.residual, held.result.slip_of_steep);
+        solution.residual = std::max(solution.residual, held.result.slip_of_steep);
     }
     if (levers.cols() > 0) {
         const std::optional<VectorXd> forces = balanced(held.qp, levers, answer.forces);

@@ -26,8 +26,6 @@ struct FrictionRow {
 /// The coefficient of rough faces, or less where that holds as well (friction.hpp). An infinite one would let tractions jump
 /// from none to any where pressure begins, and such a problem need not have an answer.
 inline constexpr double rough_coefficient = 1e4;
-/// Work against slip that is a trifle to steep friction, of the elastic energy.
-inline constexpr double trifle_of_slip = 1e-4;
 
 /// The problem in m multipliers and n amplitudes.
 struct ContactQp {
@@ -61,7 +59,7 @@ struct ContactQpResult {
     bool feasible = true;        ///< false: no pressures >= 0 balance the loads
     Eigen::VectorXd mechanism;   ///< with !feasible: the motion (amplitudes) that the loads drive; else friction may hold it
     /// Coefficients of friction were taken as no larger than this (rough faces), and what slips works so much against them, of
-    /// the elastic energy.
+    /// the elastic energy; 0 where that is next to nothing.
     double most_friction = rough_coefficient, slip_of_steep = 0;
     double holding_factor = 0;  ///< with a mechanism: coefficients of friction so many times as large would hold; 0: none do
     double residual = 0;        ///< of the conditions, scaled: see contact_residual

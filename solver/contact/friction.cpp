@@ -35,7 +35,8 @@ constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy
 constexpr int factors_tried = 16;
 /// Coefficients from which on an answer is looked for from a second start, and by how much of the largest force it differs.
 constexpr double large_coefficient = 0.5, differs = 1e-6;
-constexpr double moderate_coefficient = 5;  // above those of any pair of materials
+/// Above those of any pair of materials; work against slip that is a trifle to steep friction, of the elastic energy.
+constexpr double moderate_coefficient = 5, trifle_of_slip = 1e-4;
 
 VectorXd imbalance_of(const ContactQp& qp, const VectorXd& multipliers) {
     return qp.modes.transpose() * multipliers + qp.mode_load;
@@ -394,12 +395,12 @@ ContactQp with_friction_up_to(ContactQp qp, double most) {
     return qp;
 }
 
-/// The work done against slip, of the elastic energy.
+/// The work done against slip, of the elastic energy; 0: a trifle.
 double share_of_slip(const ContactQp& qp, const ContactQpResult& r) {
     double work = 0;
     for (const FrictionRow& f : qp.friction) work += std::abs(r.multipliers[f.tangential] * r.gap[f.tangential]);
     const double energy = 0.5 * r.multipliers.dot(qp.compliance * r.multipliers);
-    return energy > 0 ? work / energy : 0;
+    return work > trifle_of_slip * energy && energy > 0 ? work / energy : 0;
 }
 
 /// Steep friction from that of a smaller coefficient, with which it shares most states. Where that lets next to nothing slip it
@@ -412,7 +413,7 @@ std::optional<ContactQpResult> solve_from_less(const ContactQp& qp, double most_
     if (!has_answer(near)) return std::nullopt;
     near.most_friction = most_friction;
     near.slip_of_steep = share_of_slip(qp, near);
-    if (near.slip_of_steep <= trifle_of_slip) return near;
+    if (near.slip_of_steep == 0) return near;
     const ShiftedQp settled{qp, qp.gap + qp.modes * near.settled};
     ContactState state{near.multipliers, near.motion, qp.compliance * near.multipliers};
     ContactQpResult result;

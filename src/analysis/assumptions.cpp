@@ -288,13 +288,14 @@ void warn_of_rigid_parts(const Scene& scene, const SolvedAssembly& solved, Resul
 }  // namespace
 
 void warn_of_unused_rules(const Scene& scene, const Outcome& out, Result& result) {
+    const PairRules rules(scene);
     std::vector<Finding> apart, overruled;
     const auto name = [](int r) { return "contacts.pairs " + std::to_string(r); };
     for (int r = 0; r < static_cast<int>(scene.contacts.pairs.size()); ++r) {
         if (scene.contacts.pairs[at(r)].kind == PairRule::Kind::ignore ||
             std::any_of(out.candidates.begin(), out.candidates.end(), [&](const Candidate& c) { return c.rule == r; }))
             continue;
-        const int later = PairRules(scene).later_than(r);
+        const int later = rules.later_than(r);
         (later < 0 ? apart : overruled)
             .push_back({0, name(r),
                         name(r) + " has no effect: " +

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -102,16 +103,10 @@ double missing_of_traction(double refinement) {
     return refinement < 1 ? std::clamp(refinement / (1 - refinement), missing_at_least, 1.0) : 1;
 }
 
-double length_of(const ContactRecord& c) {
-    return std::accumulate(c.stretches.begin(), c.stretches.end(), 0.0,
-                           [](double sum, const PressedStretch& stretch) { return sum + stretch.end - stretch.begin; });
-}
-
 /// Length that sticks by less than a share of what friction bears there: where a traction comes to its bound without a kink
 /// that is much of a contact.
 double length_near_bound(const ContactRecord& c, double share) {
-    constexpr int samples = 8;         // by interval
-    constexpr double at_bound = 1e-6;  // slips
+    constexpr int samples = 8;  // by interval
     double length = 0;
     for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
         const double begin = c.pressure.breakpoints[i], step = (c.pressure.breakpoints[i + 1] - begin) / samples;
@@ -119,14 +114,14 @@ double length_near_bound(const ContactRecord& c, double share) {
             const double s = begin + (k + 0.5) * step;
             const double left = 1 - std::abs(solver::pressure_at(c.pressure, c.shear->coefficients, s)) /
                                         (c.shear->coefficient * solver::pressure_at(c.pressure, c.coefficients, s));
-            if (left > at_bound && left < share) length += step;
+            if (left > slip_fraction && left < share) length += step;
         }
     }
     return length;
 }
 
-/// Friction's traction counts like the pressure, over its bound. The borders of slip are ends to it. Inside, where slip once
-/// ended, its roots are not where anything is known of them now.
+/// Friction's traction counts like the pressure, over its bound, or over the pressure where its coefficient is above 1. The
+/// borders of slip are ends to it. Inside, where slip once ended, its roots are not where anything is known of them now.
 void add_shear(const ContactRecord& now, const ContactRecord& before, double norm_of_pressure,
                const std::optional<ContactError>& known, ContactError& e) {
     if (!now.shear || !before.shear) return;
@@ -137,7 +132,7 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     };
     const PressureChange c =
         change_of(with_traction(now), with_traction(before), known ? known->local_of_shear : std::vector<double>{});
-    const double bound = now.shear->bound * norm_of_pressure;
+    const double bound = std::min(1.0, now.shear->coefficient) * norm_of_pressure;
     double square = 0;
     for (std::size_t i = 0; i < c.local.size(); ++i) {
         const double share = missing_of_traction(c.local[i].refinement);
@@ -145,7 +140,7 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
         square += its;
         e.local_of_shear.push_back(its / (now.pressure.breakpoints[i + 1] - now.pressure.breakpoints[i]));
     }
-    const double of_length = ends_in_length * now.shear->border_error / bound * length_of(now);
+    const double of_length = ends_in_length * now.shear->border_error / bound * length_of(now.stretches);
     e.ends = std::max(e.ends, now.shear->border_error / bound);
     e.inside = std::max(e.inside, std::sqrt(square));
     e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error / bound, std::sqrt(square)));

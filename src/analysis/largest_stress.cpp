@@ -64,8 +64,9 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     const auto cell_of = [&](const LargestOfPart::Found& f) {
         return grid.cells.grid.box(grid.elements.cell_of(f.element)).size().maxCoeff();
     };
-    result.displacement_error =
-        half_a_cell * cell_of(found.displacement) * strain_error(grid.input, displacement, stress, found.displacement.element);
+    if (found.displacement.element >= 0)
+        result.displacement_error = half_a_cell * cell_of(found.displacement) *
+                                    strain_error(grid.input, displacement, stress, found.displacement.element);
     result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {

@@ -85,7 +85,6 @@ std::optional<ShearRecord> shear_record(const SolvedAssembly& solved, std::size_
     const FrictionLengths lengths = friction_lengths(solved, contact, borders);
     ShearRecord record{solved.solution.pressure[static_cast<std::size_t>(solved.shear_of[contact])],
                        coefficient,
-                       std::min(1.0, coefficient),
                        {},
                        0,
                        lengths.stick,
@@ -226,8 +225,8 @@ double left_of_ends(const ContactRecord& now, const ContactRecord& before) {
     constexpr double least_known = 0.75;
     const std::vector<FreeEnd> ends_before = free_ends(before);
     const double whole = before.s.back() - before.s.front();
-    double sum = 0, length = 0;
-    for (const PressedStretch& stretch : now.stretches) length += stretch.end - stretch.begin;
+    const double length = length_of(now.stretches);
+    double sum = 0;
     for (const FreeEnd& end : free_ends(now)) {
         const double s0 = place_in(before, interpolate(now.s, now.s1, end.s));
         double nearest = std::numeric_limits<double>::infinity(), refinement = 1;

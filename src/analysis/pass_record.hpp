@@ -10,9 +10,8 @@ namespace abut {
 
 /// A contact's tangential traction under friction in one pass.
 struct ShearRecord {
-    Eigen::VectorXd coefficients;  ///< of the pressure's spline
-    double coefficient;            ///< of friction, may be infinite
-    double bound;  ///< coefficient of friction, but no more than 1: what errors are relative to, of the pressure
+    Eigen::VectorXd coefficients;         ///< of the pressure's spline
+    double coefficient;                   ///< of friction, may be infinite
     std::vector<PressedStretch> borders;  ///< between sticking and slipping, each as a stretch without length
     double border_error;                  ///< L2, with that at the contact's ends
     double stick_length, unseen;          ///< and how much of it may slip unseen

@@ -191,10 +191,9 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
         return result;
     }
     result.status = contact_status(c, solved.stretches[contact]);
-    for (const PressedStretch& stretch : solved.stretches[contact]) {
-        result.contact_length += stretch.end - stretch.begin;
+    result.contact_length = length_of(solved.stretches[contact]);
+    for (const PressedStretch& stretch : solved.stretches[contact])
         for (double s : {stretch.begin, stretch.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
-    }
     if (c.face.bilateral) result.kind = "bonded";
     if (friction_of(solved, contact) > 0) result.friction = friction_result(solved, contact);
     fill_profile(scene, solved, contact, candidate, result);

@@ -96,10 +96,9 @@ ReadContact ContactReader::read(const solver::LoadAnswer& answer, double load_sc
     if (const int shear = solved_.shear_of[contact_]; shear >= 0) force += shear_forces_ * answer.pressure[at(shear)];
     told.force = force.head<2>();
     told.moment = force[2];
-    for (const PressedStretch& stretch : stretches) {
-        told.contact_length += stretch.end - stretch.begin;
+    told.contact_length = length_of(stretches);
+    for (const PressedStretch& stretch : stretches)
         read.end_error = std::hypot(read.end_error, stretch.at_begin.error, stretch.at_end.error);
-    }
     return read;
 }
 

@@ -11,7 +11,6 @@ namespace abut {
 
 namespace {
 
-constexpr double slip_fraction = 1e-6;   // a traction so near to its bound is there: the coefficients are to rounding
 constexpr double under_pressure = 1e-9;  // of the largest coefficient: below, a pressure is rounding
 constexpr double border_slack = 0.01;    // of a stretch: borders nearer to its end are part of that
 constexpr int end_samples = 60;          // up to the reach of its end

@@ -8,6 +8,9 @@ namespace abut {
 /// The coefficient of friction of a contact; infinite: rough; 0: none.
 double friction_of(const SolvedAssembly& solved, std::size_t contact);
 
+/// A traction that is nearer to its bound than this share of it slips: the coefficients are to rounding.
+inline constexpr double slip_fraction = 1e-6;
+
 enum class FrictionState : char { open, stick, slip_forward, slip_backward };
 
 /// The state at a place s of the middle curve. Forward: the second part slips along the first's normal turned left.
@@ -32,7 +35,7 @@ struct FrictionLengths {
     double stick = 0, slip = 0;
     double unseen = 0;  ///< of what counts as sticking, beside ends of contact: borders there would not be seen
 };
-/// borders: of the contact.
+/// The lengths of a contact; borders: its own.
 FrictionLengths friction_lengths(const SolvedAssembly& solved, std::size_t contact, const std::vector<StickBorder>& borders);
 
 /// Integrals of the pressure and of the traction on the second part (force).

@@ -114,4 +114,10 @@ std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure
     return stretches;
 }
 
+double length_of(const std::vector<PressedStretch>& stretches) {
+    double length = 0;
+    for (const PressedStretch& stretch : stretches) length += stretch.end - stretch.begin;
+    return length;
+}
+
 }  // namespace abut

@@ -37,4 +37,7 @@ using PressedStretches = std::vector<std::vector<PressedStretch>>;
 /// pressures end like the root of the distance, so the last active coefficient alone would put the end up to a knot too far.
 std::vector<PressedStretch> pressed_stretches(const solver::KnotVector& pressure, const Eigen::VectorXd& coefficients);
 
+/// The length of all stretches together.
+double length_of(const std::vector<PressedStretch>& stretches);
+
 }  // namespace abut

@@ -38,19 +38,23 @@ double depth_of(const Scene& scene, const SolvedAssembly& solved, const Candidat
     return deepest;
 }
 
-}  // namespace
-
-std::string rigid_stops(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
+bool are_rigid(const SolvedAssembly& solved, const Candidate& c) {
     const auto is_rigid = [&](int part) {
         const int i = solved.solver_part[at(part)];
         return i >= 0 && solved.grids[at(i)].is_rigid;
     };
+    return is_rigid(c.first) && is_rigid(c.second);
+}
+
+}  // namespace
+
+std::string rigid_stops(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
     const auto moves = [&](int part) {
         return std::any_of(solved.solution.mechanism.begin(), solved.solution.mechanism.end(),
                            [&](const solver::PartMotion& m) { return m.part == solved.solver_part[at(part)]; });
     };
     for (const Candidate& c : candidates)
-        if (is_rigid(c.first) && is_rigid(c.second) && (moves(c.first) || moves(c.second)))
+        if (are_rigid(solved, c) && (moves(c.first) || moves(c.second)))
             return scene.parts[at(c.first)].name + " and " + scene.parts[at(c.second)].name +
                    " face each other, but both are rigid, and no pressure follows between rigid parts: make one of them "
                    "elastic";
@@ -59,8 +63,8 @@ std::string rigid_stops(const Scene& scene, const std::vector<Candidate>& candid
 
 std::string rigid_pair_failure(const Scene& scene, const std::vector<Candidate>& candidates, const SolvedAssembly& solved) {
     for (const Candidate& c : candidates) {
+        if (!are_rigid(solved, c)) continue;
         const int a = solved.solver_part[at(c.first)], b = solved.solver_part[at(c.second)];
-        if (a < 0 || b < 0 || !solved.grids[at(a)].is_rigid || !solved.grids[at(b)].is_rigid) continue;
         const double size = std::min(solved.grids[at(a)].size, solved.grids[at(b)].size);
         const double depth = depth_of(scene, solved, c);
         if (depth > pressed_fraction * size)
