@@ -9,8 +9,14 @@
 //
 //   (k1 w2 + k2 w1 - k1 k2 d) / (k1 + k2),    a2 = (w1 - w2 - k1 d) / (k1 + k2).
 //
+// Small displacements have moved the contact along already: by what the faces are inclined to each other as drawn where they
+// press, which adds to the angles that their bodies turn by.
+//
 // In a hollow face the pressure moves along as it has to: a joint about the centre of the body inside. Flat faces give their
 // force to any place within them.
+//
+// A contact that moves along as its body rolls, while loads stay, balances a moment that it does not have: what loads do in a
+// motion in which no contact force could work where the parts were drawn is balanced by nothing.
 #include "src/analysis/turned_contacts.hpp"
 
 #include <algorithm>
@@ -38,15 +44,19 @@ constexpr double noted_turn = 0.5;             // of the target
 constexpr double rounding_of_pressing = 1e-9;  // what is left of resultants that cancel
 /// Of a part's size: how well it is known where a contact's force acts; what works less in a motion works nothing.
 constexpr double known_places = 1e-3;
+/// Of half a contact's length: how well the place of its force within it is known.
+constexpr double known_within_contact = 0.05;
 
-/// A contact's force on its first part: where and what it is as drawn, and as parts have moved if it keeps its size; what else
-/// it can be there without friction's bound.
+/// A contact's force on its first part: where and what it is in the solution, and as parts have moved if it keeps its size;
+/// what else it can be there.
 struct MovedForce {
     std::size_t contact;
     Vec2 drawn, moved;  ///< places
     Vec2 force{0, 0}, turned{0, 0};
-    bool any_direction = false;  ///< a joint, or friction
+    bool any_direction = false;  ///< a joint, or friction that sticks
     bool any_place = false;      ///< flat faces, bonds
+    Vec2 along{0, 0};            ///< from `drawn` to where the parts as drawn are closest
+    Vec2 normal{0, 0};           ///< where the parts have moved; none in hollow faces, along which it differs
 };
 
 /// How far body 1 has the contact move along t, and the angle that the normal turns by.
@@ -66,6 +76,10 @@ Vec2 turned_by(const Vec2& v, double angle) {
     return v * std::cos(angle) + left_of(v) * std::sin(angle);
 }
 
+double angle_between(const Vec2& from, const Vec2& to) {
+    return std::atan2(cross(from, to), from.dot(to));
+}
+
 MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force,
                        const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool sticks) {
     const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
@@ -78,17 +92,22 @@ MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pa
     } else if (k1 + k2 == 0 || c.face.bilateral) {
         const double angle = 0.5 * (m1.rotation + m2.rotation);
         line.moved += 0.5 * (m1.at(line.drawn) + m2.at(line.drawn));
+        line.normal = turned_by(pair.normal, angle);
         line.turned = turned_by(force, angle);
         line.any_place = true;
         line.any_direction = sticks || c.face.bilateral;
     } else {
         const Vec2 along = -left_of(pair.normal);
         const double slide = (m2.at(pair.on2.x) - m1.at(pair.on1.x)).dot(along);
-        const Rolled r = rolled(k1, k2, m1.rotation, m2.rotation, slide);
+        const double drawn1 = angle_between(pair.normal, pair.on1.normal),
+                     drawn2 = angle_between(pair.normal, -pair.on2.normal);
+        const Rolled r = rolled(k1, k2, drawn1 + m1.rotation, drawn2 + m2.rotation, slide);
         // no farther than the faces go
         const double most = std::min(c.zone.chain1.length, c.zone.chain2.length);
+        line.along = std::clamp(rolled(k1, k2, drawn1, drawn2, 0).along, -most, most) * along;
         line.moved += m1.at(line.drawn) + std::clamp(r.along, -most, most) * along;
         line.turned = turned_by(force, r.angle);
+        line.normal = turned_by(pair.normal, r.angle);
     }
     return line;
 }
@@ -122,6 +141,16 @@ double work_in_row(const SolvedAssembly& solved, const Balance& b, std::size_t r
     return sum;
 }
 
+/// What a part's loads work in a row's motion.
+double load_work(const SolvedAssembly& solved, const Balance& b, std::size_t row) {
+    const std::size_t i = b.part[row];
+    const solver::PartSystem& part = solved.problem.parts[i];
+    const solver::Resultant total = resultant_of(part.input.space, part.applied);
+    const Vec2 center = solved.grids[i].frame.to_local(b.motion[row].center);
+    return solved.grids[i].frame.vector_to_global(total.force).dot(b.motion[row].translation) +
+           b.motion[row].rotation * (total.moment - cross(center, total.force));
+}
+
 /// How much more a part's dead loads work in a row's motion once they act where the part has gone.
 double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t row, const solver::RigidMotion& moved) {
     const std::size_t i = b.part[row];
@@ -136,27 +165,37 @@ double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t r
     return b.motion[row].rotation * (cross(moved.translation, force) - moved.rotation * virial);
 }
 
+/// Has friction room for another force along the faces?
+bool sticks(const SolvedAssembly& solved, std::size_t contact) {
+    const double friction = friction_of(solved, contact);
+    if (friction == 0) return false;
+    const FrictionSums sums = friction_sums(solved, contact);
+    return std::abs(sums.shear) < (1 - slip_fraction) * friction * sums.normal;
+}
+
 std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
                                      const std::vector<solver::RigidMotion>& motions) {
     std::vector<MovedForce> lines;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         if (solved.stretches[k].empty()) continue;
         const ContactInterface& c = solved.contacts[k];
-        const PressedStretch& stretch = solved.stretches[k].front();
+        const std::vector<PressedStretch>& all = solved.stretches[k];
+        const PressedStretch& stretch = *std::max_element(
+            all.begin(), all.end(), [](const auto& a, const auto& b) { return a.end - a.begin < b.end - b.begin; });
         const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
         if (!pair.found) continue;
         lines.push_back(moved_force(c, pair, contact_force(solved, k).force, motions[at(c.face.part[0])],
-                                    motions[at(c.face.part[1])], friction_of(solved, k) > 0));
+                                    motions[at(c.face.part[1])], sticks(solved, k)));
         lines.back().contact = k;
     }
     return lines;
 }
 
 /// Changes of the lines' forces on their first parts that balance them where parts have gone, with those of `turned`; and by
-/// row what they leave out of balance.
+/// row what they leave out of balance, and what loads do in motions in which no force of a contact would work as drawn.
 struct Rebalanced {
     std::vector<Vec2> change;
-    Eigen::VectorXd left;
+    Eigen::VectorXd left, driven;
 };
 
 Rebalanced rebalanced(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
@@ -174,42 +213,65 @@ Rebalanced rebalanced(const SolvedAssembly& solved, const Balance& b, const std:
     }
     // by the places as drawn: the same to the first order, and what works nothing in a motion does so here
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Index>(b.part.size()), static_cast<Index>(unknowns.size()));
-    Eigen::VectorXd off = Eigen::VectorXd::Zero(matrix.rows());
+    Eigen::VectorXd off = Eigen::VectorXd::Zero(matrix.rows()), loads = off;
     for (std::size_t row = 0; row < b.part.size(); ++row) {
         const auto r = static_cast<Index>(row);
         const double size = solved.grids[b.part[row]].size;
         off[r] = load_change(solved, b, row, motions[b.part[row]]);
+        loads[r] = load_work(solved, b, row);
         for (const MovedForce& l : lines)
             off[r] += work_in_row(solved, b, row, l.contact, l.moved, l.turned) -
                       work_in_row(solved, b, row, l.contact, l.drawn, l.force);
         for (std::size_t j = 0; j < unknowns.size(); ++j) {
             const MovedForce& l = lines[unknowns[j].line];
-            const Vec2& along = unknowns[j].direction;
+            const Vec2 &direction = unknowns[j].direction, place = l.drawn + l.along;
             // a couple at the part's size: a force there and its opposite at the line
-            matrix(r, static_cast<Index>(j)) = along.norm() > 0
-                                                   ? work_in_row(solved, b, row, l.contact, l.drawn, along)
-                                                   : work_in_row(solved, b, row, l.contact, l.drawn + Vec2(size, 0), {0, 1}) -
-                                                         work_in_row(solved, b, row, l.contact, l.drawn, {0, 1});
+            matrix(r, static_cast<Index>(j)) = direction.norm() > 0
+                                                   ? work_in_row(solved, b, row, l.contact, place, direction)
+                                                   : work_in_row(solved, b, row, l.contact, place + Vec2(size, 0), {0, 1}) -
+                                                         work_in_row(solved, b, row, l.contact, place, {0, 1});
         }
     }
     const auto [values, vectors] = solver::right_singular_vectors(matrix);
     Index rank = 0;
     while (rank < values.size() && values[rank] > known_places * values[0]) ++rank;
     const auto range = vectors.leftCols(rank);
-    const Eigen::VectorXd along_range = -(range.transpose() * (matrix.transpose() * off));
-    const Eigen::VectorXd change = range * along_range.cwiseQuotient(values.head(rank).cwiseAbs2());
-    Rebalanced result{std::vector<Vec2>(lines.size()), off + matrix * change};
+    const auto balancing = [&](const Eigen::VectorXd& work) -> Eigen::VectorXd {
+        const Eigen::VectorXd along_range = range.transpose() * (matrix.transpose() * work);
+        return -(range * along_range.cwiseQuotient(values.head(rank).cwiseAbs2()));
+    };
+    const Eigen::VectorXd change = balancing(off);
+    Rebalanced result{std::vector<Vec2>(lines.size()), off + matrix * change, loads + matrix * balancing(loads)};
     for (std::size_t k = 0; k < lines.size(); ++k) result.change[k] = lines[k].turned - lines[k].force;
     for (std::size_t j = 0; j < unknowns.size(); ++j)
         result.change[unknowns[j].line] += change[static_cast<Index>(j)] * unknowns[j].direction;
     return result;
 }
 
-/// A round part that friction holds by a moment has another lever once it has turned.
-double turned_lever(const SolvedAssembly& solved, std::size_t contact, const std::vector<solver::RigidMotion>& motions) {
-    const std::array<int, 2>& part = solved.contacts[contact].face.part;
-    const double friction = friction_of(solved, contact);
-    return friction > 0 ? std::abs(motions[at(part[0])].rotation - motions[at(part[1])].rotation) / friction : 0;
+/// By how much more than it can friction would have to bear in a contact where parts have moved to, as a share.
+double beyond_friction(const SolvedAssembly& solved, const MovedForce& line, const Vec2& change) {
+    const double friction = friction_of(solved, line.contact);
+    if (friction == 0 || line.normal.norm() == 0) return 0;
+    const Vec2 force = line.force + change;
+    return std::abs(cross(line.normal, force)) / (friction * std::abs(line.normal.dot(force))) - 1;
+}
+
+/// The share of what drives a part that nothing balances where the part has gone; 0: nothing that counts beside how well the
+/// places of its contacts' forces are known drives it.
+double share_not_held(const SolvedAssembly& solved, const Result& result, const Balance& b,
+                      const std::vector<MovedForce>& lines, const Rebalanced& moved, std::size_t part) {
+    double known = 0, driven = 0, left = 0;
+    for (const MovedForce& l : lines)
+        for (const int side : {0, 1})
+            if (at(solved.contacts[l.contact].face.part[at(side)]) == part)
+                known += known_within_contact * 0.5 * result.contacts[l.contact].contact_length * l.force.norm();
+    for (std::size_t row = 0; row < b.part.size(); ++row) {
+        if (b.part[row] != part) continue;
+        const auto r = static_cast<Index>(row);
+        driven = std::hypot(driven, moved.driven[r]);
+        left = std::hypot(left, moved.left[r]);
+    }
+    return driven > known / solved.grids[part].size ? std::min(1.0, left / driven) : 0;
 }
 
 /// What is balanced, by which forces, where their parts have gone.
@@ -255,7 +317,7 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";
-    std::vector<Finding> forces, levers, motions_left;
+    std::vector<Finding> forces, frictions, motions_left;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const std::string number = contact_number(lines[k].contact);
         if (const double share = moved.change[k].norm() / largest; share > noted) {
@@ -265,26 +327,33 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
                               text + ", which the answer leaves out: forces may be off by more than their errors say" + advice,
                               text});
         }
-        const ContactInterface& c = solved.contacts[lines[k].contact];
-        const double lever = turned_lever(solved, lines[k].contact, motions);
-        if (!c.face.bilateral && !lines[k].any_place && lines[k].force.norm() / largest * lever > noted)
-            levers.push_back(
-                {lever, "contact " + number,
-                 "a round part turns so far that friction in contact " + number + " seems to bear a moment that is " +
-                     percent_text(lever) + " too large" + advice,
-                 "friction in contact " + number + " bears a moment that is " + percent_text(lever) + " too large"});
+        if (const double share = beyond_friction(solved, lines[k], moved.change[k]); share > noted) {
+            const std::string text = "where parts have moved to, friction in contact " + number + " would have to bear " +
+                                     percent_text(share) + " more than it can";
+            frictions.push_back({share, "contact " + number, text + advice, text});
+        }
     }
-    for (std::size_t row = 0; row < balance.part.size(); ++row) {
-        const double share = std::abs(moved.left[static_cast<Index>(row)]) / largest;
-        if (share <= noted) continue;
-        const std::string& name = scene.parts[at(solved.grids[balance.part[row]].part)].name;
-        const std::string text =
-            "where part " + name + " has moved to, " + percent_text(share) + " of the largest contact force is not balanced";
-        motions_left.push_back({share, name, text + ": it may go on moving" + advice, text});
+    for (std::size_t i = 0; i < solved.grids.size(); ++i) {
+        const std::string& name = scene.parts[at(solved.grids[i].part)].name;
+        double share = 0;
+        for (std::size_t row = 0; row < balance.part.size(); ++row)
+            if (balance.part[row] == i) share = std::max(share, std::abs(moved.left[static_cast<Index>(row)]) / largest);
+        if (const double rolling = share_not_held(solved, result, balance, lines, moved, i); rolling > noted) {
+            const std::string text = "part " + name + " is driven by its loads in a motion in which " + percent_text(rolling) +
+                                     " of them is not balanced where it has moved to";
+            motions_left.push_back({rolling, name,
+                                    text + ": it rolls or slides on, and only contact that small displacements move along with "
+                                           "it while its loads stay seems to hold it. Balance these loads, or support it",
+                                    text});
+        } else if (share > noted) {
+            const std::string text = "where part " + name + " has moved to, " + percent_text(share) +
+                                     " of the largest contact force is not balanced";
+            motions_left.push_back({share, name, text + ": it may go on moving" + advice, text});
+        }
     }
     tell(std::move(forces), "turned_force", result);
     tell(std::move(motions_left), "turned_balance", result);
-    tell(std::move(levers), "turned_lever", result);
+    tell(std::move(frictions), "turned_lever", result);
 }
 
 }  // namespace abut

@@ -11,7 +11,8 @@ namespace abut {
 bool are_forces_turned(const Scene& scene, const Outcome& out);
 
 /// Warns, with a reason against the answer, where the rigid motions of parts that are not followed turn a contact's normal by
-/// more than forces are to be known to, or turn a round part so far that its friction has another lever.
+/// more than forces are to be known to, where nothing balances the loads of a part in a motion once it has moved (a disc that
+/// rolls), and where friction would then have to bear more than it can.
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result);
 
 }  // namespace abut

@@ -69,6 +69,31 @@ Result clamped_disc(double share) {
                         std::to_string(share * 2 * 0.15 * 2000 * 10) + R"(}], "contacts": {"friction": 0.15}})");
 }
 
+/// A disc in a right-angled groove, under its weight and a moment.
+Result disc_in_groove(double moment) {
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [{"name": "vee", "material": "m",
+        "geometry": {"polygon": [[-30, -40], [30, -40], [30, 15.857864376269049], [0, -14.142135623730951], [-30, 15.857864376269049]]}}, )" +
+                        circle("d", 0, 0) + R"(], "supports": [{"on": "vee/e0", "fix": ["x", "y"]}],
+        "loads": [{"part": "d", "force": [0, -1000]}, {"part": "d", "moment": )" +
+                        std::to_string(moment) + R"(}], "contacts": {"friction": 0.2}, "accuracy": {"level": "draft"}})");
+}
+
+/// A disc on a plate under 1000, pushed along the plate by 800 and turned by a moment; all of it turned by an angle.
+Result pushed_disc(double moment, double angle) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const auto pair = [&](double x, double y) {
+        return "[" + std::to_string(c * x - s * y) + ", " + std::to_string(s * x + c * y) + "]";
+    };
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [{"name": "base", "material": "m",
+        "geometry": {"polygon": [)" +
+                        pair(-60, -30) + ", " + pair(60, -30) + ", " + pair(60, 0) + ", " + pair(-60, 0) +
+                        R"(]}}, {"name": "disc", "material": "m", "geometry": {"circle": {"center": )" + pair(0, 10) +
+                        R"(, "radius": 10}}}], "supports": [{"on": "base/e0", "fix": ["x", "y"]}],
+        "loads": [{"part": "disc", "force": )" +
+                        pair(800, -1000) + R"(}, {"part": "disc", "moment": )" + std::to_string(moment) +
+                        R"(}], "contacts": {"friction": 2}, "accuracy": {"level": "draft"}})");
+}
+
 /// Of parts that move, and of the same drawn where they come to rest.
 void expect_told_where_parts_move(const Result& moved, const Result& at_rest) {
     ASSERT_EQ(moved.status, "ok") << moved.message;
@@ -107,7 +132,40 @@ TEST(TurnedContacts, MomentsBeyondFrictionAreTold) {
     const Result beyond = clamped_disc(1.05), below = clamped_disc(0.5);
     EXPECT_TRUE(beyond.status != "ok" || has_reason(beyond, "turned_lever")) << beyond.message;
     ASSERT_EQ(below.status, "ok") << below.message;
+    EXPECT_TRUE(below.reasons.empty());
+}
+
+/// Where one contact sticks and the other slips, small displacements have the one that sticks bear what it cannot.
+TEST(TurnedContacts, FrictionThatWouldHaveToBearMoreIsTold) {
+    const double limit = 0.2 * std::sqrt(2.0) / (1 + 0.2 * 0.2) * 1000 * 10;  // by statics
+    const Result beyond = disc_in_groove(1.05 * limit), below = disc_in_groove(0.95 * limit);
+    EXPECT_TRUE(beyond.status != "ok" || has_reason(beyond, "turned_lever")) << beyond.message;
+    ASSERT_EQ(below.status, "ok") << below.message;
     EXPECT_FALSE(has_reason(below, "turned_lever"));
+}
+
+/// A disc that rolls is balanced by small displacements alone, whose contact moves along while the loads stay.
+TEST(TurnedContacts, DiscsThatRollAreTold) {
+    for (const double angle : {0.0, 0.3})
+        for (const double off : {-300.0, 60.0, 300.0}) {
+            const Result rolls = pushed_disc(8000 + off, angle);
+            EXPECT_TRUE(rolls.status != "ok" || has_reason(rolls, "turned_balance")) << angle << " " << off;
+        }
+    const Result rests = pushed_disc(8000, 0.3);
+    ASSERT_EQ(rests.status, "ok") << rests.message;
+    EXPECT_FALSE(has_reason(rests, "turned_balance"));
+}
+
+/// In a hollow it rolls until its weight holds it, and that is so.
+TEST(TurnedContacts, DiscsInHollowsRest) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "base", "material": "m", "geometry": {"difference": [{"rectangle": {"min": [-15, -15], "max": [15, 5]}},
+            {"circle": {"center": [0, 10.5], "radius": 10.5}}]}}, )" +
+                                  circle("disc", 0, 10) + R"(],
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}],
+        "loads": [{"part": "disc", "force": [0, -1000]}, {"part": "disc", "force": [5, 0]}], "contacts": {"friction": 0.3}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_FALSE(has_reason(r, "turned_balance"));
 }
 
 }  // namespace abut::turned_contacts_test
