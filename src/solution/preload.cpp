@@ -77,7 +77,8 @@ class Tightening {
 public:
     Tightening(const Scene& scene, SolvedAssembly& solved, int threads) : scene_(scene), solved_(solved), threads_(threads) {}
 
-    /// Shortenings by cut, by Broyden's method from each cut's own secant; empty: solved.failure says why not.
+    /// Shortenings by cut, by Broyden's method from each cut's own secant; empty: solved.failure says why not. A cut that is to
+    /// have no force is not tightened: its part is as drawn, whatever the others do to it.
     VectorXd run() {
         const auto n = static_cast<Index>(solved_.preloads.size());
         VectorXd wanted(n), shortening(n);
@@ -89,7 +90,7 @@ public:
         Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, n);
         bool has_slope = false;
         for (int count = 1; solved_.failure.empty(); ++count) {
-            const VectorXd missing = wanted - force;
+            const VectorXd missing = (wanted.array() > 0).select(wanted - force, 0);
             if (missing.cwiseAbs().maxCoeff() <= force_rounding * wanted.maxCoeff()) return shortening;
             if (count == most_solutions) {
                 solved_.failure = "the parts could not be tightened to their preloads: forces do not settle";
@@ -100,7 +101,7 @@ public:
             if (!is_closing && !has_slope) {
                 slope = force.cwiseQuotient(shortening.cwiseMax(1e-300)).asDiagonal();
                 for (Index k = 0; k < n; ++k)
-                    if (wanted[k] == 0) slope(k, k) = pull(k).stiffness;
+                    if (wanted[k] == 0) slope(k, k) = pull(k).stiffness;  // any: it takes no step
                 has_slope = true;
             }
             if (!is_closing) step = slope.partialPivLu().solve(missing);

@@ -146,6 +146,37 @@ TEST(Preload, TakesPartInLoadCases) {
     EXPECT_NEAR(force(2), 500, 1e-5);
 }
 
+/// One bolt after the other: the one that is not tightened yet carries what the other gives it, as if it had no preload.
+TEST(Preload, LeavesBoltsAloneThatAreNotTightenedYet) {
+    const std::string first = R"({"name": "first", "part": "a", "preload": {"across": [[-12, 50], [-4, 50]], "force": 500}})",
+                      second = R"({"name": "second", "part": "b", "preload": {"across": [[4, 50], [12, 50]], "force": 300}})";
+    for (const std::string friction : {"0", "0.2"}) {
+        const auto answers = [&](const std::string& loads, const std::string& steps) {
+            std::string text = scene(loads, 0, 0, "null");
+            text.replace(text.find(R"("contacts": {)"), 13, R"("contacts": {"friction": )" + friction + ", ");
+            text.back() = ',';
+            return analyze_cases(read_scene_text(text + R"("steps": [)" + steps + "]}", "s.json"), {});
+        };
+        const std::string one = R"({"name": "1", "loads": {"first": 1}})";
+        const std::vector<CaseResult> both = answers(first + ", " + second,
+                                                     one + R"(, {"name": "2", "loads": {"first": 1, "second": 1}})"),
+                                      alone = answers(first, one);
+        ASSERT_EQ(both.size(), 2u);
+        ASSERT_EQ(both[0].result.status, "ok") << both[0].result.message;
+        ASSERT_EQ(both[1].result.status, "ok") << both[1].result.message;
+        ASSERT_EQ(alone[0].result.contacts.size(), both[0].result.contacts.size());
+        for (std::size_t k = 0; k < both[0].result.contacts.size(); ++k)
+            EXPECT_LT((both[0].result.contacts[k].force - alone[0].result.contacts[k].force).norm(), 0.05)
+                << friction << " " << k;
+        EXPECT_NEAR(both[0].result.preloads.at(0).force_under_load, 500, 1e-5);
+        EXPECT_GT(std::abs(both[0].result.preloads.at(1).force_under_load), 1);
+        // what friction has locked in before bears a little of the second
+        const double shared = friction == "0" ? 1e-5 : 0.2;
+        EXPECT_NEAR(both[1].result.preloads.at(0).force_under_load, 500, shared);
+        EXPECT_NEAR(both[1].result.preloads.at(1).force_under_load, 300, shared);
+    }
+}
+
 TEST(NoPreload, IsNotInTheAnswer) {
     const Result r = analyze(read_scene_text(scene(R"({"part": "above", "force": [0, -500]})"), "s.json"), {});
     EXPECT_TRUE(r.preloads.empty());
