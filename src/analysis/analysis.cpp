@@ -35,6 +35,7 @@
 #include "src/contact/cell_search.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
+#include "src/plan/stray_selections.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
 #include "src/results/verdict.hpp"
@@ -232,6 +233,7 @@ Begun begin_analysis(const Scene& drawn, Stopwatches& seconds, const std::vector
             with_unit(search_cell(drawn), 4, drawn.length_unit) + " lets in");
     check_probes(drawn);
     begun.conditions = resolve_conditions(drawn);
+    for (const std::string& stray : stray_selections(drawn)) result.warnings.push_back(stray);
     result.effects = plan_effects(drawn, begun.conditions);
     const auto begin = std::chrono::steady_clock::now();
     begun.settling = settle(drawn, begun.conditions, from);

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/plan/stray_selections.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "geometry/brep/part.hpp"
+#include "src/base/index.hpp"
+#include "src/scene/selection.hpp"
+
+namespace abut {
+
+namespace {
+
+bool is_whole(const EdgePortion& p) {
+    return p.t0 == 0 && p.t1 == 1;
+}
+
+/// Do two portions of one part meet at an end?
+bool adjoin(const geometry::Part& part, const EdgePortion& a, const EdgePortion& b) {
+    const geometry::Curve &on_a = part.edges[at(a.edge)].curve, &on_b = part.edges[at(b.edge)].curve;
+    const double merged = geometry::merge_length(part);
+    for (const double s : {a.t0, a.t1})
+        for (const double t : {b.t0, b.t1})
+            if ((geometry::point(on_a, s) - geometry::point(on_b, t)).norm() <= merged) return true;
+    return false;
+}
+
+/// Names of the edges of which portions are taken that no chain of portions joins to a whole edge; none where none is whole.
+std::set<std::string> strays(const Scene& scene, const Selector& selector) {
+    std::vector<EdgePortion> joined, rest;
+    for (const EdgePortion& p : select(scene, {selector})) (is_whole(p) ? joined : rest).push_back(p);
+    if (joined.empty()) return {};
+    for (std::size_t k = 0; k < joined.size(); ++k)
+        for (std::size_t i = rest.size(); i-- > 0;)
+            if (rest[i].part == joined[k].part && adjoin(scene.parts[at(rest[i].part)].part, rest[i], joined[k])) {
+                joined.push_back(rest[i]);
+                rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+    std::set<std::string> names;
+    for (const EdgePortion& p : rest) {
+        const ScenePart& part = scene.parts[at(p.part)];
+        names.insert(part.name + "/" + part.part.edges[at(p.edge)].name);
+    }
+    return names;
+}
+
+void append(const Scene& scene, const Selection& on, std::vector<std::string>& texts) {
+    for (const Selector& selector : on) {
+        if (!selector.facing) continue;
+        std::string pieces;
+        for (const std::string& name : strays(scene, selector)) pieces += (pieces.empty() ? "" : ", ") + name;
+        if (!pieces.empty())
+            texts.push_back(selector.where + ": of " + pieces +
+                            " a piece faces this way, too, and is selected beside the edges that do as a whole; if it is not "
+                            "meant, name these edges, or select them by near or box");
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> stray_selections(const Scene& scene) {
+    std::vector<std::string> texts;
+    for (const Support& support : scene.supports) append(scene, support.on, texts);
+    for (const Load& load : scene.loads) append(scene, load.on, texts);
+    return texts;
+}
+
+}  // namespace abut

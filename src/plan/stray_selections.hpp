@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Selections by `facing` that take more than was meant.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "src/scene/scene.hpp"
+
+namespace abut {
+
+/// Supports and loads on what faces a way that take whole edges, and besides pieces of curved ones that do not adjoin these:
+/// the top of a hole faces down as the bottom of its plate does. A sentence for each, which names the pieces.
+std::vector<std::string> stray_selections(const Scene& scene);
+
+}  // namespace abut
