@@ -220,8 +220,22 @@ void fill_missed(const Outcome& out, Result& result) {
     tell(std::move(findings), "missed_contact", result);
 }
 
-/// What is still missing of displacements after a change from the grids before, of that change.
+/// What is still missing of displacements after a change from the grids before, at most, of that change.
 constexpr double missing_of_displacement = 0.33;
+
+/// The same of a part: what its contacts are estimated to miss of their pressures' changes, the worst of them.
+double missing_of_moves(const Result& result, const ErrorEstimate& error, const std::string& part) {
+    double most = 0;
+    bool any = false;
+    for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k) {
+        const ContactResult& c = result.contacts[k];
+        if (!error.contacts[k] || (c.parts[0] != part && c.parts[1] != part)) continue;
+        any = true;
+        const ContactError& e = *error.contacts[k];
+        most = std::max(most, e.pressure < e.whole_change ? e.pressure / e.whole_change : 1);
+    }
+    return any ? std::min(most, missing_of_displacement) : missing_of_displacement;
+}
 
 void fill_displacement_errors(const Outcome& out, Result& result) {
     const ErrorEstimate& error = out.errors.back();
@@ -241,7 +255,8 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         }
         own = std::max(own, out.largest[k].displacement_error / p.max_displacement.value);
         // what lifts off goes by where its contacts end, of which energies know little
-        if (k < error.moved.size()) own = std::max(own, missing_of_displacement * error.moved[k] / p.max_displacement.value);
+        if (k < error.moved.size())
+            own = std::max(own, missing_of_moves(result, error, p.name) * error.moved[k] / p.max_displacement.value);
         p.max_displacement_error = std::min(1.0, own);
     }
     if (result.accuracy.of != "contact pressure" || energy <= result.accuracy.target) return;

@@ -77,6 +77,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     e.at_corner = peak_at_corner(now, c.peak);
     e.ends = end_errors(now) / c.norm;
     e.change = c.inside / c.norm;
+    e.whole_change = c.difference / c.norm;
     fill_local(now, c, missing_share(c, e.change, before), e);
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);

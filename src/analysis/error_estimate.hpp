@@ -30,6 +30,7 @@ struct ContactError {
         local{};  ///< of the rest, by interval of the pressure: squared error over length, relative to the pressure's norm
     std::vector<double> local_of_shear{};  ///< the same of friction's traction, relative to its bound
     bool at_corner = false;                ///< the largest pressure stands at a corner, where it may have no limit
+    double whole_change = 0;               ///< of the pressure, from the grids before
 };
 
 /// The estimated errors of a solution; unset: nothing to compare with.
