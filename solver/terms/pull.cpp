@@ -13,8 +13,9 @@ Pull make_pull(const BlockMatrix& stiffness, Eigen::VectorXd displacement) {
     return pull;
 }
 
-double force_across(const Pull& pull, const Eigen::VectorXd& u) {
-    return pull.stiffness * pull.shortening - pull.load.dot(u);
+double force_across(const Pull& pull, const Eigen::VectorXd& u, const Eigen::VectorXd& free_strain) {
+    return pull.stiffness * pull.shortening - pull.load.dot(u) +
+           (free_strain.size() > 0 ? pull.displacement.dot(free_strain) : 0);
 }
 
 }  // namespace abut::solver

@@ -22,7 +22,8 @@ struct Pull {
 Pull make_pull(const BlockMatrix& stiffness, Eigen::VectorXd displacement);
 
 /// The force across the cut, tension positive, in a part with the displacement u: the work of its stresses in the motion that
-/// takes the two sides apart by a unit.
-double force_across(const Pull& pull, const Eigen::VectorXd& u);
+/// takes the two sides apart by a unit. free_strain: the load of the part's free strain (free_strain_load), which leaves no
+/// stress either; empty: it has none.
+double force_across(const Pull& pull, const Eigen::VectorXd& u, const Eigen::VectorXd& free_strain = {});
 
 }  // namespace abut::solver

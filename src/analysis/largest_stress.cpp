@@ -88,6 +88,10 @@ std::vector<LargestStress> largest_stresses(const Scene& scene, const ResolvedCo
     solver::parallel_for(static_cast<int>(all.size()), threads, [&](int i) {
         if (stress[at(i)].failure.empty()) all[at(i)] = largest_of(scene, conditions, solved, at(i), stress[at(i)]);
     });
+    if (!is_strained(solved)) {
+        for (LargestStress& s : all) s.error.reset();
+        return all;
+    }
     for (std::size_t k = 0; k < all.size() && k < before.size(); ++k)
         if (all[k].error)
             all[k].error =

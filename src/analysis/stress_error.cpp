@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "geometry/curves/bezier_span.hpp"
 #include "solver/assembly/ring.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/terms/free_strain.hpp"
@@ -107,13 +109,18 @@ void add_full_cells(const solver::PartInput& input, const solver::StressOf& raw,
 
 /// Of what a temperature would store in a restrained part: the energy of a part that expands freely is rounding below this.
 constexpr double energy_rounding = 1e-12;
+/// Parts that are drawn against each other strain each other by the rounding of their places.
+constexpr double strain_rounding = geometry::coordinate_roundings * std::numeric_limits<double>::epsilon();
 
-double restrained_energy(const SolvedAssembly& solved) {
+double rounding_energy(const SolvedAssembly& solved) {
     double sum = 0;
     for (const PartOnGrid& g : solved.grids) {
+        if (g.is_rigid) continue;
+        const double volume = measure(g.input) * g.input.thickness;
+        sum += 0.5 * strain_rounding * strain_rounding * g.input.elasticity.d11 * volume;
         if (!g.input.free_strain) continue;
         const double stress = solver::largest_restrained_stress(g.input);
-        sum += 0.5 * stress * stress / g.input.elasticity.d33 * measure(g.input) * g.input.thickness;
+        sum += energy_rounding * 0.5 * stress * stress / g.input.elasticity.d33 * volume;
     }
     return sum;
 }
@@ -173,10 +180,13 @@ std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int
     return fields;
 }
 
+bool is_strained(const SolvedAssembly& solved) {
+    return energy_of(solved) > rounding_energy(solved);
+}
+
 std::optional<std::vector<double>> energy_errors(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                                                  int threads) {
-    const double energy = energy_of(solved);
-    if (!(energy > 0) || energy <= energy_rounding * restrained_energy(solved)) return std::nullopt;
+    if (!is_strained(solved)) return std::nullopt;
     const auto has_failed = [](const solver::StressField& s) { return !s.failure.empty(); };
     if (std::any_of(stress.begin(), stress.end(), has_failed)) return std::nullopt;
     std::vector<double> error(solved.grids.size(), 0);

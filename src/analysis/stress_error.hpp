@@ -29,6 +29,9 @@ std::vector<double> element_errors(const solver::PartInput& input, const Eigen::
 double strain_error(const solver::PartInput& input, const Eigen::VectorXd& displacement, const solver::StressField& smoothed,
                     int element);
 
+/// Is anything strained by more than temperatures in parts that expand freely, and places, are rounded by?
+bool is_strained(const SolvedAssembly& solved);
+
 /// The estimated error of the strain energy of each of solved.grids; the root of its share of the energy is that of the
 /// stresses in the energy norm. None where a smoothing failed, or where nothing is strained. Cost: an evaluation of both
 /// stresses at every quadrature point.

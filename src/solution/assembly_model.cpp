@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <optional>
 
+#include "geometry/curves/bezier_span.hpp"
 #include "solver/contact/independent_groups.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/recovery/recovery.hpp"
@@ -14,6 +16,7 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/scene/accuracy_goal.hpp"
+#include "src/solution/contact_measures.hpp"
 #include "src/solution/part_systems.hpp"
 #include "src/solution/preload.hpp"
 
@@ -194,9 +197,20 @@ constexpr double path_share = 0.5;
 /// Of the loads: contact forces below are their rounding.
 constexpr double open_force_fraction = 1e-10;
 
-bool is_rounding(const solver::Interface& face, const Eigen::VectorXd& pressure, double load_scale) {
-    const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front();
-    return pressure.cwiseAbs().maxCoeff() * length * face.thickness <= open_force_fraction * load_scale;
+/// How well places of a part's outline are known.
+double rounding_of_places(const PartOnGrid& g) {
+    return geometry::coordinate_roundings * std::numeric_limits<double>::epsilon() * (g.frame.shift.norm() + g.size);
+}
+
+/// Is a pressure no more than what loads, or places of outlines that are drawn against each other, are rounded by?
+bool is_rounding(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure, double load_scale) {
+    const solver::Interface& face = solved.contacts[contact].face;
+    const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front(),
+                 largest = pressure.cwiseAbs().maxCoeff();
+    if (largest * length * face.thickness <= open_force_fraction * load_scale) return true;
+    const double overlap = largest * length * compliance_of(solved, contact);
+    return overlap > 0 &&
+           overlap <= rounding_of_places(solved.grids[at(face.part[0])]) + rounding_of_places(solved.grids[at(face.part[1])]);
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Stretches that lie
@@ -409,7 +423,7 @@ std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size
                                          double load_scale) {
     const solver::Interface& face = solved.contacts[contact].face;
     if (face.bilateral) return {{face.pressure.breakpoints.front(), face.pressure.breakpoints.back(), true, true}};
-    if (is_rounding(face, pressure, load_scale)) return {};
+    if (is_rounding(solved, contact, pressure, load_scale)) return {};
     const std::vector<PressedStretch> stretches = pressed_stretches(solved.contacts[contact].face.pressure, pressure);
     if (face.penalty.empty()) return stretches;
     const solver::SplineSpace& space = solved.grids[at(face.part[0])].input.space;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solver/contact/independent_groups.hpp"
+#include "solver/terms/free_strain.hpp"
 #include "src/base/index.hpp"
 #include "src/discretization/preload_cut.hpp"
 #include "src/io/number_text.hpp"
@@ -197,9 +198,12 @@ void tighten(const Scene& scene, SolvedAssembly& solved, int threads) {
 }
 
 void fill_preload_forces(SolvedAssembly& solved) {
-    for (PreloadState& cut : solved.preloads)
-        cut.force_under_load = solver::force_across(solved.problem.parts[at(cut.grid)].pulls[at(cut.pull)],
-                                                    solved.solution.displacement[at(cut.grid)]);
+    for (PreloadState& cut : solved.preloads) {
+        const solver::PartSystem& part = solved.problem.parts[at(cut.grid)];
+        const VectorXd free_strain = part.input.free_strain ? solver::free_strain_load(part.input) : VectorXd();
+        cut.force_under_load =
+            solver::force_across(part.pulls[at(cut.pull)], solved.solution.displacement[at(cut.grid)], free_strain);
+    }
 }
 
 }  // namespace abut

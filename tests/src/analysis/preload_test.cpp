@@ -177,6 +177,29 @@ TEST(Preload, LeavesBoltsAloneThatAreNotTightenedYet) {
     }
 }
 
+/// A bolt that is warm expands, which presses less on what it clamps; what it carries is what presses on its head.
+TEST(Preload, WarmBoltsCarryWhatTheirHeadsPressWith) {
+    const std::string parts =
+        R"({"abut": 1, "analysis": "plane_strain", "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3, "expansion": 1.2e-5}},
+        "parts": [{"name": "bolt", "material": "m", "geometry": {"union": [{"rectangle": {"min": [-6, -20], "max": [6, 20]}},
+            {"rectangle": {"min": [-12, 12], "max": [12, 20]}}, {"rectangle": {"min": [-12, -20], "max": [12, -12]}}]}},
+          {"name": "left", "material": "m", "geometry": {"rectangle": {"min": [-16, -12], "max": [-7, 12]}}},
+          {"name": "right", "material": "m", "geometry": {"rectangle": {"min": [7, -12], "max": [16, 12]}}}],
+        "supports": [{"on": "right/right", "fix": ["x", "y"]}, {"on": "left/left", "fix": ["x", "y"]},
+          {"part": "bolt", "rigid": {"translation": [0, null], "rotation": 0}}], "accuracy": {"level": "draft"}, "loads": [)";
+    for (const double warmth : {10.0, 50.0, -50.0}) {
+        const std::string loads = preload("bolt", "[[-6.5, 2], [6.5, 2]]", 5000) + R"(, {"part": "bolt", "temperature": )" +
+                                  std::to_string(warmth) + "}]}";
+        const Result r = analyze(read_scene_text(parts + loads, "s.json"), {});
+        ASSERT_EQ(r.status, "ok") << r.message;
+        double on_head = 0;
+        for (const ContactResult& c : r.contacts)
+            if (c.max_pressure.at.y() > 0) on_head += std::abs(c.force.y());
+        EXPECT_NEAR(r.preloads.at(0).force_under_load, on_head, 1e-6 * 5000) << warmth;
+        EXPECT_EQ(on_head == 0, warmth == 50) << on_head;
+    }
+}
+
 TEST(NoPreload, IsNotInTheAnswer) {
     const Result r = analyze(read_scene_text(scene(R"({"part": "above", "force": [0, -500]})"), "s.json"), {});
     EXPECT_TRUE(r.preloads.empty());
