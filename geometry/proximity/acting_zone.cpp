@@ -2,6 +2,7 @@
 // The lines that contact forces act on, see facing.hpp.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/proximity/facing.hpp"
 #include "src/base/ensure.hpp"
@@ -15,18 +16,74 @@ namespace {
 constexpr double flat_sharpness = 1e-12;
 /// Sides that are less inclined than this are parallel.
 constexpr double parallel = 1e-9;
+/// Curvatures of one circle differ by less, relative.
+constexpr double same_circle = 1e-9;
+/// Of its radius: what a round part may still slide by, tangentially, until it rests in a hollow that it is said to rest in.
+constexpr double far_slide = 0.05;
 
-/// The largest curvature of the edges that a stretch of a chain has a part of.
-double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
-    double largest = 0;
+/// What a stretch of a chain has of an edge.
+struct PieceOfChain {
+    const Curve& curve;
+    double begin, end;  ///< arc lengths
+};
+std::vector<PieceOfChain> pieces_of(const Part& part, const Chain& chain, double low, double high) {
+    std::vector<PieceOfChain> pieces;
     for (std::size_t k = 0; k < chain.edges.size(); ++k) {
         const double end = k + 1 < chain.begin.size() ? chain.begin[k + 1] : chain.length;
         const double turns = chain.closed ? chain.length * std::ceil((low - end) / chain.length) : 0;
         if (chain.begin[k] + turns >= high || end + turns <= low) continue;
-        const Curve& curve = part.edges[at(chain.edges[k])].curve;
-        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(curve, t)));
+        pieces.push_back(
+            {part.edges[at(chain.edges[k])].curve, std::max(low, chain.begin[k] + turns), std::min(high, end + turns)});
     }
+    return pieces;
+}
+
+/// The largest curvature of the edges that a stretch of a chain has a part of.
+double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
+    double largest = 0;
+    for (const PieceOfChain& piece : pieces_of(part, chain, low, high))
+        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(piece.curve, t)));
     return largest;
+}
+
+/// The curvature of a stretch that is all of one circle, positive convex; 0: it is not.
+double curvature_if_round(const Part& part, const Chain& chain, double low, double high) {
+    double least = std::numeric_limits<double>::infinity(), most = 0;
+    for (const PieceOfChain& piece : pieces_of(part, chain, low, high))
+        for (double t : {0.0, 0.5, 1.0}) {
+            least = std::min(least, curvature(piece.curve, t));
+            most = std::max(most, curvature(piece.curve, t));
+        }
+    return least > (1 - same_circle) * most ? most : 0;
+}
+
+/// Is a side (0, 1) of a zone round, and rests in a hollow of the other that it fits, beside which there are other faces?
+bool rests_in_hollow(const Part& part1, const Part& part2, const FacingZone& zone, std::size_t side) {
+    constexpr int samples = 8;
+    const bool first = side == 0;
+    const double round = first ? curvature_if_round(part1, zone.chain1, zone.begin1, zone.end1)
+                               : curvature_if_round(part2, zone.chain2, zone.end2, zone.begin2);
+    if (round == 0) return false;
+    const std::vector<PieceOfChain> other =
+        first ? pieces_of(part2, zone.chain2, zone.end2, zone.begin2) : pieces_of(part1, zone.chain1, zone.begin1, zone.end1);
+    double gap_in_hollow = std::numeric_limits<double>::infinity();
+    bool any_beside = false;
+    for (const PieceOfChain& piece : other) {
+        if (curvature(piece.curve, 0.5) > -0.5 * round) {
+            any_beside = true;
+            continue;
+        }
+        for (int k = 0; k <= samples; ++k) {
+            const double s = piece.begin + (piece.end - piece.begin) * k / samples;
+            const double share2 = (s - zone.begin2) / (zone.end2 - zone.begin2),
+                         share1 = (s - zone.begin1) / (zone.end1 - zone.begin1);
+            const FacingPair pair =
+                first ? pair_from_second(part1, part2, zone, s, zone.begin1 + share2 * (zone.end1 - zone.begin1))
+                      : pair_from_first(part1, part2, zone, s, zone.begin2 + share1 * (zone.end2 - zone.begin2));
+            if (pair.found) gap_in_hollow = std::min(gap_in_hollow, pair.gap);
+        }
+    }
+    return any_beside && gap_in_hollow <= zone.gap_min + 0.5 * far_slide * far_slide / round;
 }
 
 bool is_end(const Chain& chain, double s) {
@@ -92,6 +149,7 @@ FacingZone acting_zone(const Part& part1, const Part& part2, FacingZone zone) {
            "a zone is a stretch of two chains");
     const FacingZone found = zone;
     zone.at_corner = is_gap_least_at_corner(part1, part2, zone);
+    zone.in_hollow = {rests_in_hollow(part1, part2, zone, 0), rests_in_hollow(part1, part2, zone, 1)};
     zone.sharpness = {flat_sharpness * largest_curvature(part1, zone.chain1, zone.begin1, zone.end1),
                       flat_sharpness * largest_curvature(part2, zone.chain2, zone.end2, zone.begin2)};
     zone.is_acting = true;

@@ -27,6 +27,7 @@ Weights conforming(double ratio) {
 Weights weights(const FacingZone& zone, const ChainPoint& p1, const ChainPoint& p2) {
     if (!zone.is_acting) return {0.5, 0.5};
     if (zone.at_corner[0] != zone.at_corner[1]) return zone.at_corner[0] ? Weights{0, 1} : Weights{1, 0};
+    if (zone.in_hollow[0] != zone.in_hollow[1]) return zone.in_hollow[0] ? Weights{1, 0} : Weights{0, 1};
     // a round part in a hollow
     if (p1.curvature > 0 && p2.curvature < 0) return conforming(-p2.curvature / p1.curvature);
     if (p2.curvature > 0 && p1.curvature < 0) {

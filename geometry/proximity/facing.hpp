@@ -11,7 +11,8 @@
 // For two circles its direction is the same all along the contact, that of the line of centres; a straight side lends its own
 // normal to anything curved, and a flat to the corner that stands on it, so that a body that slides along it does no work. A
 // round part in a hollow has w1 = 2 |kappa2| / kappa1 (at most 1): where it fits, forces pass through its centre, and turning
-// it does no work.
+// it does no work. That holds beside the hollow, too, on the sides of a slot at whose end a pin rests: it cannot slide along
+// them there, and forces that miss its centre on one side only would have nothing to balance them.
 #pragma once
 #include <array>
 #include <vector>
@@ -59,10 +60,11 @@ struct FacingZone {
     bool begin_is_limit = false,
          end_is_limit = false;  ///< ends where the gap exceeds the distance (the zone could be longer), not at a corner
     /// Does N above weigh the normals by curvature? Else both count alike. sharpness: added to the curvatures of both sides;
-    /// at_corner: the nearest point of that side is a corner.
+    /// at_corner: the nearest point of that side is a corner; in_hollow: that side is round, and rests in a hollow that it
+    /// fits.
     bool is_acting = false;
     std::array<double, 2> sharpness{0, 0};
-    std::array<bool, 2> at_corner{false, false};
+    std::array<bool, 2> at_corner{false, false}, in_hollow{false, false};
 };
 
 /// A pair of facing points; arc lengths on the zone's chains.

@@ -243,7 +243,7 @@ ContactInterface with_knots(const Scene& scene, const MeasuredZone& zone, const 
 bool is_same(const geometry::FacingZone& a, const geometry::FacingZone& b) {
     const auto numbers = [](const geometry::FacingZone& z) {
         return std::tuple(z.begin1, z.end1, z.begin2, z.end2, z.closed, z.begin_is_limit, z.end_is_limit, z.chain1.length,
-                          z.chain2.length, z.is_acting, z.sharpness, z.at_corner);
+                          z.chain2.length, z.is_acting, z.sharpness, z.at_corner, z.in_hollow);
     };
     return numbers(a) == numbers(b) && a.chain1.edges == b.chain1.edges && a.chain2.edges == b.chain2.edges;
 }

@@ -87,6 +87,50 @@ TEST(ActingZone, ACornerTakesTheNormalOfWhatItStandsOn) {
     }
 }
 
+/// A plate with a slot from -12 to 12, r wide on either side.
+Part slotted(double r) {
+    constexpr double half = std::numbers::pi;
+    Part part = block(-30, -20, 30, 20);
+    test::add_loop(part, {Segment{{-12, r}, {12, r}}, Arc{{12, 0}, r, 0.5 * half, -half}, Segment{{12, -r}, {-12, -r}},
+                          Arc{{-12, 0}, r, -0.5 * half, -half}});
+    return part;
+}
+
+/// At a slot's end forces on a pin pass through its centre, on the sides of the slot, too.
+TEST(ActingZone, ARoundPartInAHollowLendsItsNormalBesideItToo) {
+    const Part plate = slotted(8.05);
+    for (const double angle : {0.5, 1.3, 1.55}) {
+        const Vec2 center = Vec2(12, 0) + 0.05 * Vec2(std::cos(angle), std::sin(angle));
+        const Part pin = disc(center, 8);
+        int n_beside = 0;
+        for (const FacingZone& zone : acting_zones(plate, pin, 0.5))
+            for (const FacingPair& p : test::walk(plate, pin, zone, 200)) {
+                EXPECT_LT(std::abs(cross(p.on2.x - center, p.normal)), 1e-9) << angle;
+                n_beside += p.on1.x.x() < 12 && std::abs(p.on1.x.y()) > 8;
+            }
+        EXPECT_GT(n_beside, 3) << angle;
+        for (const FacingZone& zone : acting_zones(pin, plate, 0.5))
+            for (const FacingPair& p : test::walk(pin, plate, zone, 40))
+                EXPECT_LT(std::abs(cross(p.on1.x - center, p.normal)), 1e-9) << angle;
+    }
+}
+
+/// A pin that rests on the side of a slot may slide along it until it meets the end.
+TEST(ActingZone, AFarHollowLendsNothing) {
+    const Part plate = slotted(8.05);
+    for (const double x : {0.0, 9.0, 11.0}) {
+        const Part pin = disc({x, 0.05}, 8);
+        int n_on_side = 0;
+        for (const FacingZone& zone : acting_zones(plate, pin, 0.2))
+            for (const FacingPair& p : test::walk(plate, pin, zone, 100)) {
+                if (p.on1.x.x() > 12 - 1e-9 || p.on1.x.y() < 8) continue;
+                EXPECT_LT((p.normal - Vec2(0, -1)).norm(), 1e-9) << x;
+                ++n_on_side;
+            }
+        EXPECT_GT(n_on_side, 3) << x;
+    }
+}
+
 TEST(ActingZone, ExchangingThePartsGivesTheSamePairs) {
     const Part a = test::turned(filleted(0.7, 0.15), 0.01, {0, 0.02}), b = disc({0.1, -2}, 1.98);
     const FacingZone there = acting_zones(a, b, 0.05).at(0), back = acting_zones(b, a, 0.05).at(0);
