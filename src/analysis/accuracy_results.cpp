@@ -280,8 +280,8 @@ void warn_of_largest_stress(Result& result) {
     const bool is_aimed_at = result.accuracy.of != "contact pressure";
     if (most->max_von_mises_at_corner)
         tell({{0, most->name,
-               which + " has no limit there (a re-entrant corner, the end of a support or bond, or the corner of a contact): "
-                       "it grows "
+               which + " has no limit there (a re-entrant corner, the end of a support or bond, the corner of a contact, or "
+                       "where its friction turns round): it grows "
                        "with every finer grid",
                is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
              "corner", result);

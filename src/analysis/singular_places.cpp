@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/base/index.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -124,6 +125,31 @@ void append_bond_ends(const Scene& scene, const SolvedAssembly& solved, int part
     }
 }
 
+/// Places of a contact's middle curve where friction turns from its bound one way to that the other, within so little that
+/// sticks that the knots there do not tell: the fit of a root at either border takes as many.
+std::vector<double> reversals_in(const SolvedAssembly& solved, std::size_t contact, const PressedStretch& stretch) {
+    constexpr int samples = 2;    // by interval
+    constexpr double untold = 4;  // knot intervals
+    const solver::KnotVector& knots = solved.contacts[contact].face.pressure;
+    std::vector<double> places;
+    FrictionState last = FrictionState::open;
+    double last_at = 0;
+    for (std::size_t i = 0; i + 1 < knots.breakpoints.size(); ++i) {
+        const double begin = knots.breakpoints[i], step = (knots.breakpoints[i + 1] - begin) / samples;
+        for (int k = 0; k < samples; ++k) {
+            const double s = begin + (k + 0.5) * step;
+            if (s <= stretch.begin || s >= stretch.end) continue;
+            const FrictionState state = state_at(solved, contact, s);
+            if (state != FrictionState::slip_forward && state != FrictionState::slip_backward) continue;
+            const bool is_other = last != FrictionState::open && state != last;
+            if (is_other && s - last_at <= untold * samples * step) places.push_back(0.5 * (s + last_at));
+            last = state;
+            last_at = s;
+        }
+    }
+    return places;
+}
+
 }  // namespace
 
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
@@ -146,6 +172,12 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
                     if (end.kind != StretchEnd::Kind::corner) continue;
                     const geometry::FacingPair pair = pair_at(scene, contact, s);
                     places.push_back({side == 0 ? pair.on1.x : pair.on2.x, missed_at_contact, true});
+                }
+            if (friction_of(solved, k) == 0) continue;
+            for (const PressedStretch& stretch : solved.stretches[k])
+                for (const double s : reversals_in(solved, k, stretch)) {
+                    const geometry::FacingPair pair = pair_at(scene, contact, s);
+                    places.push_back({side == 0 ? pair.on1.x : pair.on2.x, 0, true});
                 }
         }
     }

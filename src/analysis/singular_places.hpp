@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where the stress of a part has no limit: re-entrant corners, ends of supports and of bonds, held points, ends of contact at
-// corners.
+// corners, places where friction that slips turns round.
 #pragma once
 #include <vector>
 

@@ -212,6 +212,16 @@ PricedGrid cheapest_grid(const geometry::Part& local, const std::array<double, 2
     return best;
 }
 
+/// Cells no longer than a part is thin would be too many.
+void refuse_too_thin(const ScenePart& part, const geometry::Part& local) {
+    const Vec2 size = bounding_box(local).size();
+    if (size.maxCoeff() > most_cells * size.minCoeff())
+        throw InputError(part.where,
+                         "part " + part.name + " is " + number_text(size.maxCoeff(), 3) + " long and only " +
+                             number_text(size.minCoeff(), 3) + " thick",
+                         "draw it thicker, or leave it out");
+}
+
 /// Sets all of result but what it was given by.
 void design_grid(const Scene& scene, const std::vector<WantedSize>& wanted, double coarseness, double refinement, double budget,
                  PartGrid& result) {
@@ -278,6 +288,7 @@ PartGrid grid_of_part(const Scene& scene, int part, const std::vector<WantedSize
     result.frame = frame_for(source.part, result.given ? given->second.angle : 0);
     result.local = transformed(source.part, result.frame.c, -result.frame.s, -result.frame.shift);
     result.degree = {scene.accuracy.degree, scene.accuracy.degree};
+    refuse_too_thin(source, result.local);
     if (result.given) {
         result.grid =
             with_boxes(given->second, result.local, result.frame, explicit_grid(given->second, result.local, result.frame));

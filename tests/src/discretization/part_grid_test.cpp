@@ -40,6 +40,16 @@ std::vector<WantedSize> random_places(int n, double size) {
     return wanted;
 }
 
+TEST(PartGrid, PartsTooThinForAnyCellsAreRefused) {
+    const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0.3}}, "parts": [
+        {"name": "foil", "material": "m", "geometry": {"rectangle": {"min": [2, 10], "max": [18, 10.000000000001]}}}]})",
+                                        "s.json");
+    try {
+        grid_of_part(scene, 0, {}, 1, 1);
+        FAIL() << "a grid of 1e13 cells";
+    } catch (const InputError& error) { EXPECT_EQ(error.problems().front().where, "/parts/0"); }
+}
+
 TEST(PartGrid, ManySmallPlacesAreHalvedCells) {
     const Scene scene = square_scene();
     const std::vector<WantedSize> wanted = random_places(20, 1e-4);
