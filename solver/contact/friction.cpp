@@ -395,10 +395,12 @@ ContactQp with_friction_up_to(ContactQp qp, double most) {
     return qp;
 }
 
-/// The work done against slip, of the elastic energy; 0: a trifle.
+/// The work done against slip by less friction than rows have, or that of rough faces, of the elastic energy; 0: a trifle.
 double share_of_slip(const ContactQp& qp, const ContactQpResult& r) {
     double work = 0;
-    for (const FrictionRow& f : qp.friction) work += std::abs(r.multipliers[f.tangential] * r.gap[f.tangential]);
+    for (const FrictionRow& f : qp.friction)
+        if (f.coefficient > r.most_friction || f.coefficient >= rough_coefficient)
+            work += std::abs(r.multipliers[f.tangential] * r.gap[f.tangential]);
     const double energy = 0.5 * r.multipliers.dot(qp.compliance * r.multipliers);
     return work > trifle_of_slip * energy && energy > 0 ? work / energy : 0;
 }
@@ -432,9 +434,13 @@ std::optional<ContactQpResult> solve_from_less(const ContactQp& qp, double most_
 ContactQpResult solve_with_friction(const ContactQp& qp) {
     double steepest = 0;
     for (const FrictionRow& f : qp.friction) steepest = std::max(steepest, f.coefficient);
-    for (double most = moderate_coefficient; most < steepest; most *= 10)
-        if (std::optional<ContactQpResult> result = solve_from_less(qp, most)) return std::move(*result);
-    return solve_from_anywhere(qp);
+    std::optional<ContactQpResult> best;
+    for (double most = moderate_coefficient; most < steepest; most *= 10) {
+        std::optional<ContactQpResult> result = solve_from_less(qp, most);
+        if (result && (!best || result->slip_of_steep < best->slip_of_steep)) best = std::move(result);
+        if (best && best->slip_of_steep == 0) break;
+    }
+    return best ? std::move(*best) : solve_from_anywhere(qp);
 }
 
 /// The other end to begin at: all that is pressed slips, the way that the bodies moved as they settled.

@@ -318,4 +318,31 @@ TEST(FrictionAnalysis, LengthsThatStickAreWithinTheirErrors) {
     }
 }
 
+/// A block between two plates, one rough, is pushed: it slides on the other, as friction lets it, and not on the rough one.
+TEST(FrictionAnalysis, RoughFacesHoldBesideOthersThatSlip) {
+    const std::vector<CaseResult> steps =
+        analyze_cases(read_scene_text(R"({"abut": 1, "thickness": 10, "materials": {"steel": {"E": 210000, "nu": 0.3}},
+        "parts": [{"name": "bed", "material": "rigid", "geometry": {"rectangle": {"min": [-60, -10], "max": [60, 0]}}},
+                  {"name": "block", "material": "steel", "geometry": {"rectangle": {"min": [-10, 0], "max": [10, 10]}}},
+                  {"name": "lid", "material": "rigid", "geometry": {"rectangle": {"min": [-60, 10], "max": [60, 20]}}}],
+        "supports": [{"part": "bed", "rigid": {"translation": [0, 0], "rotation": 0}},
+                     {"part": "lid", "rigid": {"translation": [null, null], "rotation": 0}},
+                     {"on": "block/left", "spring": {"normal": 100}}],
+        "loads": [{"name": "n", "part": "lid", "force": [0, -1000]}, {"name": "q", "on": "block/right", "force": [400, 0]}],
+        "contacts": {"friction": 0.1, "pairs": [{"between": ["block/*", "lid/*"], "friction": "rough"}]},
+        "accuracy": {"level": "draft"},
+        "steps": [{"name": "press", "loads": {"n": 1}}, {"name": "push", "loads": {"n": 1, "q": 1}}]})",
+                                      "s.json"),
+                      {});
+    ASSERT_EQ(steps.size(), 2U);
+    for (const CaseResult& step : steps) {
+        ASSERT_EQ(step.result.status, "ok") << step.result.message;
+        EXPECT_LT(step.result.solver.contact_residual, 1e-6);
+    }
+    const std::vector<ContactResult>& contacts = steps[1].result.contacts;
+    EXPECT_NEAR(contacts.at(0).friction->shear_force, 100, 0.1);
+    EXPECT_NEAR(contacts.at(1).friction->shear_force, 0, 0.1);
+    EXPECT_EQ(contacts.at(1).friction->slip_length, 0);
+}
+
 }  // namespace abut::friction_analysis_test
