@@ -68,7 +68,8 @@ Material read_material(SceneReading& reading, const JsonValue& value, Analysis a
 std::string material_hint(const std::string& name, std::vector<std::string> known) {
     const std::string hint = nearest_name_hint(name, known);
     if (hint.starts_with("did you mean")) return hint;
-    for (std::string& of_library : library_material_names()) known.push_back(std::move(of_library));
+    for (std::string& of_library : library_material_names())
+        if (std::find(known.begin(), known.end(), of_library) == known.end()) known.push_back(std::move(of_library));
     return nearest_name_hint(name, known);
 }
 
