@@ -109,7 +109,8 @@ void add_full_cells(const solver::PartInput& input, const solver::StressOf& raw,
 
 /// Of what a temperature would store in a restrained part: the energy of a part that expands freely is rounding below this.
 constexpr double energy_rounding = 1e-12;
-/// Parts that are drawn against each other strain each other by the rounding of their places.
+/// Parts that are drawn against each other strain each other by the rounding of their places, which shows where nothing else
+/// does.
 constexpr double strain_rounding = geometry::coordinate_roundings * std::numeric_limits<double>::epsilon();
 
 double rounding_energy(const SolvedAssembly& solved) {
@@ -117,7 +118,7 @@ double rounding_energy(const SolvedAssembly& solved) {
     for (const PartOnGrid& g : solved.grids) {
         if (g.is_rigid) continue;
         const double volume = measure(g.input) * g.input.thickness;
-        sum += 0.5 * strain_rounding * strain_rounding * g.input.elasticity.d11 * volume;
+        if (solved.problem.load_scale == 0) sum += 0.5 * strain_rounding * strain_rounding * g.input.elasticity.d11 * volume;
         if (!g.input.free_strain) continue;
         const double stress = solver::largest_restrained_stress(g.input);
         sum += energy_rounding * 0.5 * stress * stress / g.input.elasticity.d33 * volume;

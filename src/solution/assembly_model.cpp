@@ -202,15 +202,16 @@ double rounding_of_places(const PartOnGrid& g) {
     return geometry::coordinate_roundings * std::numeric_limits<double>::epsilon() * (g.frame.shift.norm() + g.size);
 }
 
-/// Is a pressure no more than what loads, or places of outlines that are drawn against each other, are rounded by?
+/// Is a pressure no more than what loads are rounded by, or where there are none, than what places of outlines are that are
+/// drawn against each other?
 bool is_rounding(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure, double load_scale) {
     const solver::Interface& face = solved.contacts[contact].face;
     const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front(),
                  largest = pressure.cwiseAbs().maxCoeff();
     if (largest * length * face.thickness <= open_force_fraction * load_scale) return true;
-    const double overlap = largest * length * compliance_of(solved, contact);
-    return overlap > 0 &&
-           overlap <= rounding_of_places(solved.grids[at(face.part[0])]) + rounding_of_places(solved.grids[at(face.part[1])]);
+    return load_scale == 0 &&
+           largest * length * compliance_of(solved, contact) <=
+               rounding_of_places(solved.grids[at(face.part[0])]) + rounding_of_places(solved.grids[at(face.part[1])]);
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Stretches that lie

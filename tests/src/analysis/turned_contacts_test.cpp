@@ -168,4 +168,19 @@ TEST(TurnedContacts, DiscsInHollowsRest) {
     EXPECT_FALSE(has_reason(r, "turned_balance"));
 }
 
+/// In a groove whose bottom is cut free one contact presses on both flanks: each has a force of its own.
+TEST(TurnedContacts, StretchesOfOneContactHaveTheirOwnForces) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "thickness": 10, "parts": [
+        {"name": "b", "material": "m", "geometry": {"difference": [{"rectangle": {"min": [-40, -30], "max": [40, 0]}},
+            {"union": [{"circle": {"center": [0, -2], "radius": 7}}, {"polygon": [[-4.949747468305833, -6.949747468305833],
+              [4.949747468305833, -6.949747468305833], [16.899494936611667, 5], [-16.899494936611667, 5]]}]}]}},
+        {"name": "pin", "material": "m", "geometry": {"circle": {"center": [0, -0.5857864376269051], "radius": 8}}}],
+        "supports": [{"on": "b/bottom", "fix": ["x", "y"]}], "loads": [{"part": "pin", "force": [0, -5000]}],
+        "contacts": {"friction": 0.1}, "accuracy": {"level": "draft"}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_NEAR(r.contacts.at(0).force.y(), -5000, 1e-6);
+    EXPECT_FALSE(has_reason(r, "turned_lever"));
+    EXPECT_FALSE(has_reason(r, "turned_balance"));
+}
+
 }  // namespace abut::turned_contacts_test
