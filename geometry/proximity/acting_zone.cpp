@@ -23,7 +23,7 @@ constexpr double far_slide = 0.05;
 
 /// What a stretch of a chain has of an edge.
 struct PieceOfChain {
-    const Curve& curve;
+    const Curve* curve;
     double begin, end;  ///< arc lengths
 };
 std::vector<PieceOfChain> pieces_of(const Part& part, const Chain& chain, double low, double high) {
@@ -33,7 +33,7 @@ std::vector<PieceOfChain> pieces_of(const Part& part, const Chain& chain, double
         const double turns = chain.closed ? chain.length * std::ceil((low - end) / chain.length) : 0;
         if (chain.begin[k] + turns >= high || end + turns <= low) continue;
         pieces.push_back(
-            {part.edges[at(chain.edges[k])].curve, std::max(low, chain.begin[k] + turns), std::min(high, end + turns)});
+            {&part.edges[at(chain.edges[k])].curve, std::max(low, chain.begin[k] + turns), std::min(high, end + turns)});
     }
     return pieces;
 }
@@ -42,7 +42,7 @@ std::vector<PieceOfChain> pieces_of(const Part& part, const Chain& chain, double
 double largest_curvature(const Part& part, const Chain& chain, double low, double high) {
     double largest = 0;
     for (const PieceOfChain& piece : pieces_of(part, chain, low, high))
-        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(piece.curve, t)));
+        for (double t : {0.0, 0.5, 1.0}) largest = std::max(largest, std::abs(curvature(*piece.curve, t)));
     return largest;
 }
 
@@ -51,39 +51,42 @@ double curvature_if_round(const Part& part, const Chain& chain, double low, doub
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const PieceOfChain& piece : pieces_of(part, chain, low, high))
         for (double t : {0.0, 0.5, 1.0}) {
-            least = std::min(least, curvature(piece.curve, t));
-            most = std::max(most, curvature(piece.curve, t));
+            least = std::min(least, curvature(*piece.curve, t));
+            most = std::max(most, curvature(*piece.curve, t));
         }
     return least > (1 - same_circle) * most ? most : 0;
+}
+
+/// How far s lies on the way from one place to another.
+double share(double s, double from, double to) {
+    return (s - from) / (to - from);
 }
 
 /// Is a side (0, 1) of a zone round, and rests in a hollow of the other that it fits, beside which there are other faces?
 bool rests_in_hollow(const Part& part1, const Part& part2, const FacingZone& zone, std::size_t side) {
     constexpr int samples = 8;
+    constexpr double fits = 0.5;  // hollows of up to twice its radius, as in weights()
     const bool first = side == 0;
     const double round = first ? curvature_if_round(part1, zone.chain1, zone.begin1, zone.end1)
                                : curvature_if_round(part2, zone.chain2, zone.end2, zone.begin2);
     if (round == 0) return false;
-    const std::vector<PieceOfChain> other =
+    std::vector<PieceOfChain> hollows =
         first ? pieces_of(part2, zone.chain2, zone.end2, zone.begin2) : pieces_of(part1, zone.chain1, zone.begin1, zone.end1);
-    double gap_in_hollow = std::numeric_limits<double>::infinity();
-    bool any_beside = false;
-    for (const PieceOfChain& piece : other) {
-        if (curvature(piece.curve, 0.5) > -0.5 * round) {
-            any_beside = true;
-            continue;
-        }
+    const std::size_t n_faces = hollows.size();
+    std::erase_if(hollows, [&](const PieceOfChain& piece) { return curvature(*piece.curve, 0.5) > -fits * round; });
+    if (hollows.size() == n_faces) return false;
+    double least_gap = std::numeric_limits<double>::infinity();
+    for (const PieceOfChain& hollow : hollows)
         for (int k = 0; k <= samples; ++k) {
-            const double s = piece.begin + (piece.end - piece.begin) * k / samples;
-            const double share2 = (s - zone.begin2) / (zone.end2 - zone.begin2),
-                         share1 = (s - zone.begin1) / (zone.end1 - zone.begin1);
-            const FacingPair pair =
-                first ? pair_from_second(part1, part2, zone, s, zone.begin1 + share2 * (zone.end1 - zone.begin1))
-                      : pair_from_first(part1, part2, zone, s, zone.begin2 + share1 * (zone.end2 - zone.begin2));
-            if (pair.found) gap_in_hollow = std::min(gap_in_hollow, pair.gap);
+            const double s = hollow.begin + (hollow.end - hollow.begin) * k / samples;
+            const FacingPair pair = first
+                                        ? pair_from_second(part1, part2, zone, s,
+                                                           std::lerp(zone.begin1, zone.end1, share(s, zone.begin2, zone.end2)))
+                                        : pair_from_first(part1, part2, zone, s,
+                                                          std::lerp(zone.begin2, zone.end2, share(s, zone.begin1, zone.end1)));
+            if (pair.found) least_gap = std::min(least_gap, pair.gap);
         }
-    }
-    return any_beside && gap_in_hollow <= zone.gap_min + 0.5 * far_slide * far_slide / round;
+    return least_gap <= zone.gap_min + 0.5 * far_slide * far_slide / round;
 }
 
 bool is_end(const Chain& chain, double s) {

@@ -37,8 +37,8 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 /// they begin again from states under given bounds of friction, and where that does not end either Lemke's pivots find the
 /// states of the linear complementarity problem that it is [Klarbring86], beginning with those of the pass before. Converged is
 /// what meets all conditions. Coefficients above those of any materials (rough faces) are taken as 5, or ten times as much and
-/// so on, the least that holds, where that lets next to nothing slip, or where step 1 does not end from there: the result says
-/// what was taken, and what slips.
+/// so on: the least that lets next to nothing slip, else the one that lets least. The result says what was taken, and what
+/// slips.
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// Several answers are possible where coefficients are large: is there another one, found from everything slipping?

@@ -281,8 +281,7 @@ void warn_of_largest_stress(Result& result) {
     if (most->max_von_mises_at_corner)
         tell({{0, most->name,
                which + " has no limit there (a re-entrant corner, the end of a support or bond, the corner of a contact, or "
-                       "where its friction turns round): it grows "
-                       "with every finer grid",
+                       "where its friction turns round): it grows with every finer grid",
                is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
              "corner", result);
     else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))

@@ -173,23 +173,6 @@ bool sticks(const SolvedAssembly& solved, std::size_t contact) {
     return std::abs(sums.shear) < (1 - slip_fraction) * friction * sums.normal;
 }
 
-/// The force of a stretch on the first part, of a contact that presses in several.
-Vec2 force_of(const SolvedAssembly& solved, std::size_t contact, const PressedStretch& stretch) {
-    const solver::Interface& face = solved.contacts[contact].face;
-    const Eigen::VectorXd& pressure = pressure_of(solved, contact);
-    const int shear = solved.shear_of[contact];
-    const Frame& frame = solved.grids[at(face.part[0])].frame;
-    Vec2 force(0, 0);
-    for (const solver::InterfacePoint& p : face.points) {
-        if (p.s < stretch.begin || p.s > stretch.end) continue;
-        const Vec2 normal = frame.vector_to_global(p.normal[0]);
-        force -= p.weight * solver::pressure_at(face.pressure, pressure, p.s) * normal;
-        if (shear >= 0)
-            force -= p.weight * solver::pressure_at(face.pressure, solved.solution.pressure[at(shear)], p.s) * left_of(normal);
-    }
-    return face.thickness * force;
-}
-
 /// One for every stretch under pressure.
 std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
                                      const std::vector<solver::RigidMotion>& motions) {
@@ -200,7 +183,8 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
         for (const PressedStretch& stretch : stretches) {
             const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
             if (!pair.found) continue;
-            const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force : force_of(solved, k, stretch);
+            const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force
+                                                     : contact_force_between(solved, k, stretch.begin, stretch.end).force;
             lines.push_back(
                 moved_force(c, pair, force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], sticks(solved, k)));
             lines.back().contact = k;

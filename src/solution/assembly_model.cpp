@@ -198,7 +198,7 @@ constexpr double path_share = 0.5;
 constexpr double open_force_fraction = 1e-10;
 
 /// How well places of a part's outline are known.
-double rounding_of_places(const PartOnGrid& g) {
+double rounding_of_outline(const PartOnGrid& g) {
     return geometry::coordinate_roundings * std::numeric_limits<double>::epsilon() * (g.frame.shift.norm() + g.size);
 }
 
@@ -211,7 +211,7 @@ bool is_rounding(const SolvedAssembly& solved, std::size_t contact, const Eigen:
     if (largest * length * face.thickness <= open_force_fraction * load_scale) return true;
     return load_scale == 0 &&
            largest * length * compliance_of(solved, contact) <=
-               rounding_of_places(solved.grids[at(face.part[0])]) + rounding_of_places(solved.grids[at(face.part[1])]);
+               rounding_of_outline(solved.grids[at(face.part[0])]) + rounding_of_outline(solved.grids[at(face.part[1])]);
 }
 
 /// A stiff penalty asks more of its points than the cells have to give: single ones open within the contact. Stretches that lie

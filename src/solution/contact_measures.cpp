@@ -36,10 +36,11 @@ void add_force(const Eigen::Vector3d& share, ContactForce& total) {
 
 }  // namespace
 
-Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face) {
+Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face, double begin, double end) {
     const solver::KnotVector& knots = face.pressure;
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, knots.n_functions());
     for (const solver::InterfacePoint& p : face.points) {
+        if (p.s < begin || p.s > end) continue;
         const Vec2 direction = -first.frame.vector_to_global(p.normal[0]);
         // moments of a ring's forces balance by themselves
         const double lever =
@@ -56,12 +57,17 @@ Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Inter
 }
 
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact) {
+    constexpr double anywhere = std::numeric_limits<double>::infinity();
+    return contact_force_between(solved, contact, -anywhere, anywhere);
+}
+
+ContactForce contact_force_between(const SolvedAssembly& solved, std::size_t contact, double begin, double end) {
     ContactForce total;
     const ContactInterface& c = solved.contacts[contact];
     const PartOnGrid& grid = solved.grids[static_cast<std::size_t>(c.face.part[0])];
-    add_force(forces_of_pressure(grid, c.face) * pressure_of(solved, contact), total);
+    add_force(forces_of_pressure(grid, c.face, begin, end) * pressure_of(solved, contact), total);
     if (const int shear = solved.shear_of[contact]; shear >= 0)
-        add_force(forces_of_pressure(grid, solved.problem.interfaces[static_cast<std::size_t>(shear)]) *
+        add_force(forces_of_pressure(grid, solved.problem.interfaces[static_cast<std::size_t>(shear)], begin, end) *
                       solved.solution.pressure[static_cast<std::size_t>(shear)],
                   total);
     return total;

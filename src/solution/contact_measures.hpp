@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that sum up a solution.
 #pragma once
+#include <limits>
+
 #include "src/solution/solved_assembly.hpp"
 
 namespace abut {
@@ -19,9 +21,13 @@ struct ContactForce {
     double moment = 0;
 };
 ContactForce contact_force(const SolvedAssembly& solved, std::size_t contact);
+/// The resultant on the contact's first part of what it presses between two places of its middle curve.
+ContactForce contact_force_between(const SolvedAssembly& solved, std::size_t contact, double begin, double end);
 /// The resultant of every coefficient of an interface's pressure by itself, by column: force x, force y, moment about the
-/// origin. first: the grid of its first part.
-Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face);
+/// origin; of what lies between two places. first: the grid of its first part.
+Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Interface& face,
+                                    double begin = -std::numeric_limits<double>::infinity(),
+                                    double end = std::numeric_limits<double>::infinity());
 
 /// The compliance 1 / E' of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per
 /// thickness of the interface: a thicker part is stiffer. 0 of a rigid part.
