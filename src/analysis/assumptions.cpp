@@ -242,6 +242,13 @@ void check_rounding(double target, Result& result) {
          "rounding", result);
 }
 
+/// Steps that let go give loads that are none on purpose.
+void note_zero_loads(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    if (scene.in_steps || scene.loads.empty() || solved.problem.load_scale > 0 || !solved.preloads.empty()) return;
+    result.notes.push_back(scene.loads.size() == 1 ? "the load is zero wherever it acts: it drives nothing"
+                                                   : "all loads are zero wherever they act: they drive nothing");
+}
+
 void check_grids(const Scene& scene, const Outcome& out, Result& result) {
     if (out.solved.grids.empty())
         tell({{0, "", "nothing acts on any part: there is nothing to solve", "nothing acts on any part"}}, "idle", result);
@@ -310,6 +317,7 @@ void check_assumptions(const Scene& scene, const ResolvedConditions& conditions,
     check_kinematics(scene, conditions, out.solved, result);
     check_yield(scene, out.solved, result);
     check_bonds(result);
+    note_zero_loads(scene, out.solved, result);
     check_thickness(scene, out.solved, result);
     warn_of_unused_rules(scene, out, result);
     check_grids(scene, out, result);

@@ -12,10 +12,10 @@
 #include "src/analysis/extent_by_theory.hpp"
 #include "src/analysis/follow_ends.hpp"
 #include "src/analysis/grading.hpp"
+#include "src/analysis/lost_parts.hpp"
 #include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/next_candidates.hpp"
 #include "src/analysis/next_grids.hpp"
-#include "src/analysis/placement.hpp"
 #include "src/analysis/singular_errors.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/analysis/stress_raisers.hpp"
@@ -148,7 +148,7 @@ public:
         out_.stress.clear();
         for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
         out_.iterations += now.solution.iterations;
-        follow(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
+        if (!has_to_widen(now)) follow(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         if (scene_.in_steps && now.solution.mechanism.empty())
             now.solution.mechanism = std::move(now.solution.sliding);  // nothing follows on it
         add_uses(out_.uses, now.uses);
@@ -194,23 +194,38 @@ private:
                factor_ < farthest_search && scene_.contacts.detect && searches_contacts(scene_);
     }
 
+    /// Of the search. What slides goes so far as the brake lets it, which says nothing.
+    double needed_factor(const SolvedAssembly& now) const {
+        return is_solved(now) && now.solution.sliding.empty() ? needed_search_factor(scene_, now) : 0;
+    }
+
+    bool has_to_widen(const SolvedAssembly& now) const {
+        return now.failure.empty() && may_widen() &&
+               (!now.solution.mechanism.empty() || zone_too_short(now) || needed_factor(now) > factor_);
+    }
+
     /// Looks farther; where the parts rest on nothing, until there is more to rest on.
     void widen(const SolvedAssembly& now, double needed, bool stuck) {
         ++widenings_;
         factor_ = std::min(farthest_search, std::max(search_widening * factor_, needed));
-        const std::size_t before = out_.candidates.size();
+        std::vector<Candidate> before = std::move(out_.candidates);
         search();
-        for (; stuck && out_.candidates.size() == before && may_widen(); ++widenings_) {
+        for (; stuck && out_.candidates.size() == before.size() && may_widen(); ++widenings_) {
             factor_ = std::min(farthest_search, search_widening * factor_);
             search();
         }
         comparable_from_ = out_.passes.size();
         start_over();
-        if (!stuck && is_in_contact(now) && now.contacts.size() == out_.candidates.size()) {
-            const PressedStretches stretches = with_missed(contacts_by_theory(scene_, now).stretches, followed_);
+        if (stuck) return;
+        PressedStretches stretches = now.stretches;
+        if (is_in_contact(now) && before.size() == out_.candidates.size()) {
+            stretches = with_missed(contacts_by_theory(scene_, now).stretches, followed_);
             set_first_goals(now, stretches, next_);
             wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
         }
+        expect_ends(scene_, now, stretches, before);
+        expect_pressures(now, before);
+        inherit_expected(before, out_.candidates);
     }
 
     /// Once a pass, and only where it is asked for: it costs as much as a good part of the solution.
@@ -363,29 +378,6 @@ private:
             if (!missed_[k].empty() || !now.stretches[k].empty()) followed_[k] = missed_[k];
     }
 
-    /// A free part that moves by more than its own size, or turns by more than a radian, does not come to rest where small
-    /// displacements have it.
-    void look_for_lost(SolvedAssembly& now) const {
-        if (!is_solved(now)) return;
-        for (std::size_t k = 0; k < now.grids.size(); ++k) {
-            const solver::RigidMotion motion = rigid_motion_of(now, k);
-            const double farthest = motion.translation.norm(), turn = std::abs(motion.rotation);
-            if (farthest <= now.grids[k].size && turn <= 1) continue;
-            const std::string& name = scene_.parts[static_cast<std::size_t>(now.grids[k].part)].name;
-            now.is_lost = std::isfinite(farthest + turn);
-            now.failure =
-                now.is_lost
-                    ? "part " + name +
-                          (turn > 1 ? " turns by more than a radian"
-                                    : " moves by " + number_text(farthest, 3) + ", more than its own size,") +
-                          " before anything holds it: it slides or tips. Add a support, or draw it where it comes to rest"
-                    : "the solution of part " + name +
-                          " is no number: a place in it asks for cells that coordinates hardly tell apart. Ask for less "
-                          "accuracy, or round the corner where contact ends";
-            return;
-        }
-    }
-
     /// What slides on the first cells may rest on those that follow the contacts; where it does not, that is the motion.
     void tell_sliding(SolvedAssembly& now) {
         if (!is_solved(now) || now.solution.converged) return;
@@ -415,17 +407,16 @@ private:
             add_raisers();
             return false;
         }
-        const bool slides = !now.solution.sliding.empty();  // so far as the brake let it, which says nothing
-        const double needed = stuck || slides ? 0.0 : needed_search_factor(scene_, now);
-        if (now.failure.empty() && may_widen() &&
-            (!now.solution.mechanism.empty() || zone_too_short(now) || needed > factor_)) {
-            widen(now, needed, stuck);
+        if (has_to_widen(now)) {
+            widen(now, needed_factor(now), stuck);
             return false;
         }
+        const bool slides = !now.solution.sliding.empty();
+        const double needed = needed_factor(now);
         out_.search_too_short = !stuck && searches_contacts(scene_) && scene_.contacts.detect &&
                                 (zone_too_short(now) || (!scene_.contacts.search_distance && needed > factor_));
         tell_sliding(now);
-        if (now.failure.empty() && !slides) look_for_lost(now);
+        if (now.failure.empty() && !slides) tell_lost(scene_, now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         is_answered_ = now.solution.converged;
         if (!finer_failed_.empty()) {

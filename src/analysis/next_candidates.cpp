@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "src/base/index.hpp"
 #include "src/contact/cell_search.hpp"
@@ -124,6 +126,41 @@ void expect_pressures(const SolvedAssembly& s, std::vector<Candidate>& candidate
             if (place < contact.s.front() || place > contact.s.back()) continue;  // comes again on the other side of the seam
             candidates[k].expected.s1.push_back(interpolate(contact.s, contact.s1, place));
             candidates[k].expected.pressure.push_back(pressure_of(s, k)[f]);
+        }
+    }
+}
+
+namespace {
+
+/// By how much arc lengths on the first chain of `before` differ from those of the same faces in `now`: turns of a closed
+/// chain. None: other faces, or other stretches of them.
+std::optional<double> turns_between(const Candidate& before, const Candidate& now) {
+    const geometry::FacingZone &a = before.zone, &b = now.zone;
+    if (before.first != now.first || before.second != now.second || a.chain1.edges != b.chain1.edges ||
+        a.chain2.edges != b.chain2.edges)
+        return std::nullopt;
+    const double period = a.chain1.closed ? a.chain1.length : 0, apart = 0.5 * (b.begin1 + b.end1) - 0.5 * (a.begin1 + a.end1),
+                 turns = period > 0 ? period * std::round(apart / period) : 0;
+    if (a.begin1 + turns > b.end1 || a.end1 + turns < b.begin1) return std::nullopt;
+    return turns;
+}
+
+}  // namespace
+
+void inherit_expected(const std::vector<Candidate>& before, std::vector<Candidate>& candidates) {
+    for (Candidate& now : candidates) {
+        std::vector<std::pair<double, double>> expected;  // place, pressure
+        for (const Candidate& b : before) {
+            const std::optional<double> turns = turns_between(b, now);
+            if (!turns) continue;
+            for (const ExpectedEnd& end : b.ends) now.ends.push_back({end.s1 + *turns, end.outward});
+            for (std::size_t k = 0; k < b.expected.s1.size(); ++k)
+                expected.emplace_back(b.expected.s1[k] + *turns, b.expected.pressure[k]);
+        }
+        std::sort(expected.begin(), expected.end());
+        for (const auto& [s1, pressure] : expected) {
+            now.expected.s1.push_back(s1);
+            now.expected.pressure.push_back(pressure);
         }
     }
 }

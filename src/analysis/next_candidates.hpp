@@ -28,6 +28,9 @@ void expect_ends(const Scene& scene, const SolvedAssembly& solved, const std::ve
 /// Gives the candidates the pressures of all contacts: where the next search for the active set begins.
 void expect_pressures(const SolvedAssembly& solved, std::vector<Candidate>& candidates);
 
+/// Gives candidates of another search what those before expect along the same faces: ends and pressures.
+void inherit_expected(const std::vector<Candidate>& before, std::vector<Candidate>& candidates);
+
 /// The contacts whose free ends lie elsewhere than the candidates expected, by so much that other knots would tell more.
 std::vector<std::size_t> moved_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Candidate>& candidates);
 

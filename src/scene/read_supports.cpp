@@ -16,6 +16,8 @@ void read_fix(SceneReading& reading, const JsonValue& value, Support& support) {
     if (!check_list(reading, value, 1, "\"x\" and \"y\"")) return;
     for (const JsonValue& item : value.items) {
         const auto word = read_word(reading, item, {"x", "y"});
+        if ((word == "x" && support.x) || (word == "y" && support.y))
+            report_problem(reading, item, "\"" + *word + "\" is there twice", "hold each direction once, by \"x\" and \"y\"");
         support.x |= word == "x";
         support.y |= word == "y";
     }
