@@ -14,6 +14,7 @@
 #include "apps/thread_option.hpp"
 #include "solver/linear_algebra/blas_threads.hpp"
 #include "src/analysis/analysis.hpp"
+#include "src/discretization/shared_grids.hpp"
 #include "src/io/nearest_name.hpp"
 #include "src/io/number_text.hpp"
 #include "src/motion/settle.hpp"
@@ -35,6 +36,7 @@ namespace {
 std::vector<Effect> whole_plan(const Scene& scene) {
     const ResolvedConditions conditions = resolve_conditions(scene);
     std::vector<Effect> plan = plan_effects(scene, conditions);
+    plan.push_back(shared_grids_effect(scene, conditions));
     plan.push_back(large_motion_effect(settle(scene, conditions)));
     plan.push_back(left_out_effect(scene, conditions));
     return plan;

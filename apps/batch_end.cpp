@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "apps/batch_end.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <vector>
 
 #include "apps/batch_progress.hpp"
 #include "apps/commands.hpp"
@@ -12,8 +14,8 @@ namespace abut {
 
 namespace {
 
-constexpr int most_failures = 20;   // lines; the summary has all of them
-constexpr int signal_status = 128;  // as shells have it
+constexpr std::size_t most_failures = 20;  // lines; the summary has all of them
+constexpr int signal_status = 128;         // as shells have it
 
 void print_totals(const std::string& out, const BatchSummary& summary, const BatchEnd& end, double seconds) {
     const std::size_t fresh = end.progress.done - end.progress.kept;
@@ -29,13 +31,28 @@ void print_totals(const std::string& out, const BatchSummary& summary, const Bat
 }  // namespace
 
 void print_failures(const BatchSummary& summary) {
-    int printed = 0, all = 0;
+    struct Alike {
+        std::string first, text;
+        int jobs = 0;
+    };
+    std::vector<Alike> failures;  // jobs that fail alike are one
     for (const JobRecord& job : summary.jobs) {
-        if (ended_well(job) || ++all > most_failures) continue;
-        std::cerr << "abut: " << job.name << ": " << status_word(job.status) << ": " << one_line_text(job.message) << "\n";
-        ++printed;
+        if (ended_well(job)) continue;
+        const std::string text = status_word(job.status) + ": " + one_line_text(job.message);
+        const auto known = std::find_if(failures.begin(), failures.end(), [&](const Alike& f) { return f.text == text; });
+        (known == failures.end() ? failures.emplace_back(Alike{job.name, text}) : *known).jobs += 1;
     }
-    if (all > printed) std::cerr << "abut: and " << all - printed << " more jobs; summary.csv has all of them\n";
+    int left = 0;
+    for (std::size_t k = 0; k < failures.size(); ++k) {
+        const Alike& f = failures[k];
+        if (k >= most_failures) {
+            left += f.jobs;
+            continue;
+        }
+        std::cerr << "abut: " << f.first << (f.jobs > 1 ? " and " + std::to_string(f.jobs - 1) + " more" : "") << ": " << f.text
+                  << "\n";
+    }
+    if (left > 0) std::cerr << "abut: and " << left << " more jobs; summary.csv has all of them\n";
 }
 
 void print_stale(const BatchSummary& summary, const std::string& what_to_do) {

@@ -17,52 +17,62 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Stiff gaps that close one after the other take a step each. On softer ones most close at once, and from where bodies rest on
-/// these it is few steps to where they rest on stiffer ones.
-constexpr int max_newton_steps = 20;
+/// Stiff gaps that close one after the other take a step each: as many as there are motions, and some more. On softer ones most
+/// close at once, and from where bodies rest on these it is few steps to where they rest on stiffer ones.
+constexpr Index few_newton_steps = 20;
 constexpr std::array<double, 4> softenings{1e-6, 1e-4, 1e-2, 1};
 constexpr double balance_tolerance = 1e-12;  // relative to the loads
-constexpr double least_share = 1e-12;        // of a step: below, the energy's rounding hides any descent
-constexpr double sufficient_descent = 1e-4;  // Armijo's share of the linear prediction
 constexpr double balance_rounding = 2e-16;   // of the terms of a balance of forces
 constexpr double energy_rounding = 1e-15;    // of the terms that the energy is the sum of
 /// Of the mean stiffness: what holds motions that no pressed row resists. Less after every full step, for a body that has to
 /// slide far under a small part of its load; more where the step was too long.
 constexpr double first_held = 1e-9, least_held = 1e-16, held_factor = 10;
 
-/// Of the stiffest motion: softer ones could go so far that they leave no digits to the rest.
-constexpr double free_pivot = 1e-3;
+/// Of the stiffest motion: softer ones are free; and where loads work in those that are softer than this, they go so far that
+/// they leave no digits to the rest.
+constexpr double free_pivot = 1e-9, soft_pivot = 1e-3;
 
-/// From so many motions on, a row, which two bodies' move, has few entries.
+/// From so many motions on rows may have few entries: where each is of one body. Where most of them are of many bodies,
+/// products of whole rows are faster.
 constexpr Index many_motions = 12;
+constexpr double few_entries = 0.25;
 
 /// G, by the entries of its rows where these are few.
 class MotionRows {
 public:
     explicit MotionRows(const MatrixXd& modes) : modes_(modes) {
-        if (is_sparse()) by_row_ = modes.sparseView();
+        if (modes.cols() < many_motions) return;
+        by_row_ = modes.sparseView();
+        is_sparse_ = static_cast<double>(by_row_.nonZeros()) <= few_entries * static_cast<double>(modes.size());
     }
     VectorXd times(const VectorXd& amplitudes) const {
-        return is_sparse() ? VectorXd(by_row_ * amplitudes) : VectorXd(modes_ * amplitudes);
+        return is_sparse_ ? VectorXd(by_row_ * amplitudes) : VectorXd(modes_ * amplitudes);
     }
     VectorXd transposed_times(const VectorXd& rows) const {
-        return is_sparse() ? VectorXd(by_row_.transpose() * rows) : VectorXd(modes_.transpose() * rows);
+        return is_sparse_ ? VectorXd(by_row_.transpose() * rows) : VectorXd(modes_.transpose() * rows);
     }
     VectorXd sizes_times(const VectorXd& amplitudes) const {
-        return is_sparse() ? VectorXd(by_row_.cwiseAbs() * amplitudes) : VectorXd(modes_.cwiseAbs() * amplitudes);
+        return is_sparse_ ? VectorXd(by_row_.cwiseAbs() * amplitudes) : VectorXd(modes_.cwiseAbs() * amplitudes);
     }
     VectorXd transposed_sizes_times(const VectorXd& rows) const {
-        return is_sparse() ? VectorXd(by_row_.cwiseAbs().transpose() * rows) : VectorXd(modes_.cwiseAbs().transpose() * rows);
+        return is_sparse_ ? VectorXd(by_row_.cwiseAbs().transpose() * rows) : VectorXd(modes_.cwiseAbs().transpose() * rows);
     }
 
     /// G'WG with a diagonal W.
     MatrixXd gram(const VectorXd& weight) const {
         MatrixXd gram = MatrixXd::Zero(modes_.cols(), modes_.cols());
-        if (is_sparse()) {
+        if (is_sparse_) {
             for (Index k = 0; k < by_row_.rows(); ++k)
                 for (Entry a(by_row_, k); a && weight[k] != 0; ++a)
                     for (Entry b(by_row_, k); b; ++b) gram(a.col(), b.col()) += a.value() * weight[k] * b.value();
             return gram;
+        }
+        if (modes_.cols() >= many_motions) {
+            std::vector<Index> weighted;
+            for (Index k = 0; k < weight.size(); ++k)
+                if (weight[k] != 0) weighted.push_back(k);
+            const MatrixXd rows = modes_(weighted, Eigen::all);
+            return product(rows.transpose(), weight(weighted).asDiagonal() * rows);
         }
         VectorXd column(modes_.rows());
         for (Index j = 0; j < modes_.cols(); ++j) {
@@ -75,10 +85,10 @@ public:
 private:
     using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     using Entry = SparseRows::InnerIterator;
-    bool is_sparse() const { return modes_.cols() >= many_motions; }
 
     const MatrixXd& modes_;
     SparseRows by_row_;
+    bool is_sparse_ = false;
 };
 
 VectorXd pressures(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const VectorXd& amplitudes) {
@@ -103,23 +113,46 @@ VectorXd imbalance(const ContactQp& qp, const MotionRows& modes, const VectorXd&
     return modes.transposed_times(l) + qp.mode_load;
 }
 
-/// Goes the largest of 1, 1/2, 1/4, ... of the direction that lowers the energy enough; where rounding hides what it falls by,
-/// that halves the imbalance. 0: none, and stays. energy: of `s`.
+/// The share of a direction, 1 at most, after which the energy rises: it is convex, of parabolas that meet where rows close or
+/// open. gap, opening: where the direction begins, and how much of it the whole direction opens; fall: of the energy per share
+/// there. Sums of changes alone, which rounding leaves more digits than the energy.
+double share_of_descent(const ContactQp& qp, const VectorXd& foundation, const VectorXd& gap, const VectorXd& opening,
+                        double fall) {
+    const auto released = [&](Index k, double share) {
+        const double there = gap[k] + share * opening[k];
+        if (!qp.unilateral[static_cast<std::size_t>(k)] || (gap[k] < 0 && there < 0)) return share * opening[k];
+        return gap[k] < 0 ? -gap[k] : std::min(0.0, there);
+    };
+    const auto slope = [&](double share) {
+        double sum = -fall;
+        for (Index k = 0; k < gap.size(); ++k)
+            if (opening[k] != 0) sum += foundation[k] * released(k, share) * opening[k];
+        return sum;
+    };
+    if (slope(1) <= 0) return 1;
+    std::vector<double> kinks{0, 1};
+    for (Index k = 0; k < gap.size(); ++k)
+        if (const double at = -gap[k] / opening[k]; at > 0 && at < 1) kinks.push_back(at);
+    std::sort(kinks.begin(), kinks.end());
+    const auto rising = std::partition_point(kinks.begin() + 1, kinks.end() - 1, [&](double at) { return slope(at) <= 0; });
+    const double begin = *(rising - 1), end = *rising, falls = slope(begin), rises = slope(end);
+    return rises > falls ? begin + (end - begin) * std::clamp(-falls / (rises - falls), 0.0, 1.0) : end;
+}
+
+/// Goes along the direction as long as the energy falls. The share of it; 0: it rises by rounding, and the imbalance does not
+/// become half as large, so that it stays. energy: of `s`.
 double move_along(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const VectorXd& residual,
                   const VectorXd& direction, Settled& s, Energy& energy) {
-    const Energy before = energy;
-    const double slope = residual.dot(direction);
-    for (double share = 1; share > least_share; share *= 0.5) {
-        VectorXd trial = s.amplitudes + share * direction, l = pressures(qp, foundation, modes, trial);
-        const double wanted = sufficient_descent * share * slope;
-        energy = energy_of(qp, foundation, trial, l);
-        const bool falls = energy.value <= before.value - wanted;
-        if (!falls && (wanted > before.rounding || imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) continue;
-        s.amplitudes = std::move(trial);
-        s.multipliers = std::move(l);
-        return share;
-    }
-    return 0;
+    const VectorXd gap = qp.drawn_gap + modes.times(s.amplitudes);
+    const double share = share_of_descent(qp, foundation, gap, modes.times(direction), residual.dot(direction));
+    VectorXd trial = s.amplitudes + share * direction, l = pressures(qp, foundation, modes, trial);
+    const Energy there = energy_of(qp, foundation, trial, l);
+    const bool rises = there.value > energy.value;
+    if (share == 0 || (rises && imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) return 0;
+    s.amplitudes = std::move(trial);
+    s.multipliers = std::move(l);
+    energy = there;
+    return share;
 }
 
 /// G'KG of a foundation, and a little (`held`) against motions that it does not hold.
@@ -142,18 +175,27 @@ double imbalance_rounding(const ContactQp& qp, const VectorXd& foundation, const
     return balance_rounding * modes.transposed_sizes_times(force).norm();
 }
 
-/// Newton's steps on a foundation from the amplitudes of `s`.
-void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, double mean, Settled& s) {
+/// x of A x = b for a semidefinite A; of many motions by BLAS while all pivots are positive.
+VectorXd answer_of(const MatrixXd& a, const VectorXd& b) {
+    if (a.cols() >= many_motions)
+        if (const Cholesky factor(a); factor.succeeded()) return factor.solve(b);
+    return PivotedCholesky(a).solve(b);
+}
+
+/// Newton's steps on a foundation from the amplitudes of `s`, so many at most.
+void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, double mean, Index steps,
+                          Settled& s) {
     s.multipliers = pressures(qp, foundation, modes, s.amplitudes);
     double held = first_held;
     Energy energy = energy_of(qp, foundation, s.amplitudes, s.multipliers);
-    for (int step = 0; step < max_newton_steps; ++step) {
+    for (Index step = 0; step < steps; ++step) {
         const VectorXd residual = imbalance(qp, modes, s.multipliers);
-        s.balanced = residual.norm() <= balance_tolerance * force_scale_of(qp, modes, s.multipliers);
-        if (mean == 0 || residual.norm() <= imbalance_rounding(qp, foundation, modes, s)) return;
-        if (s.balanced) return;
+        const double scale = force_scale_of(qp, modes, s.multipliers), left = residual.norm();
+        const bool is_rounding = left <= imbalance_rounding(qp, foundation, modes, s);
+        s.balanced = left <= balance_tolerance * scale || (is_rounding && left <= feasibility_tolerance * scale);
+        if (mean == 0 || is_rounding || s.balanced) return;
         const VectorXd pressed = (s.multipliers.array() != 0).select(foundation, 0.0);
-        const VectorXd direction = PivotedCholesky(held_stiffness(modes, pressed, held * mean)).solve(residual);
+        const VectorXd direction = answer_of(held_stiffness(modes, pressed, held * mean), residual);
         const double share = move_along(qp, foundation, modes, residual, direction, s, energy);
         if (share == 0) return;
         held = share == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
@@ -189,10 +231,11 @@ Settled settle_rigidly(const ContactQp& qp) {
         return s;
     }
     const double mean = s.stiffness.trace() / static_cast<double>(n);
-    settle_on_foundation(qp, qp.foundation, modes, mean, s);
+    settle_on_foundation(qp, qp.foundation, modes, mean, few_newton_steps + n, s);
     if (s.balanced || mean == 0) return s;
     s.amplitudes.setZero();
-    for (const double softening : softenings) settle_on_foundation(qp, softened(qp, softening), modes, mean, s);
+    for (const double softening : softenings)
+        settle_on_foundation(qp, softened(qp, softening), modes, mean, few_newton_steps, s);
     return s;
 }
 
@@ -205,7 +248,11 @@ std::optional<VectorXd> settle_on(const ContactQp& qp, const std::vector<char>& 
     const PivotedCholesky factor(MotionRows(qp.modes).gram(foundation));
     const VectorXd pivots = factor.pivots();
     if (!factor.succeeded() || !(pivots.minCoeff() > free_pivot * pivots.maxCoeff())) return std::nullopt;
-    return factor.solve(qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap));
+    const VectorXd load = qp.mode_load - qp.modes.transpose() * foundation.cwiseProduct(qp.drawn_gap);
+    VectorXd amplitudes = factor.solve(load);
+    const double farthest = load.cwiseAbs().maxCoeff() / (soft_pivot * pivots.maxCoeff());
+    if (!(amplitudes.cwiseAbs().maxCoeff() <= farthest)) return std::nullopt;
+    return amplitudes;
 }
 
 }  // namespace abut::solver

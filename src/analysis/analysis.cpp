@@ -287,7 +287,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
         }
     }
     const double total = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    fill_effects(out, total, result);
+    fill_effects(scene, out, total, result);
     for (const char* stage : {"import", "geometry", "assembly", "solve", "recovery"})
         result.timing.emplace_back(stage, seconds[stage]);
     result.stages = fine_stages(seconds);

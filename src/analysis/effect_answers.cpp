@@ -2,6 +2,9 @@
 #include "src/analysis/effect_answers.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "src/discretization/shared_grids.hpp"
 
 namespace abut {
 
@@ -30,7 +33,11 @@ void leave_out_idle_parts(const Result& result, Effect& e) {
 
 }  // namespace
 
-void fill_effects(const Outcome& out, double seconds, Result& result) {
+void fill_effects(const Scene& scene, const Outcome& out, double seconds, Result& result) {
+    std::map<int, int> model_of;
+    for (const PartOnGrid& g : out.solved.grids)
+        if (g.model >= 0) model_of[g.part] = g.model;
+    result.effects.push_back(shared_grids_effect(scene, model_of));
     for (Effect& e : result.effects) {
         if (const auto use = out.uses.find(e.name); use != out.uses.end()) {
             e.seconds = use->second.seconds;

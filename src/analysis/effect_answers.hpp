@@ -6,7 +6,8 @@
 
 namespace abut {
 
-/// Fills in what each effect took and what it was about. Reads result.contacts and result.parts; seconds: of the whole run.
-void fill_effects(const Outcome& out, double seconds, Result& result);
+/// Fills in what each effect took and what it was about, and which parts shared grids. Reads result.contacts and result.parts;
+/// seconds: of the whole run.
+void fill_effects(const Scene& scene, const Outcome& out, double seconds, Result& result);
 
 }  // namespace abut

@@ -146,7 +146,7 @@ public:
 
     bool take(SolvedAssembly now) {
         out_.stress.clear();
-        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid ? 0 : 1;
+        for (const PartOnGrid& g : now.grids) out_.factorizations += g.is_rigid || g.model >= 0 ? 0 : 1;
         out_.iterations += now.solution.iterations;
         if (!has_to_widen(now)) follow(now, next_.on_final_cells() ? max_knot_moves : knot_moves_before);
         if (scene_.in_steps && now.solution.mechanism.empty())
@@ -328,7 +328,7 @@ private:
         const std::size_t n = out_.passes.size();
         const PassAsk next = ask();
         const double last_seconds = out_.passes.back().seconds - (n > 1 ? out_.passes[n - 2].seconds : 0);
-        out_.next = cost_of_pass(scene_, next.parts, next.wanted, next.coarseness, now, last_seconds);
+        out_.next = cost_of_pass(scene_, conditions_, next.parts, next.wanted, next.coarseness, now, last_seconds);
         const double spent = seconds_so_far() + seconds_["recovery"];
         return (budget.seconds && spent + out_.next->seconds > *budget.seconds) ||
                (budget.bytes && out_.next->bytes > *budget.bytes);

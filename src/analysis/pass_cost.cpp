@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "src/base/index.hpp"
-#include "src/discretization/part_grid.hpp"
+#include "src/discretization/shared_grids.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/rigid_parts.hpp"
 
@@ -21,18 +22,19 @@ double n_filled(const PartOnGrid& grid) {
 
 }  // namespace
 
-PassCost cost_of_pass(const Scene& scene, const std::vector<bool>& parts, const WantedSizes& wanted, double coarseness,
-                      const SolvedAssembly& now, double last_seconds) {
+PassCost cost_of_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<bool>& parts,
+                      const WantedSizes& wanted, double coarseness, const SolvedAssembly& now, double last_seconds) {
     double unknowns = 0, cells = 0, next_cells = 0;
     for (const PartOnGrid& grid : now.grids) {
         if (grid.is_rigid) continue;
         unknowns += 2 * grid.input.space.n_functions;
         cells += n_filled(grid);
     }
-    for (int part = 0; part < static_cast<int>(parts.size()); ++part) {
-        if (!parts[at(part)] || !why_rigid(scene, part).empty()) continue;
-        const PartGrid next = grid_of_part(scene, part, wanted[at(part)], coarseness, 1);
-        next_cells += n_filled(next.local, next.grid);
+    std::map<int, double> of_model;  // and of its copies
+    for (const DesignedGrid& next : design_grids(scene, conditions, parts, wanted, coarseness, 1)) {
+        if (!why_rigid(scene, next.part).empty()) continue;
+        if (next.model < 0) of_model[next.part] = n_filled(next.grid.local, next.grid.grid);
+        next_cells += of_model.at(next.model < 0 ? next.part : next.model);
     }
     if (cells == 0) return {};
     const double growth = next_cells / cells;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/discretization/grid_design.hpp"
+#include "src/plan/boundary_conditions.hpp"
 #include "src/scene/scene.hpp"
 #include "src/solution/solved_assembly.hpp"
 
@@ -22,8 +23,8 @@ struct PassCost {
 
 /// The cost of a pass on grids that are wanted; now, last_seconds: the last one and what it took. The grids are designed for
 /// it, and nothing is made on them.
-PassCost cost_of_pass(const Scene& scene, const std::vector<bool>& parts, const WantedSizes& wanted, double coarseness,
-                      const SolvedAssembly& now, double last_seconds);
+PassCost cost_of_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<bool>& parts,
+                      const WantedSizes& wanted, double coarseness, const SolvedAssembly& now, double last_seconds);
 
 /// "of about 12000 unknowns, in 3.1 s and 0.05 GB"
 std::string cost_text(const PassCost& cost);

@@ -2,9 +2,11 @@
 #include "src/analysis/stress_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "geometry/curves/bezier_span.hpp"
 #include "solver/assembly/ring.hpp"
@@ -173,11 +175,18 @@ double strain_error(const solver::PartInput& input, const Eigen::VectorXd& displ
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads) {
     std::vector<solver::StressField> fields(solved.grids.size());
+    std::array<std::vector<std::size_t>, 2> in_turn;  // what fits have in common is filled in by the first of them
+    std::set<const solver::StressFitFactor*> filled;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+        const solver::StressFitFactor* common = solved.grids[k].fit.get();
+        in_turn[common && !filled.insert(common).second ? 1 : 0].push_back(k);
+    }
     const int each = solved.grids.empty() ? 1 : solved.grids.front().input.threads;
-    solver::parallel_for(static_cast<int>(fields.size()), std::max(1, threads / each), [&](int i) {
-        const auto k = static_cast<std::size_t>(i);
-        fields[k] = stress_field(solved.grids[k], solved.solution.displacement[k]);
-    });
+    for (const std::vector<std::size_t>& parts : in_turn)
+        solver::parallel_for(static_cast<int>(parts.size()), std::max(1, threads / each), [&](int i) {
+            const std::size_t k = parts[static_cast<std::size_t>(i)];
+            fields[k] = stress_field(solved.grids[k], solved.solution.displacement[k]);
+        });
     return fields;
 }
 

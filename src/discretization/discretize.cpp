@@ -114,6 +114,19 @@ PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const ge
     return result;
 }
 
+PartOnGrid copied(const Scene& scene, int part, const Frame& frame, const PartOnGrid& model) {
+    ENSURE(part >= 0 && at(part) < scene.parts.size() && part != model.part, "the copy is another part of the scene");
+    const geometry::Part& source = scene.parts[at(part)].part;
+    ENSURE(source.edges.size() == model.local.edges.size(), "a copy has its model's edges");
+    PartOnGrid copy = model;
+    copy.part = part;
+    copy.model = model.part;
+    copy.frame = frame;
+    copy.local.name = source.name;  // places are the model's to the last bit, so that it does not matter who asks first
+    for (std::size_t k = 0; k < source.edges.size(); ++k) copy.local.edges[k].name = source.edges[k].name;
+    return copy;
+}
+
 int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local) {
     const std::vector<int>& split = on_grid.elements.cell_of_extra;
     if (!std::binary_search(split.begin(), split.end(), cell)) return cell;

@@ -20,6 +20,7 @@ namespace abut {
 /// A part on its grid: frame, cells and elements, and the solver's input made of them.
 struct PartOnGrid {
     int part;               ///< index into Scene::parts
+    int model = -1;         ///< the part that this one is a copy of and shares grid, stiffness and factor with; -1: none
     bool is_rigid = false;  ///< one cell of bilinear functions, which hold its motions; no stiffness
     Frame frame;
     geometry::Part local;  ///< in the grid's frame; edges and parameters as in the scene's part
@@ -41,6 +42,9 @@ Frame frame_for(const geometry::Part& part, double angle);
 /// Puts a part on its grid. Throws InputError where the grid misses a part of the part. A basis that cannot be made is left in
 /// input.space.failure.
 PartOnGrid discretize(const Scene& scene, int part, const Frame& frame, const geometry::Grid& grid, std::array<int, 2> degree);
+
+/// A part that is a copy of one on its grid, put on the same grid. frame: of the copy.
+PartOnGrid copied(const Scene& scene, int part, const Frame& frame, const PartOnGrid& model);
 
 /// The element of a cell that holds a point of it, or is nearest to it.
 int element_in(const PartOnGrid& on_grid, int cell, const Vec2& local);

@@ -26,11 +26,27 @@ bool adjoin(const geometry::Part& part, const EdgePortion& a, const EdgePortion&
     return false;
 }
 
-/// Names of the edges of which portions are taken that no chain of portions joins to a whole edge; none where none is whole.
+bool is_of_hole(const Scene& scene, const EdgePortion& p) {
+    const geometry::Part& part = scene.parts[at(p.part)].part;
+    const geometry::Loop* loop = geometry::loop_of(part, p.edge);
+    if (!loop) return false;
+    geometry::Part alone;  // a hole's area counts negative
+    for (const int edge : loop->edges) alone.edges.push_back(part.edges[at(edge)]);
+    return geometry::area(alone) < 0;
+}
+
+/// Names of the edges that are taken which no chain of portions joins to a whole edge, nor, where any is on an outline, to a
+/// whole edge of an outline; none where none is whole.
 std::set<std::string> strays(const Scene& scene, const Selector& selector) {
     std::vector<EdgePortion> joined, rest;
     for (const EdgePortion& p : select(scene, {selector})) (is_whole(p) ? joined : rest).push_back(p);
     if (joined.empty()) return {};
+    const auto holes =
+        std::stable_partition(joined.begin(), joined.end(), [&](const EdgePortion& p) { return !is_of_hole(scene, p); });
+    if (holes != joined.begin()) {
+        rest.insert(rest.end(), holes, joined.end());
+        joined.erase(holes, joined.end());
+    }
     for (std::size_t k = 0; k < joined.size(); ++k)
         for (std::size_t i = rest.size(); i-- > 0;)
             if (rest[i].part == joined[k].part && adjoin(scene.parts[at(rest[i].part)].part, rest[i], joined[k])) {
@@ -51,9 +67,9 @@ void append(const Scene& scene, const Selection& on, std::vector<std::string>& t
         std::string pieces;
         for (const std::string& name : strays(scene, selector)) pieces += (pieces.empty() ? "" : ", ") + name;
         if (!pieces.empty())
-            texts.push_back(selector.where + ": of " + pieces +
-                            " a piece faces this way, too, and is selected beside the edges that do as a whole; if it is not "
-                            "meant, name these edges, or select them by near or box");
+            texts.push_back(selector.where + ": " + pieces +
+                            " faces this way, too, or a piece of it, and is selected beside other edges that do; if it is "
+                            "not meant, name those, or select them by near or box");
     }
 }
 

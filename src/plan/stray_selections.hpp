@@ -8,8 +8,8 @@
 
 namespace abut {
 
-/// Supports and loads on what faces a way that take whole edges, and besides pieces of curved ones that do not adjoin these:
-/// the top of a hole faces down as the bottom of its plate does. A sentence for each, which names the pieces.
+/// Supports and loads on what faces a way that take whole edges, and besides edges of holes, or pieces of curved ones, that do
+/// not adjoin these: the top of a hole faces down as the bottom of its plate does. A sentence for each, which names them.
 std::vector<std::string> stray_selections(const Scene& scene);
 
 }  // namespace abut

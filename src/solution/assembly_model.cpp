@@ -14,6 +14,7 @@
 #include "src/base/index.hpp"
 #include "src/discretization/part_grid.hpp"
 #include "src/discretization/rigid_part.hpp"
+#include "src/discretization/shared_grids.hpp"
 #include "src/plan/rigid_parts.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -48,16 +49,21 @@ struct PutPart {
     bool is_refined = false, is_limited = false;
 };
 
-PutPart put_on_grid(const Scene& scene, int part, const std::vector<WantedSize>& wanted, double coarseness) {
+PutPart put_on_grid(const Scene& scene, const DesignedGrid& designed, double coarseness) {
+    const int part = designed.part;
     if (!why_rigid(scene, part).empty()) return {put_rigid_part(scene, part)};
     bool limited = false;
     double refinement = 1;
-    for (int attempt = 0;; ++attempt, refinement *= 0.5) {
-        PartGrid chosen = grid_of_part(scene, part, wanted, coarseness, refinement);
+    PartGrid chosen = designed.grid;
+    for (int attempt = 0;; ++attempt) {
         limited = limited || chosen.limited;
         PartOnGrid g = discretize(scene, part, chosen.frame, chosen.grid, chosen.degree);
         const bool is_final = chosen.given || attempt == max_wall_refinements || scene.accuracy.cell_size;
-        if (!is_final && !g.input.space.failure.empty()) continue;
+        if (!is_final && !g.input.space.failure.empty()) {
+            refinement *= 0.5;
+            chosen = grid_of_part(scene, part, designed.wanted, coarseness, refinement);
+            continue;
+        }
         g.too_fine = chosen.too_fine;
         return {std::move(g), attempt > 0, limited};
     }
@@ -181,11 +187,13 @@ void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidate
     }
 }
 
-/// Tells the parts where their interfaces are.
+/// Tells the parts where their interfaces are, and models where those of their copies.
 void note_contact_elements(SolvedAssembly& solved) {
     for (const solver::Interface& face : solved.problem.interfaces)
         for (std::size_t side = 0; side < 2; ++side) {
-            std::vector<int>& elements = solved.grids[at(face.part[side])].input.contact_elements;
+            const PartOnGrid& own = solved.grids[at(face.part[side])];
+            const int part = own.model < 0 ? face.part[side] : solved.solver_part[at(own.model)];
+            std::vector<int>& elements = solved.grids[at(part)].input.contact_elements;
             for (const solver::InterfacePoint& p : face.points)
                 if (elements.empty() || elements.back() != p.element[side]) elements.push_back(p.element[side]);
         }
@@ -289,26 +297,32 @@ void begin_from(const SolvedAssembly& before, SolvedAssembly& solved) {
 }
 
 /// What cannot be put on a grid is told in `failure`.
-SolvedAssembly put_on_grids(const Scene& scene, const std::vector<bool>& solve_part, const WantedSizes& wanted,
-                            double coarseness, Stopwatches& seconds, int threads) {
+SolvedAssembly put_on_grids(const Scene& scene, const ResolvedConditions& conditions, const std::vector<bool>& solve_part,
+                            const WantedSizes& wanted, double coarseness, Stopwatches& seconds, int threads) {
     ENSURE(solve_part.size() == scene.parts.size() && wanted.size() == scene.parts.size(),
            "every part has a wanted size, and is solved or not");
     SolvedAssembly solved;
     solved.solver_part.assign(scene.parts.size(), -1);
     const Timed timed(seconds, "geometry");
-    std::vector<int> parts;
-    for (std::size_t i = 0; i < scene.parts.size(); ++i)
-        if (solve_part[i]) parts.push_back(static_cast<int>(i));
-    std::vector<std::optional<PutPart>> put(parts.size());
-    solver::parallel_for(static_cast<int>(parts.size()), threads,
-                         [&](int k) { put[at(k)] = put_on_grid(scene, parts[at(k)], wanted[at(parts[at(k)])], coarseness); });
+    const std::vector<DesignedGrid> designed = design_grids(scene, conditions, solve_part, wanted, coarseness, threads);
+    std::vector<std::optional<PutPart>> put(designed.size());
+    solver::parallel_for(static_cast<int>(put.size()), threads, [&](int k) {
+        if (designed[at(k)].model < 0) put[at(k)] = put_on_grid(scene, designed[at(k)], coarseness);
+    });
+    for (std::size_t k = 0; k < put.size(); ++k) solved.solver_part[at(designed[k].part)] = static_cast<int>(k);
     for (std::size_t k = 0; k < put.size(); ++k) {
-        solved.solver_part[at(parts[k])] = static_cast<int>(k);
+        const DesignedGrid& d = designed[k];
+        if (d.model >= 0) {  // models come before their copies
+            PartOnGrid& model = solved.grids[at(solved.solver_part[at(d.model)])];
+            if (!model.fit) model.fit = std::make_shared<solver::StressFitFactor>();
+            solved.grids.push_back(copied(scene, d.part, d.frame, model));
+            continue;
+        }
         solved.refined_for_walls += put[k]->is_refined ? 1 : 0;
         solved.limited_grids += put[k]->is_limited ? 1 : 0;
         solved.grids.push_back(std::move(put[k]->grid));
         if (!solved.grids.back().input.space.failure.empty())
-            solved.failure = "part " + scene.parts[at(parts[k])].name + ": " + solved.grids.back().input.space.failure;
+            solved.failure = "part " + scene.parts[at(d.part)].name + ": " + solved.grids.back().input.space.failure;
     }
     return solved;
 }
@@ -329,11 +343,12 @@ void make_assembly(const Scene& scene, const ResolvedConditions& conditions, con
 SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                              const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                              Stopwatches& seconds, int threads) {
-    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds, threads);
+    SolvedAssembly solved = put_on_grids(scene, conditions, solve_part, wanted, coarseness, seconds, threads);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
-    for (PartOnGrid& g : solved.grids) g.fit = std::make_shared<solver::StressFitFactor>();
+    for (PartOnGrid& g : solved.grids)
+        if (!g.fit) g.fit = std::make_shared<solver::StressFitFactor>();
     for (solver::PartSystem& system : solved.problem.parts) system.factor.keep_forms();
     solved.known = std::make_shared<KnownInterfaces>();
     return solved;
@@ -368,7 +383,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
 SolvedAssembly solve_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<Candidate>& candidates,
                           const std::vector<bool>& solve_part, const WantedSizes& wanted, double coarseness,
                           Stopwatches& seconds, int threads) {
-    SolvedAssembly solved = put_on_grids(scene, solve_part, wanted, coarseness, seconds, threads);
+    SolvedAssembly solved = put_on_grids(scene, conditions, solve_part, wanted, coarseness, seconds, threads);
     if (!solved.failure.empty()) return solved;
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     if (solved.failure.empty()) solve_contacts(scene, solved, seconds, threads);
@@ -411,7 +426,7 @@ double largest_condition(const SolvedAssembly& solved, int threads, PartConditio
     std::vector<double> condition(parts.size(), 0);
     solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const solver::PartSystem& system = parts[at(i)];
-        if (system.body || !system.failure.empty()) return;
+        if (system.body || !system.failure.empty() || has_factor_of_model(solved, at(i))) return;
         const bool is_known = is_shared(at(i)) && known->contains(solved.grids[at(i)].part);
         condition[at(i)] = is_known ? known->at(solved.grids[at(i)].part) : condition_estimate(system);
     });

@@ -45,6 +45,15 @@ LoadedSystem make_system(const Scene& scene, const ResolvedConditions& condition
             load.scale, std::move(load.uses)};
 }
 
+/// A system that is there already, under other loads.
+LoadedSystem loaded(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g,
+                    const solver::PartSystem& system) {
+    PartLoad load = load_vector(scene, conditions, g);
+    LoadedSystem made{solver::with_loads(system, std::move(load.vector), load.weighted), load.scale, std::move(load.uses)};
+    made.system.seconds = {};
+    return made;
+}
+
 /// With dirichlet "aligned" every support of edges has to be imposed that way.
 void require_aligned(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
     for (const solver::SupportRecord& record : system.supports)
@@ -106,7 +115,7 @@ SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) 
     constexpr double much_more = 1.25;  // than a thread's share: what threads within a part lose
     double largest = 0, all = 0;
     for (const PartOnGrid& g : grids) {
-        const double size = g.is_rigid ? 0 : g.input.space.n_functions;
+        const double size = g.is_rigid || g.model >= 0 ? 0 : g.input.space.n_functions;
         largest = std::max(largest, size);
         all += size;
     }
@@ -151,8 +160,15 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, int 
     std::vector<LoadedSystem> made(solved.grids.size());
     const SharedThreads shared = shared_threads(solved.grids, threads);
     for (PartOnGrid& g : solved.grids) g.input.threads = shared.each;
-    solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side,
-                         [&](int i) { made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]); });
+    solver::parallel_for(static_cast<int>(made.size()), shared.side_by_side, [&](int i) {
+        if (!has_factor_of_model(solved, at(i))) made[at(i)] = make_system(scene, conditions, solved.grids[at(i)]);
+    });
+    solver::parallel_for(static_cast<int>(made.size()), threads, [&](int i) {
+        if (!has_factor_of_model(solved, at(i))) return;
+        const PartOnGrid& g = solved.grids[at(i)];
+        const solver::PartSystem& system = made[at(solved.solver_part[at(g.model)])].system;
+        made[at(i)] = system.failure.empty() ? loaded(scene, conditions, g, system) : LoadedSystem{system};
+    });
     take_systems(scene, std::move(made), nullptr, solved);
 }
 
@@ -166,9 +182,7 @@ void load_systems(const Scene& scene, const ResolvedConditions& conditions, cons
             made[at(i)] = make_system(scene, conditions, g);
             return;
         }
-        PartLoad load = load_vector(scene, conditions, g);
-        made[at(i)] = {solver::with_loads(system, std::move(load.vector), load.weighted), load.scale, std::move(load.uses)};
-        made[at(i)].system.seconds = {};
+        made[at(i)] = loaded(scene, conditions, g, system);
     });
     take_systems(scene, std::move(made), &prepared, solved);
 }

@@ -42,6 +42,12 @@ struct SolvedAssembly {
     int limited_grids = 0;      ///< parts whose grid is coarser than wanted, to bound the number of cells
 };
 
+/// Is a solved part's factor that of another solved part, which it is a copy of?
+inline bool has_factor_of_model(const SolvedAssembly& solved, std::size_t part) {
+    const int model = solved.grids[part].model;
+    return model >= 0 && solved.solver_part[static_cast<std::size_t>(model)] >= 0;
+}
+
 /// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever
 /// they face each other. load_scale: the largest single load; contact forces that are its rounding press nothing.
 std::vector<PressedStretch> stretches_of(const SolvedAssembly& solved, std::size_t contact, const Eigen::VectorXd& pressure,

@@ -38,7 +38,7 @@ void set_circle_grid(ContactCase& c, int part, const PinSetup& setup, std::size_
     set_even_grid(c, part, setup.cell, turned - Vec2::Constant(r) + setup.cell * setup.sliver[which], angle);
 }
 
-double fraction_of(double v) {
+double fraction_part_of(double v) {
     return v - std::floor(v);
 }
 
@@ -46,7 +46,7 @@ double fraction_of(double v) {
 void place_grids(PinSetup& setup, int k) {
     constexpr double root = 1.1347241384015194;  // of x^7 = x + 1
     std::array<double, 6> u;
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = fraction_of(0.5 + k * std::pow(root, -static_cast<double>(i + 1)));
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = fraction_part_of(0.5 + k * std::pow(root, -static_cast<double>(i + 1)));
     for (std::size_t part = 0; part < 2; ++part) {
         setup.grid_angle[part] = 0.25 * std::numbers::pi * u[3 * part];
         for (int axis : {0, 1})

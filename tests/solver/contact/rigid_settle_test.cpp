@@ -76,5 +76,37 @@ TEST(RigidSettle, SettlesAtOnceOnTheRowsThatEndUpPressed) {
     EXPECT_GT(settled, 150);
 }
 
+/// A hundred blocks in a row between a wall and a force: soft as a whole, as far as any one of them is stiff, and held. Of
+/// as many springs as there are blocks the last one moves so many times as far as the first.
+TEST(RigidSettle, SettlesARowOfManyBodiesAtOnce) {
+    constexpr Index n = 100;
+    ContactQp qp;
+    qp.compliance = MatrixXd::Identity(n, n);
+    qp.modes = MatrixXd::Identity(n, n);
+    for (Index k = 1; k < n; ++k) qp.modes(k, k - 1) = -1;
+    qp.gap = qp.drawn_gap = VectorXd::Zero(n);
+    qp.mode_load = VectorXd::Zero(n);
+    qp.mode_load[n - 1] = -1;
+    qp.unilateral.assign(n, 1);
+    qp.foundation = VectorXd::Ones(n);
+    qp.load_scale = 1;
+    // the same bodies by motions of all of them
+    const MatrixXd turned = MatrixXd::Identity(n, n) - 2.0 / n * MatrixXd::Ones(n, n);
+    for (const bool of_all : {false, true}) {
+        ContactQp by = qp;
+        if (of_all) {
+            by.modes = qp.modes * turned;
+            by.mode_load = turned.transpose() * qp.mode_load;
+        }
+        const std::optional<VectorXd> found = settle_on(by, std::vector<char>(n, 1));
+        ASSERT_TRUE(found.has_value());
+        const VectorXd bodies = of_all ? VectorXd(turned * *found) : *found;
+        for (Index k = 0; k < n; ++k) EXPECT_NEAR(bodies[k], -static_cast<double>(k + 1), 1e-9);
+        const Settled settled = settle_rigidly(by);
+        EXPECT_TRUE(settled.balanced);
+        EXPECT_LT((settled.multipliers - VectorXd::Ones(n)).norm(), 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace abut::solver::rigid_settle_test

@@ -98,6 +98,31 @@ TEST(NextCandidates, PressuresAreExpectedWhereTheyWereFound) {
     EXPECT_LT((pin.solved.solution.pressure[0] - pressure).norm(), 1e-9 * pressure.norm());
 }
 
+/// A wider search begins closed chains elsewhere, which may be a turn on.
+TEST(NextCandidates, AWiderSearchInheritsWhatIsExpected) {
+    Outcome pin = solved_pin();
+    std::vector<Candidate> before = pin.candidates;
+    expect_ends(pin_scene(), pin.solved, pin.solved.stretches, before);
+    expect_pressures(pin.solved, before);
+    std::vector<Candidate> wider = before;
+    wider[0].ends.clear();
+    wider[0].expected = {};
+    const double turn = wider[0].zone.chain1.length;
+    wider[0].zone.begin1 += turn;
+    wider[0].zone.end1 += turn;
+    wider.push_back(wider[0]);
+    std::reverse(wider[1].zone.chain2.edges.begin(), wider[1].zone.chain2.edges.end());
+    wider[1].zone.chain2.edges.push_back(0);  // other faces
+    inherit_expected(before, wider);
+    ASSERT_EQ(wider[0].ends.size(), before[0].ends.size());
+    for (std::size_t k = 0; k < before[0].ends.size(); ++k) {
+        EXPECT_NEAR(wider[0].ends[k].s1, before[0].ends[k].s1 + turn, 1e-12 * turn);
+        EXPECT_EQ(wider[0].ends[k].outward, before[0].ends[k].outward);
+    }
+    EXPECT_EQ(wider[0].expected.pressure, before[0].expected.pressure);
+    EXPECT_TRUE(wider[1].ends.empty() && wider[1].expected.s1.empty());
+}
+
 TEST(NextCandidates, TheSearchReachesAsFarAsThePartsMove) {
     Outcome pin = solved_pin();
     const double factor = needed_search_factor(pin_scene(), pin.solved);

@@ -25,7 +25,17 @@ const std::string plate = R"({"rectangle": {"min": [-20, -30], "max": [20, 30]}}
 TEST(StraySelections, PiecesOfHolesAreNamed) {
     const std::vector<std::string> strays = strays_of(holed, R"({"part": "p", "facing": [0, -1]})");
     ASSERT_EQ(strays.size(), 1u);
-    EXPECT_NE(strays[0].find("/supports/0/on: of p/h/circle"), std::string::npos) << strays[0];
+    EXPECT_NE(strays[0].find("/supports/0/on: p/h/circle faces"), std::string::npos) << strays[0];
+}
+
+TEST(StraySelections, SidesOfSlotsAreNamed) {
+    const std::string slotted =
+        R"({"difference": [)" + plate + R"(, {"name": "s", "slot": {"from": [-10, 0], "to": [10, 0], "radius": 3}}]})";
+    const std::vector<std::string> strays = strays_of(slotted, R"({"part": "p", "facing": [0, -1]})");
+    ASSERT_EQ(strays.size(), 1u);
+    EXPECT_NE(strays[0].find("p/s/"), std::string::npos) << strays[0];
+    EXPECT_EQ(strays[0].find("bottom"), std::string::npos) << strays[0];
+    EXPECT_TRUE(strays_of(slotted, R"({"part": "p", "facing": [0.6, 0.8]})").empty());
 }
 
 TEST(StraySelections, WhatAdjoinsIsMeant) {
