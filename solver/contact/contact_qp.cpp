@@ -30,8 +30,8 @@ constexpr int near_passes = 40;
 constexpr double near_proximal_fraction = 1, near_reduction = 0.3;
 /// Of the largest multiplier: rows that carry less are not begun with. The interior point method leaves so much on open ones.
 constexpr double least_carried = 1e-10;
-constexpr double least_stiffness = 1e-6;         // of the mean one, for motions that the foundation hardly resists
-constexpr double equilibrium_tolerance = 1e-10;  // relative to the loads
+constexpr double least_stiffness = 1e-6;        // of the mean one, for motions that the foundation hardly resists
+constexpr double feasibility_tolerance = 1e-8;  // relative to the loads: below, the residual is rounding, not a mechanism
 
 double equilibrium_error(const ContactQp& qp, const VectorXd& multipliers) {
     if (qp.modes.cols() == 0) return 0;

@@ -139,20 +139,25 @@ double share_of_descent(const ContactQp& qp, const VectorXd& foundation, const V
     return rises > falls ? begin + (end - begin) * std::clamp(-falls / (rises - falls), 0.0, 1.0) : end;
 }
 
-/// Goes along the direction as long as the energy falls. The share of it; 0: it rises by rounding, and the imbalance does not
-/// become half as large, so that it stays. energy: of `s`.
+/// Goes the whole direction where that halves the imbalance, or else as long as the energy falls. The share of it; 0: the
+/// energy rises by rounding, and the imbalance does not become half as large, so that it stays. energy: of `s`.
 double move_along(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, const VectorXd& residual,
                   const VectorXd& direction, Settled& s, Energy& energy) {
+    const auto moves_by = [&](double share, bool is_whole) {
+        VectorXd trial = s.amplitudes + share * direction, l = pressures(qp, foundation, modes, trial);
+        const Energy there = energy_of(qp, foundation, trial, l);
+        const bool falls = there.value <= energy.value + (is_whole ? energy.rounding : 0),
+                   halves = imbalance(qp, modes, l).norm() <= 0.5 * residual.norm();
+        if (is_whole ? !falls || !halves : !falls && !halves) return false;
+        s.amplitudes = std::move(trial);
+        s.multipliers = std::move(l);
+        energy = there;
+        return true;
+    };
+    if (moves_by(1, true)) return 1;
     const VectorXd gap = qp.drawn_gap + modes.times(s.amplitudes);
     const double share = share_of_descent(qp, foundation, gap, modes.times(direction), residual.dot(direction));
-    VectorXd trial = s.amplitudes + share * direction, l = pressures(qp, foundation, modes, trial);
-    const Energy there = energy_of(qp, foundation, trial, l);
-    const bool rises = there.value > energy.value;
-    if (share == 0 || (rises && imbalance(qp, modes, l).norm() > 0.5 * residual.norm())) return 0;
-    s.amplitudes = std::move(trial);
-    s.multipliers = std::move(l);
-    energy = there;
-    return share;
+    return share > 0 && moves_by(share, false) ? share : 0;
 }
 
 /// G'KG of a foundation, and a little (`held`) against motions that it does not hold.
@@ -192,7 +197,7 @@ void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const
         const VectorXd residual = imbalance(qp, modes, s.multipliers);
         const double scale = force_scale_of(qp, modes, s.multipliers), left = residual.norm();
         const bool is_rounding = left <= imbalance_rounding(qp, foundation, modes, s);
-        s.balanced = left <= balance_tolerance * scale || (is_rounding && left <= feasibility_tolerance * scale);
+        s.balanced = left <= balance_tolerance * scale || (is_rounding && left <= equilibrium_tolerance * scale);
         if (mean == 0 || is_rounding || s.balanced) return;
         const VectorXd pressed = (s.multipliers.array() != 0).select(foundation, 0.0);
         const VectorXd direction = answer_of(held_stiffness(modes, pressed, held * mean), residual);

@@ -7,8 +7,8 @@
 
 namespace abut::solver {
 
-/// Of the loads: what is left of their balance below is rounding, not a mechanism.
-inline constexpr double feasibility_tolerance = 1e-8;
+/// Forces balance where what is left of them is below this share of the loads.
+inline constexpr double equilibrium_tolerance = 1e-10;
 
 /// The bodies at rest on the foundation.
 struct Settled {

@@ -33,6 +33,7 @@ constexpr double small_region = 0.01;  // of the part's size, around a singular 
 /// Tension of a bonded pair, over its largest traction, that is more than the fit of the spline.
 constexpr double noted_tension = 1e-3;
 constexpr double rounded_tension = 1e-9;  // of the largest pressure of all
+constexpr double noted_bond_gap = 1e-6;   // of its length
 /// Rounding times condition number that counts: the error of the worst displacement field, seldom that of the loads' own.
 constexpr double noted_rounding = 1e-3;
 
@@ -223,11 +224,23 @@ void warn_of_locking(const Scene& scene, const SolvedAssembly& solved, Result& r
 /// More than this out of balance is the rounding of a badly conditioned system.
 constexpr double noted_imbalance = 1e-6;
 
+/// The widest gap of bonded faces, where it is more than what drawings round.
+double widest_bond(const Result& result) {
+    double widest = 0;
+    for (const ContactResult& c : result.contacts)
+        if (c.kind == "bonded" && c.gap_max > noted_bond_gap * c.contact_length) widest = std::max(widest, c.gap_max);
+    return widest;
+}
+
 void check_balance(Result& result) {
     const double off = std::max(result.equilibrium.relative_residual, result.equilibrium.relative_moment_residual);
     if (off <= noted_imbalance || result.status == "failed") return;  // what failed is not balanced, for other reasons
     const std::string text = "forces and moments balance only to " + number_text(off, 2) + " of the largest";
-    tell({{off, "", text + ": rounding, of cells that are tiny beside their part", text}}, "balance", result);
+    const double gap = widest_bond(result);
+    const std::string why = gap > 0 ? ": faces are bonded that are drawn up to " + with_unit(gap, 3, result.length_unit) +
+                                          " apart, across which their shear has a moment; draw them touching"
+                                    : ": rounding, of cells that are tiny beside their part";
+    tell({{off, "", text + why, text}}, "balance", result);
 }
 
 /// Below the error aimed at rounding is none that matters.

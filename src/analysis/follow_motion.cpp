@@ -28,8 +28,10 @@ bool has_answer(const Outcome& out) {
 bool solve_at(const Scene& drawn, const ResolvedConditions& conditions, std::vector<Placement> placements,
               const AnalyzeOptions& options, Stopwatches& seconds, Outcome& out, std::optional<Rest>& rest) {
     Rest there{placed(drawn, conditions, placements), std::move(placements)};
-    // parts that press on each other overlap where their rigid motions have them: contact presses them apart
-    if (there.scene.contacts.overlap == "report") there.scene.contacts.overlap = "press_fit";
+    // parts that press on each other overlap where their rigid motions have them: contact presses them apart; with friction,
+    // which would hold what is pressed together before the loads are, they touch
+    if (there.scene.contacts.overlap == "report")
+        there.scene.contacts.overlap = has_friction(drawn.contacts) ? "touching" : "press_fit";
     Outcome answer;
     try {
         answer = solve_adaptively(there.scene, conditions, options, seconds);
@@ -72,6 +74,26 @@ bool is_explained_by(const std::vector<Placement>& placements, const SolvedAssem
         left = std::max({left, (p.of(m.center) - m.center - m.translation).norm(), half * std::abs(p.angle - m.rotation)});
     }
     return left <= 0.5 * most;
+}
+
+/// Where parts rest without friction, if that is where these placements have them but for what is elastic in these: bodies that
+/// just touch, while a solution has them pressed into each other.
+std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
+                                                  const std::vector<Placement>& placements) {
+    constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
+    Settling loose = settle(smooth(drawn), conditions);
+    if (loose.end != Settling::End::rests) return std::nullopt;
+    double most = 0, left = 0;
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        const geometry::Part& part = drawn.parts[i].part;
+        const Vec2 center = centroid(part);
+        const double half = 0.5 * bounding_box(part).diagonal();
+        most = std::max({most, (placements[i].of(center) - center).norm(), half * std::abs(placements[i].angle)});
+        left = std::max({left, (placements[i].of(center) - loose.placements[i].of(center)).norm(),
+                         half * std::abs(placements[i].angle - loose.placements[i].angle)});
+    }
+    if (left > elastic * most) return std::nullopt;
+    return std::move(loose.placements);
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -144,6 +166,9 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
+        if (has_friction(drawn.contacts))
+            if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, placements))
+                placements = std::move(*beside);
         if (!solve_at(drawn, conditions, std::move(placements), options, seconds, out, rest)) break;
     }
 }

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/linear_algebra/dense.hpp"
 #include "src/analysis/placement.hpp"
@@ -46,6 +47,8 @@ constexpr double rounding_of_pressing = 1e-9;  // what is left of resultants tha
 constexpr double known_places = 1e-3;
 /// Of half a contact's length: how well the place of its force within it is known.
 constexpr double known_within_contact = 0.05;
+/// Faces that make a larger angle where they meet have a corner there; fillets, however small, turn by less within a contact.
+constexpr double meeting_angle = 0.1;
 
 /// A contact's force on its first part: where and what it is in the solution, and as parts have moved if it keeps its size;
 /// what else it can be there.
@@ -173,10 +176,17 @@ bool sticks(const SolvedAssembly& solved, std::size_t contact) {
     return std::abs(sums.shear) < (1 - slip_fraction) * friction * sums.normal;
 }
 
-/// One for every stretch under pressure.
-std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
-                                     const std::vector<solver::RigidMotion>& motions) {
-    std::vector<MovedForce> lines;
+/// The force of a stretch under pressure on its first part, and the pair in its middle.
+struct StretchForce {
+    std::size_t contact;
+    geometry::FacingPair pair;
+    double half_length;
+    Vec2 force;
+    bool sticks;
+};
+
+std::vector<StretchForce> stretch_forces(const Scene& scene, const SolvedAssembly& solved) {
+    std::vector<StretchForce> forces;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& c = solved.contacts[k];
         const std::vector<PressedStretch>& stretches = solved.stretches[k];
@@ -185,10 +195,41 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
             if (!pair.found) continue;
             const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force
                                                      : contact_force_between(solved, k, stretch.begin, stretch.end).force;
-            lines.push_back(
-                moved_force(c, pair, force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], sticks(solved, k)));
-            lines.back().contact = k;
+            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force, sticks(solved, k)});
         }
+    }
+    return forces;
+}
+
+/// Two faces that meet in a corner of one body press the same place of the other: what each of them bears is no matter of where
+/// bodies have moved to, but what both bear together, along the other's normal. False: they do not meet, and stay.
+bool join_at_corner(const SolvedAssembly& solved, const StretchForce& other, StretchForce& to) {
+    if (solved.contacts[other.contact].part != solved.contacts[to.contact].part || solved.contacts[to.contact].face.bilateral)
+        return false;
+    if ((other.pair.on1.x - to.pair.on1.x).norm() > 2 * (other.half_length + to.half_length)) return false;
+    const double turn1 = std::abs(angle_between(other.pair.on1.normal, to.pair.on1.normal)),
+                 turn2 = std::abs(angle_between(other.pair.on2.normal, to.pair.on2.normal));
+    if (std::max(turn1, turn2) <= meeting_angle) return false;
+    const Vec2 force = other.force + to.force;
+    if (other.force.norm() > to.force.norm()) to = other;
+    to.force = force;
+    (turn1 > turn2 ? to.pair.on1 : to.pair.on2).curvature = std::numeric_limits<double>::infinity();
+    to.pair.normal = turn1 > turn2 ? Vec2(-to.pair.on2.normal) : to.pair.on1.normal;
+    return true;
+}
+
+/// One for every stretch under pressure, and for those together that meet in a corner.
+std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& solved,
+                                     const std::vector<solver::RigidMotion>& motions) {
+    std::vector<StretchForce> forces;
+    for (const StretchForce& f : stretch_forces(scene, solved))
+        if (std::none_of(forces.begin(), forces.end(), [&](StretchForce& to) { return join_at_corner(solved, f, to); }))
+            forces.push_back(f);
+    std::vector<MovedForce> lines;
+    for (const StretchForce& f : forces) {
+        const ContactInterface& c = solved.contacts[f.contact];
+        lines.push_back(moved_force(c, f.pair, f.force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], f.sticks));
+        lines.back().contact = f.contact;
     }
     return lines;
 }
@@ -273,7 +314,8 @@ double share_not_held(const SolvedAssembly& solved, const Result& result, const 
         driven = std::hypot(driven, moved.driven[r]);
         left = std::hypot(left, moved.left[r]);
     }
-    return driven > known / solved.grids[part].size ? std::min(1.0, left / driven) : 0;
+    const double rounding = solver::neutral_work_fraction * solved.problem.part_load[part];  // of loads that cancel
+    return driven > std::max(known / solved.grids[part].size, rounding) ? std::min(1.0, left / driven) : 0;
 }
 
 /// What is balanced, by which forces, where their parts have gone.

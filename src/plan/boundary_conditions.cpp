@@ -100,6 +100,7 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
     for (const Load& l : scene.loads) {
         r.loads.push_back(resolve(l.on));
         if (l.kind != Load::Kind::bearing || r.loads.back().empty()) continue;
+        if (l.value[0].constant() == 0 && l.value[1].constant() == 0) continue;  // presses no side
         r.loads.back() = pressed_portions(scene, l, r.loads.back());
         if (r.loads.back().empty())
             problems.push_back({l.where, "these edges cannot carry the force of a pin: none of them, or too little, faces it",

@@ -72,6 +72,32 @@ TEST(FollowMotion, FrictionThatHoldsNothingLetsPartsGo) {
 }
 
 /// A clamp drawn far above its strip, which lies above its base: the first step closes both gaps, and friction remembers there.
+/// A crowned block falls into a corner and is pushed against its wall: friction begins where it has come to rest, of bodies
+/// that are not pressed together yet. Statics, where all slides: N = H - mu R, R = W - mu N.
+TEST(FollowMotion, FrictionDoesNotRememberTheFall) {
+    const double mu = 0.1, weight = 10000, push = 1500, wall = (push - mu * weight) / (1 - mu * mu);
+    for (const double fall : {0.0, 6.0, 20.0}) {
+        const auto y = [&](double at) { return test::number(at + fall); };
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "frame", "material": "m", "geometry": {"polygon":
+                [[-80, -60], [60, -60], [60, 60], [40, 60], [40, -40], [-80, -40]]}},
+            {"name": "b", "material": "m", "geometry": {"intersection": [
+                {"rectangle": {"min": [10, )" +
+                                      y(-40) + R"(], "max": [40, )" + y(20) + R"(]}},
+                {"circle": {"center": [25, )" +
+                                      y(160) + R"(], "radius": 200}},
+                {"circle": {"center": [-160, )" +
+                                      y(-10) + R"(], "radius": 200}}]}}],
+            "supports": [{"on": "frame/e0", "fix": ["x", "y"]}, {"part": "b", "rigid": {"rotation": 0}}],
+            "loads": [{"part": "b", "force": [1500, -10000]}], "contacts": {"friction": 0.1}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        geometry::Vec2 on_wall(0, 0);
+        for (const ContactResult& c : r.contacts)
+            if (c.max_pressure.at.x() > 39.9) on_wall += c.force;
+        EXPECT_NEAR(on_wall.x(), wall, 1e-3 * wall) << fall;
+    }
+}
+
 TEST(FollowMotion, StepsWithFrictionGoOnFromWhereTheFirstTakesTheParts) {
     const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
         {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [60, 0]}}},

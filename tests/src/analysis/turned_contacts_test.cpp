@@ -144,6 +144,46 @@ TEST(TurnedContacts, FrictionThatWouldHaveToBearMoreIsTold) {
     EXPECT_FALSE(has_reason(below, "turned_lever"));
 }
 
+/// A wheel pulled against a sharp step: the two faces of its corner share a force that statics knows.
+TEST(TurnedContacts, TheFacesOfACornerBearOneForce) {
+    const double up = 6, radius = 20, aside = std::sqrt(radius * radius - (radius - up) * (radius - up));
+    for (const double friction : {0.0, 0.3}) {
+        const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "ground", "material": "m", "geometry": {"polygon": [[-60, -30], [60, -30], [60, 6], )" +
+                                      test::pair_text(aside, up) + ", " + test::pair_text(aside, 0) + R"(, [-60, 0]]}},
+            {"name": "wheel", "material": "m", "geometry": {"circle": {"center": [0, 20], "radius": 20}}}],
+            "supports": [{"on": "ground/e0", "fix": ["x", "y"]}], "loads": [{"part": "wheel", "force": [400, -1000]}],
+            "contacts": {"friction": )" +
+                                      std::to_string(friction) + "}}");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        for (const char* kind : {"turned_force", "turned_lever", "turned_balance"})
+            EXPECT_FALSE(has_reason(r, kind)) << kind << " " << friction;
+        geometry::Vec2 at_corner(0, 0);
+        for (const ContactResult& c : r.contacts)
+            if (std::abs(c.max_pressure.at.x()) > 0.5 * aside) at_corner += c.force;
+        if (friction == 0) { EXPECT_NEAR(at_corner.x(), 400, 0.4); }
+    }
+}
+
+/// Pressure all round cancels but for rounding, which drives nothing, whatever acts on other parts.
+TEST(TurnedContacts, PressureAllRoundDrivesNothing) {
+    const auto ring = [](const std::string& name, double x, double outer, double inner) {
+        const auto disc = [&](double radius) {
+            return R"({"circle": {"center": )" + test::pair_text(x, 0) + R"(, "radius": )" + test::number(radius) + "}}";
+        };
+        return R"({"name": ")" + name + R"(", "material": "m", "geometry": {"difference": [)" + disc(outer) + ", " +
+               disc(inner) + "]}}";
+    };
+    const Result r =
+        test::answer(R"({"abut": 1, "analysis": "plane_strain", "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)" +
+                     ring("r0", 0, 20, 10) + ", " + ring("s0", 0, 10, 4) + ", " + ring("r1", 100, 20, 10) + ", " +
+                     ring("s1", 100, 10, 4) + R"(], "supports": [
+        {"part": "s0", "rigid": {"translation": [0, 0], "rotation": 0}}, {"part": "s1", "rigid": {"translation": [0, 0], "rotation": 0}}],
+        "loads": [{"on": {"part": "r0", "near": [20, 0]}, "pressure": 20}, {"part": "r1", "force": [0, 1000]}]})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_FALSE(has_reason(r, "turned_balance")) << r.reasons.front().text;
+}
+
 /// A disc that rolls is balanced by small displacements alone, whose contact moves along while the loads stay.
 TEST(TurnedContacts, DiscsThatRollAreTold) {
     for (const double angle : {0.0, 0.3})

@@ -120,6 +120,7 @@ TEST(EdgeTraction, WhatMakesNoSenseIsRefused) {
     EXPECT_EQ(refusal(beam(R"({"on": "b/right", "bearing": [-5, 0]})")), "none");
     EXPECT_NE(refusal(beam(R"({"on": "b/right", "pressure": 1, "at": [0, 0]})")).find("/loads/0/at: 'at' goes with 'force'"),
               std::string::npos);
+    EXPECT_EQ(refusal(beam(R"({"on": "b/right", "bearing": [0, 0]})")), "none") << "a step that lets go";
     EXPECT_NE(refusal(beam(R"({"part": "b", "bearing": [1, 0]})")).find("'part' does not go with 'bearing'"),
               std::string::npos);
     EXPECT_NE(refusal(beam(R"({"on": "b/right", "moment": "3 kN"})")).find("a moment"), std::string::npos);
