@@ -236,7 +236,7 @@ PartSystem make_part_system(PartInput input, std::vector<SupportSet> supports, E
     if (s.input.structure && !follow_structure(s, size)) {
         s.failure =
             "its supports leave it a rigid motion that weight functions cannot follow (one point, or one straight edge held "
-            "along itself); hold it at a second point, or take dirichlet \"nitsche\"";
+            "along itself); hold points that leave it no motion, or edges in place of points, with dirichlet \"nitsche\"";
         return s;
     }
     set_modes(s);

@@ -76,13 +76,32 @@ bool is_explained_by(const std::vector<Placement>& placements, const SolvedAssem
     return left <= 0.5 * most;
 }
 
+/// Where a solution has all parts.
+std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solved) {
+    std::vector<Placement> placements(scene.parts.size());
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const solver::RigidMotion m = rigid_motion_of(solved, k);
+        placements[at(solved.grids[k].part)] = about_center(m.center, m.translation, m.rotation);
+    }
+    return placements;
+}
+
 /// Where parts rest without friction, if that is where these placements have them but for what is elastic in these: bodies that
-/// just touch, while a solution has them pressed into each other.
+/// just touch, while a solution has them pressed into each other. Nothing where none goes farther than drawings are precise to.
 std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
                                                   const std::vector<Placement>& placements) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
-    Settling loose = settle(smooth(drawn), conditions);
-    if (loose.end != Settling::End::rests) return std::nullopt;
+    constexpr double noted = 1e-3;    // of a part's size: nearer by, pairs and lines of force are as drawn
+    const auto goes = [&](std::size_t i) {
+        const Vec2 center = centroid(drawn.parts[i].part);
+        const double size = bounding_box(drawn.parts[i].part).diagonal();
+        return (placements[i].of(center) - center).norm() + 0.5 * size * std::abs(placements[i].angle) > noted * size;
+    };
+    bool any_goes = false;
+    for (std::size_t i = 0; i < placements.size(); ++i) any_goes = any_goes || goes(i);
+    if (!any_goes) return std::nullopt;
+    Settling loose = settle(smooth(drawn), conditions, {}, true);
+    if (loose.placements.empty()) return std::nullopt;
     double most = 0, left = 0;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         const geometry::Part& part = drawn.parts[i].part;
@@ -161,6 +180,10 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
             solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
+    if (!rest && !drawn.in_steps && has_answer(out) && has_friction(drawn.contacts) &&
+        why_not_followed(drawn, conditions).empty())
+        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, motions_of(drawn, out.solved)))
+            solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;

@@ -2,6 +2,7 @@
 #include "src/discretization/part_grid.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -31,6 +32,12 @@ constexpr double price_of_leaf = 2;
 /// Cells are halved no deeper: their size keeps half the digits, and the gap beside a contact as small as they, of the square
 /// of its size, none.
 constexpr int deepest_level = 24;
+/// Columns and rows of a level are counted by an int.
+int deepest_level_of(const geometry::Grid& base) {
+    constexpr int digits = std::numeric_limits<int>::digits - 1;
+    const auto most = static_cast<unsigned>(std::max(base.columns(), base.rows()));
+    return std::min(deepest_level, digits - static_cast<int>(std::bit_width(most)));
+}
 
 /// More cells than this in one part are a slip of the pen, not a wish.
 constexpr double most_cells = 4e6;
@@ -67,6 +74,7 @@ geometry::Grid explicit_grid(const GridOptions& options, const geometry::Part& l
 geometry::Grid with_boxes(const GridOptions& options, const geometry::Part& local, const Frame& frame, geometry::Grid base) {
     if (options.refine.empty()) return base;
     double cells = base.n_cells();
+    const int deepest = deepest_level_of(base);
     std::vector<char> halves(options.refine.size(), 0);
     geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
         bool wanted = false;
@@ -78,6 +86,11 @@ geometry::Grid with_boxes(const GridOptions& options, const geometry::Part& loca
             wanted = true;
             halves[k] = 1;
         }
+        if (wanted && level >= deepest)
+            throw InputError(
+                options.where,
+                "cells of so many columns or rows cannot be halved more than " + std::to_string(deepest) + " times",
+                "give refine fewer levels, or the grid fewer cells");
         if (wanted) refuse_too_many(cells += 3, 1, options.where);
         return wanted;
     });
@@ -171,12 +184,13 @@ double smallest_wanted(const std::vector<SizeFeature>& places) {
 PricedGrid halved_grid(const geometry::Part& local, const geometry::Grid& base, const std::vector<SizeFeature>& places,
                        double price, double most) {
     const PlaceTree wanted(places);
+    const int deepest = deepest_level_of(base);
     double halved = 0, too_fine = 0;
     geometry::Grid tree = tree_grid(local, base, [&](const geometry::Box2& cell, int level) {
         if (price_of_leaf * halved >= price || 3 * halved >= most || !wanted.is_too_large(cell)) return false;
-        if (level == deepest_level) too_fine = smallest_wanted(places);
-        halved += level < deepest_level;
-        return level < deepest_level;
+        if (level == deepest) too_fine = smallest_wanted(places);
+        halved += level < deepest;
+        return level < deepest;
     });
     PricedGrid result = priced(local, std::move(tree), most);
     if (price_of_leaf * halved >= price || 3 * halved >= most) result.price = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "src/discretization/discretize.hpp"
 #include "src/scene/read_scene.hpp"
 
 namespace part_grid_test {
@@ -38,6 +39,19 @@ std::vector<WantedSize> random_places(int n, double size) {
     std::vector<WantedSize> wanted;
     for (int k = 0; k < n; ++k) wanted.push_back({{{unit(random), unit(random)}}, size, size_growth});
     return wanted;
+}
+
+/// Lines of the deepest level are more than an int counts where the base has many.
+TEST(PartGrid, LongPartsAreHalvedAsDeepAsTheirLinesCanBeCounted) {
+    const Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1, "nu": 0.3}}, "parts": [
+        {"name": "leaf", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [400, 1]}}}]})",
+                                        "s.json");
+    const PartGrid grid = grid_of_part(scene, 0, {{{{400, 0}}, 1e-12, size_growth}}, 1, 1);
+    ASSERT_TRUE(grid.grid.tree);
+    EXPECT_GT(grid.grid.columns(), 128);
+    EXPECT_GT(grid.too_fine, 0);
+    const PartOnGrid on_grid = discretize(scene, 0, grid.frame, grid.grid, grid.degree);
+    EXPECT_TRUE(on_grid.input.space.failure.empty()) << on_grid.input.space.failure;
 }
 
 TEST(PartGrid, PartsTooThinForAnyCellsAreRefused) {
