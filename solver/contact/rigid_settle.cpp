@@ -4,6 +4,7 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -187,24 +188,26 @@ VectorXd answer_of(const MatrixXd& a, const VectorXd& b) {
     return PivotedCholesky(a).solve(b);
 }
 
-/// Newton's steps on a foundation from the amplitudes of `s`, so many at most.
-void settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, double mean, Index steps,
+/// Newton's steps on a foundation from the amplitudes of `s`, so many at most. True: as far as rounding lets them.
+bool settle_on_foundation(const ContactQp& qp, const VectorXd& foundation, const MotionRows& modes, double mean, Index steps,
                           Settled& s) {
     s.multipliers = pressures(qp, foundation, modes, s.amplitudes);
-    double held = first_held;
+    double held = first_held, before = std::numeric_limits<double>::infinity();
     Energy energy = energy_of(qp, foundation, s.amplitudes, s.multipliers);
     for (Index step = 0; step < steps; ++step) {
         const VectorXd residual = imbalance(qp, modes, s.multipliers);
         const double scale = force_scale_of(qp, modes, s.multipliers), left = residual.norm();
         const bool is_rounding = left <= imbalance_rounding(qp, foundation, modes, s);
         s.balanced = left <= balance_tolerance * scale || (is_rounding && left <= equilibrium_tolerance * scale);
-        if (mean == 0 || is_rounding || s.balanced) return;
+        if (mean == 0 || left <= balance_tolerance * scale || (is_rounding && left > 0.5 * before)) return true;
+        before = left;
         const VectorXd pressed = (s.multipliers.array() != 0).select(foundation, 0.0);
         const VectorXd direction = answer_of(held_stiffness(modes, pressed, held * mean), residual);
         const double share = move_along(qp, foundation, modes, residual, direction, s, energy);
-        if (share == 0) return;
+        if (share == 0) return is_rounding;
         held = share == 1 ? std::max(least_held, held / held_factor) : std::min(first_held, held * held_factor);
     }
+    return false;
 }
 
 /// The foundation softer where bodies may lift off.
@@ -236,8 +239,9 @@ Settled settle_rigidly(const ContactQp& qp) {
         return s;
     }
     const double mean = s.stiffness.trace() / static_cast<double>(n);
-    settle_on_foundation(qp, qp.foundation, modes, mean, few_newton_steps + n, s);
-    if (s.balanced || mean == 0) return s;
+    const bool is_at_rest = settle_on_foundation(qp, qp.foundation, modes, mean, few_newton_steps + n, s);
+    // of few motions softer gaps are a second way to rest that costs nothing, and may leave fewer roundings
+    if (s.balanced || mean == 0 || (is_at_rest && n >= many_motions)) return s;
     s.amplitudes.setZero();
     for (const double softening : softenings)
         settle_on_foundation(qp, softened(qp, softening), modes, mean, few_newton_steps, s);
