@@ -107,6 +107,7 @@ Encounter encounter_of(const Scene& scene, const PairRules& rules, const SearchD
     }
     for (Candidate& c : m.candidates) c.shown = drawn_gap(scene, m, c, touching) - c.interference <= within.shown;
     m.counts_as_touching = scene.contacts.overlap == "report" && common.depth <= distances.precision(first, second);
+    // "touching" is no word of scenes: parts are where a solution has pressed them into each other
     if (m.counts_as_touching || scene.contacts.overlap == "touching")
         for (Candidate& c : m.candidates) c.apart = std::max(0.0, -c.zone.gap_min);
     if (common.depth > touching && is_searched(scene, rules.of(first, common.edge1, second, common.edge2))) {

@@ -136,7 +136,7 @@ std::vector<DesignedGrid> design_grids(const Scene& scene, const ResolvedConditi
         double apart = 0;
         for (const int part : family.members) apart += designed[at(place[at(part)])].grid.grid.n_cells();
         const double together = share_of_making + (1 - share_of_making) * static_cast<double>(family.members.size());
-        if (together * common.grid.grid.n_cells() >= apart) continue;
+        if (common.grid.limited || together * common.grid.grid.n_cells() >= apart) continue;
         for (const int part : family.members)
             if (part != model) designed[at(place[at(part)])] = {part, model, copies.at(part).to};
         designed[at(place[at(model)])] = std::move(common);

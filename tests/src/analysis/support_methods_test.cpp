@@ -148,7 +148,7 @@ TEST(SupportMethods, WhatPointsCannotHoldIsRefused) {
         return Case{.supports = R"({"part": "a", "at": )" + at + R"(, "fix": ["x", "y"]})" + more,
                     .loads = R"({"on": "a/top", "pressure": 1})"};
     };
-    EXPECT_NE(answer(points("[[0.5, 0.5]]", "")).message.find("second point"), std::string::npos);
+    EXPECT_NE(answer(points("[[0.5, 0.5]]", "")).message.find("hold points that leave it no motion"), std::string::npos);
     EXPECT_NE(problem_of(points("[[0.5, 1.5]]", "")).find("outside part a"), std::string::npos);
     EXPECT_NE(problem_of(points("[[0.5, 0.5]]", R"(, {"part": "a", "rigid": {"rotation": 0}})")).find("rigid"),
               std::string::npos);
