@@ -62,20 +62,6 @@ bool is_paired_astray(const Scene& scene, const Outcome& out) {
     return false;
 }
 
-/// Do the parts of a solution move as their placements say, but for half of it? What else they move by is elastic, and would
-/// have them paired astray from there as well.
-bool is_explained_by(const std::vector<Placement>& placements, const SolvedAssembly& solved) {
-    double most = 0, left = 0;
-    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
-        const solver::RigidMotion m = rigid_motion_of(solved, k);
-        const Placement& p = placements[at(solved.grids[k].part)];
-        const double half = 0.5 * solved.grids[k].size;
-        most = std::max({most, m.translation.norm(), half * std::abs(m.rotation)});
-        left = std::max({left, (p.of(m.center) - m.center - m.translation).norm(), half * std::abs(p.angle - m.rotation)});
-    }
-    return left <= 0.5 * most;
-}
-
 /// Where a solution has all parts.
 std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<Placement> placements(scene.parts.size());
@@ -86,32 +72,45 @@ std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solv
     return placements;
 }
 
-/// Where parts rest without friction, if that is where these placements have them but for what is elastic in these: bodies that
-/// just touch, while a solution has them pressed into each other. Nothing where none goes farther than drawings are precise to.
+/// How far a part is at one place from another, turns measured at its half diagonal.
+double distance_between(const geometry::Part& part, const Placement& a, const Placement& b) {
+    const Vec2 center = centroid(part);
+    return std::max((a.of(center) - b.of(center)).norm(), 0.5 * bounding_box(part).diagonal() * std::abs(a.angle - b.angle));
+}
+
+/// The largest distance of motions from these placements, of how far the motions go.
+double share_not_explained(const Scene& drawn, const std::vector<Placement>& motions,
+                           const std::vector<Placement>& placements) {
+    double most = 0, left = 0;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const geometry::Part& part = drawn.parts[i].part;
+        most = std::max(most, distance_between(part, motions[i], {}));
+        left = std::max(left, distance_between(part, motions[i], placements[i]));
+    }
+    return most > 0 ? left / most : 0;
+}
+
+/// Do the parts of a solution move as their placements say, but for half of it? What else they move by is elastic, and would
+/// have them paired astray from there as well.
+bool is_explained_by(const Scene& drawn, const std::vector<Placement>& placements, const SolvedAssembly& solved) {
+    return share_not_explained(drawn, motions_of(drawn, solved), placements) <= 0.5;
+}
+
+/// Where parts rest without friction, if that is where a solution has them but for what is elastic in it: bodies that just
+/// touch, while the solution has them pressed into each other. Nothing where none goes farther than its pairs are good for.
 std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
-                                                  const std::vector<Placement>& placements) {
+                                                  const SolvedAssembly& solved) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
     constexpr double noted = 1e-3;    // of a part's size: nearer by, pairs and lines of force are as drawn
-    const auto goes = [&](std::size_t i) {
-        const Vec2 center = centroid(drawn.parts[i].part);
-        const double size = bounding_box(drawn.parts[i].part).diagonal();
-        return (placements[i].of(center) - center).norm() + 0.5 * size * std::abs(placements[i].angle) > noted * size;
-    };
+    const std::vector<Placement> motions = motions_of(drawn, solved);
     bool any_goes = false;
-    for (std::size_t i = 0; i < placements.size(); ++i) any_goes = any_goes || goes(i);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        const geometry::Part& part = drawn.parts[i].part;
+        any_goes = any_goes || distance_between(part, motions[i], {}) > noted * bounding_box(part).diagonal();
+    }
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
-    if (loose.placements.empty()) return std::nullopt;
-    double most = 0, left = 0;
-    for (std::size_t i = 0; i < placements.size(); ++i) {
-        const geometry::Part& part = drawn.parts[i].part;
-        const Vec2 center = centroid(part);
-        const double half = 0.5 * bounding_box(part).diagonal();
-        most = std::max({most, (placements[i].of(center) - center).norm(), half * std::abs(placements[i].angle)});
-        left = std::max({left, (placements[i].of(center) - loose.placements[i].of(center)).norm(),
-                         half * std::abs(placements[i].angle - loose.placements[i].angle)});
-    }
-    if (left > elastic * most) return std::nullopt;
+    if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) > elastic) return std::nullopt;
     return std::move(loose.placements);
 }
 
@@ -174,7 +173,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (settling.end == Settling::End::stays &&
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
-        if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(beside.placements, out.solved)))
+        if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
             solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
     }
     if (!drawn.in_steps)
@@ -182,16 +181,13 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
             solve_at(drawn, conditions, std::move(*there), options, seconds, out, rest);
     if (!rest && !drawn.in_steps && has_answer(out) && has_friction(drawn.contacts) &&
         why_not_followed(drawn, conditions).empty())
-        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, motions_of(drawn, out.solved)))
+        if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out.solved))
             solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
     for (int k = 0; k < most_placements && has_answer(out); ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
         for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
-        if (has_friction(drawn.contacts))
-            if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, placements))
-                placements = std::move(*beside);
         if (!solve_at(drawn, conditions, std::move(placements), options, seconds, out, rest)) break;
     }
 }
