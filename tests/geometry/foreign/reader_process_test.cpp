@@ -17,8 +17,8 @@
 namespace abut::geometry::reader_process_test {
 namespace {
 
-/// Of little time and memory, so that the test takes little of both.
-const ForeignReader misbehaving{"abut-read-badly", "badlib", "give another file", "build it", 256 << 20, 4, 1, 0};
+/// Of little memory, so that the test takes little of it.
+const ForeignReader misbehaving{"abut-read-badly", "badlib", "give another file", "build it", 256 << 20, 4, 10, 0};
 
 /// The text that the reader hands over of a file that says `how`.
 std::string read(const std::string& how, const ForeignReader& reader = misbehaving, const std::string& word = "a word") {
@@ -43,8 +43,8 @@ std::string refusal(const std::string& how, const ForeignReader& reader = misbeh
     return "";
 }
 
-void expect_refusal(const std::string& how, const std::string& words) {
-    const std::string said = refusal(how);
+void expect_refusal(const std::string& how, const std::string& words, const ForeignReader& reader = misbehaving) {
+    const std::string said = refusal(how, reader);
     EXPECT_NE(said.find(words), std::string::npos) << how << ": " << said;
 }
 
@@ -66,7 +66,9 @@ TEST(ReaderProcess, HandsOverWhatWasRead) {
 TEST(ReaderProcess, AReaderThatBreaksIsOneSentence) {
     expect_refusal("crash", "badlib, which reads files of this kind, broke down at this one (Aborted); give another file");
     expect_refusal("late", "broke down");
-    expect_refusal("loop", "comes to no end with this one in 1 s");
+    ForeignReader hasty = misbehaving;
+    hasty.seconds = 1;
+    expect_refusal("loop", "comes to no end with this one in 1 s", hasty);
     if (!is_sanitized) expect_refusal("eat", "needs more memory for this one than it may have, 256 MB at most");
     expect_refusal("garble", "answered nonsense");
     expect_refusal("leave", "does not run");

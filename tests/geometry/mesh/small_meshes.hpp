@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small meshes, and files of them, for tests.
 #pragma once
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -185,13 +188,14 @@ inline std::string three_mf_object(int id, const Mesh& mesh) {
     return text.str();
 }
 
-/// A file that is there as long as this is.
+/// A file that is there as long as this is, in a folder of its own: tests run side by side.
 class TemporaryFile {
 public:
-    TemporaryFile(const std::string& name, const std::string& bytes)
-        : folder_(std::filesystem::temp_directory_path() / ("abut_mesh_" + std::to_string(crc32_of(name + bytes)))),
-          path_((folder_ / name).string()) {
-        std::filesystem::create_directories(folder_);
+    TemporaryFile(const std::string& name, const std::string& bytes) {
+        std::string pattern = (std::filesystem::temp_directory_path() / "abut_file_XXXXXX").string();
+        EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
+        folder_ = pattern;
+        path_ = (folder_ / name).string();
         std::ofstream(path_, std::ios::binary) << bytes;
     }
     ~TemporaryFile() { std::filesystem::remove_all(folder_); }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -154,8 +155,7 @@ namespace fs = std::filesystem;
 class WriteFile : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) /
-                  ("write_file_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        folder_ = fs::path(testing::TempDir()) / ("write_file_" + std::to_string(::getpid()));
         fs::remove_all(folder_);
     }
     void TearDown() override { fs::remove_all(folder_); }
