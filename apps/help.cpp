@@ -48,8 +48,7 @@ std::string key_names(const std::vector<ReferencePage>& pages) {
 }
 
 /// A word that is a command is that first, and says where it is a key, too.
-std::string topic_text(const std::string& topic) {
-    const std::vector<ReferencePage> pages = read_reference(schema_folder());
+std::string topic_text(const std::vector<ReferencePage>& pages, const std::string& topic) {
     for (const Command& command : known_commands()) {
         if (command.spec.name != topic) continue;
         const std::vector<FoundEntry> found = find_keys(pages, topic);
@@ -76,13 +75,17 @@ CommandSpec help_spec() {
 }
 
 int help_command(const Arguments& arguments) {
-    if (has(arguments, "--markdown")) print_text(reference_markdown(read_reference(schema_folder())));
-    if (has(arguments, "--man")) print_text(man_page(read_reference(schema_folder())));
-    if (has(arguments, "--keys")) print_text(key_names(read_reference(schema_folder())));
+    if (arguments.options.empty() && arguments.operands.empty()) {
+        print_text(general_help());
+        return exit_done;
+    }
+    const std::vector<ReferencePage> pages = read_reference(schema_folder());
+    if (has(arguments, "--markdown")) print_text(reference_markdown(pages));
+    if (has(arguments, "--man")) print_text(man_page(pages));
+    if (has(arguments, "--keys")) print_text(key_names(pages));
     if (!arguments.options.empty()) return exit_done;
-    if (arguments.operands.empty()) print_text(general_help());
     std::vector<std::string> texts;
-    std::transform(arguments.operands.begin(), arguments.operands.end(), std::back_inserter(texts), topic_text);
+    for (const std::string& topic : arguments.operands) texts.push_back(topic_text(pages, topic));
     for (const std::string& text : texts) print_text((&text == &texts.front() ? "" : "\n") + text);
     return exit_done;
 }
