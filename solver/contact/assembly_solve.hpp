@@ -11,7 +11,7 @@
 namespace abut::solver {
 
 /// A bilateral condition on the means over one part, in its own frame: coefficient . (mean u_x, mean u_y, mean rotation * size)
-/// = value.
+/// = value. A mean may be that over a single point: `integrals` are then the functions there, and `area` is 1.
 struct MeanConstraint {
     int tag = 0;
     int part = 0;

@@ -296,8 +296,8 @@ int append_mean_constraint(Rows& rows, const PartSystem& system, int part, const
         const double mean = integrals.value[f] / area, turn = 0.5 * size / area;
         const double x = coefficient[0] * mean - coefficient[2] * turn * integrals.dy[f];
         const double y = coefficient[1] * mean + coefficient[2] * turn * integrals.dx[f];
-        rows.by_part[static_cast<std::size_t>(part)].push_back({row, 2 * f, x});
-        rows.by_part[static_cast<std::size_t>(part)].push_back({row, 2 * f + 1, y});
+        if (x != 0) rows.by_part[static_cast<std::size_t>(part)].push_back({row, 2 * f, x});
+        if (y != 0) rows.by_part[static_cast<std::size_t>(part)].push_back({row, 2 * f + 1, y});
     }
     rows.gap0.conservativeResize(rows.n);
     rows.weight.conservativeResize(rows.n);

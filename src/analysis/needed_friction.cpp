@@ -25,7 +25,8 @@ constexpr double least_noted = 0.01;
 std::optional<int> single_axis(const Support& support) {
     const bool is_rigid = support.kind == Support::Kind::rigid, x = is_rigid ? support.rigid_x.has_value() : support.x,
                y = is_rigid ? support.rigid_y.has_value() : support.y;
-    if ((!is_rigid && support.kind != Support::Kind::fix) || x == y) return std::nullopt;
+    const bool is_fixed = is_rigid || support.kind == Support::Kind::fix || support.kind == Support::Kind::points;
+    if (!is_fixed || x == y) return std::nullopt;
     return x ? 0 : 1;
 }
 
@@ -33,7 +34,7 @@ std::optional<int> single_part(const Scene& scene, const Support& support, const
     std::set<int> parts;
     for (const EdgePortion& portion : portions) parts.insert(portion.part);
     for (std::size_t i = 0; i < scene.parts.size(); ++i)
-        if (support.kind == Support::Kind::rigid && scene.parts[i].name == support.part) parts.insert(static_cast<int>(i));
+        if (scene.parts[i].name == support.part) parts.insert(static_cast<int>(i));
     return parts.size() == 1 ? std::optional(*parts.begin()) : std::nullopt;
 }
 

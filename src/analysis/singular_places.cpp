@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/base/index.hpp"
+#include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
 
 namespace abut {
@@ -159,9 +160,7 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
         if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn)});
     append_support_ends(scene, conditions, part, places);
     append_bond_ends(scene, solved, part, places);
-    for (const Support& s : scene.supports)
-        if (s.kind == Support::Kind::points && s.part == scene.parts[at(part)].name)
-            for (const Vec2& held : s.at) places.push_back({held, 0});
+    for (const Vec2& held : points_that_carry(scene, solved, at(solved.solver_part[at(part)]))) places.push_back({held, 0});
     for (std::size_t k = 0; k < solved.stretches.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
         for (int side : {0, 1}) {

@@ -314,8 +314,8 @@ double share_not_held(const SolvedAssembly& solved, const Result& result, const 
         driven = std::hypot(driven, moved.driven[r]);
         left = std::hypot(left, moved.left[r]);
     }
-    const double rounding = solver::neutral_work_fraction * solved.problem.part_load[part];  // of loads that cancel
-    return driven > std::max(known / solved.grids[part].size, rounding) ? std::min(1.0, left / driven) : 0;
+    const double cancelling = solver::neutral_work_fraction * solved.problem.part_load[part];
+    return driven > std::max(known / solved.grids[part].size, cancelling) ? std::min(1.0, left / driven) : 0;
 }
 
 /// What is balanced, by which forces, where their parts have gone.

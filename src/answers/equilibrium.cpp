@@ -146,7 +146,7 @@ void add_part_reactions(const SolvedAssembly& solved, std::size_t part, const Ve
     }
 }
 
-Totals totals(const SolvedAssembly& solved, const Vec2& about) {
+Totals totals(const Scene& scene, const SolvedAssembly& solved, const Vec2& about) {
     Totals t;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
         const solver::PartSystem& system = solved.problem.parts[i];
@@ -159,8 +159,10 @@ Totals totals(const SolvedAssembly& solved, const Vec2& about) {
     for (std::size_t k = 0; k < solved.problem.constraints.size(); ++k) {
         const int tag = solved.problem.constraints[k].tag;
         add(t.reactions[tag], constraint_reaction(solved, k, about));
-        t.reactions[tag].method = "rigid";
-        t.reactions[tag].why = "the part's mean motion, whatever its grid";
+        const bool is_point = scene.supports[at(tag)].kind == Support::Kind::points;
+        t.reactions[tag].method = is_point ? "point" : "rigid";
+        t.reactions[tag].why =
+            is_point ? "the displacement of the points themselves" : "the part's mean motion, whatever its grid";
     }
     return t;
 }
@@ -176,11 +178,12 @@ double force_rounding(const SolvedAssembly& solved, std::size_t part) {
                     rounding_of_force * std::sqrt(2 * energy * stiffness));
 }
 
-/// A force at a point goes with a displacement without limit: one warning for all points that are held.
-void warn_of_points(const Scene& scene, Result& result) {
-    for (const Support& s : scene.supports) {
-        if (s.kind != Support::Kind::points) continue;
-        result.warnings.push_back("part " + s.part +
+/// A force at a point goes with a displacement without limit: one warning for all points that are held, unless they only keep
+/// parts in place that balance by themselves.
+void warn_of_points(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    for (std::size_t part = 0; part < solved.grids.size(); ++part) {
+        if (points_that_carry(scene, solved, part).empty()) continue;
+        result.warnings.push_back("part " + scene.parts[at(solved.grids[part].part)].name +
                                   " is held at points: stresses have no limit there, and displacements depend on "
                                   "the size of the cells");
         return;
@@ -200,7 +203,7 @@ void note_axis(const Scene& scene, const SolvedAssembly& solved, Result& result)
 void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     const Vec2 about = middle(scene);
     const double arm = size(scene);
-    Totals t = totals(solved, about);
+    Totals t = totals(scene, solved, about);
     Resultant reaction;
     double largest = std::max(t.largest, solved.problem.load_scale);
     for (auto& [tag, r] : t.reactions) {
@@ -213,7 +216,6 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
         r.moment += geometry::cross(about, r.force);
         result.reactions.push_back(r);
     }
-    warn_of_points(scene, result);
     note_axis(scene, solved, result);
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) largest = std::max(largest, pressing_force(solved, k));
     if (scene.analysis == Analysis::axisymmetric) {
@@ -225,6 +227,7 @@ void fill_equilibrium(const Scene& scene, const SolvedAssembly& solved, Result& 
     result.equilibrium.reaction = reaction.force;
     double rounding = 0;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) rounding = std::max(rounding, force_rounding(solved, i));
+    warn_of_points(scene, solved, result);
     if (largest > rounding) {
         result.equilibrium.relative_residual = (t.applied.force + reaction.force).norm() / largest;
         result.equilibrium.relative_moment_residual = std::abs(t.applied.moment + reaction.moment) / (largest * arm);

@@ -238,13 +238,13 @@ void check_finite(const Scene& scene, const PartOnGrid& g, const solver::Solutio
 std::vector<HeldByWeight> held_by_weight(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
     ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     std::vector<HeldByWeight> held;
-    if (has_rigid_support(scene, g)) return held;
+    if (!is_asked_for(scene) || has_rigid_support(scene, g)) return held;
     std::set<std::pair<int, int>> taken;
     for (std::size_t i = 0; i < scene.supports.size(); ++i) {
         const Support& s = scene.supports[i];
         if (s.kind == Support::Kind::points && s.part == scene.parts[at(g.part)].name)
             add_points(held, static_cast<int>(i), s, g);
-        else if (is_asked_for(scene) && holds_edges(s))
+        else if (holds_edges(s))
             add_edges(held, static_cast<int>(i), s, conditions.supports[i], g, taken);
     }
     return held;

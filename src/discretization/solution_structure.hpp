@@ -25,9 +25,9 @@ struct HeldByWeight {
     std::vector<Vec2> points;  ///< local
 };
 
-/// What a part's supports hold by weights. With accuracy.dirichlet "solution_structure": whole edges that are fixed or
-/// displaced in both components or along the grid's axes, and straight edges of symmetry along these; points always. Not on
-/// parts with a rigid support, whose mean motion the weighted functions do not know.
+/// What a part's supports hold by weights, with accuracy.dirichlet "solution_structure": whole edges that are fixed or
+/// displaced in both components or along the grid's axes, straight edges of symmetry along these, and points. Not on parts
+/// with a rigid support, whose mean motion the weighted functions do not know.
 std::vector<HeldByWeight> held_by_weight(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid);
 
 /// Why a support of edges that structures could hold is (in part) not held by one here.

@@ -164,6 +164,28 @@ void require_held(const Scene& scene, int support, const std::vector<EdgePortion
                              "hold whole edges in both directions or along the axes, or take accuracy.method out");
 }
 
+/// Points where a part is held in a direction, of all supports so far.
+using HeldSoFar = std::vector<std::pair<Vec2, Vec2>>;
+
+bool is_held(const HeldSoFar& so_far, const Vec2& p, const Vec2& direction, double merge) {
+    return std::any_of(so_far.begin(), so_far.end(),
+                       [&](const auto& held) { return (held.first - p).norm() <= merge && held.second == direction; });
+}
+
+/// The displacement at a point along a direction, (local), is zero.
+solver::MeanConstraint at_point(const PartOnGrid& g, const Vec2& p, const Vec2& direction) {
+    const int n = g.input.space.n_functions;
+    const solver::PointBasis basis = evaluate(g.input.space, element_at(g.local, g.cells, g.elements, p), p);
+    solver::MeanConstraint c;
+    c.coefficient = {direction.x(), direction.y(), 0};
+    c.area = 1;
+    c.size = g.size;
+    c.integrals.value = c.integrals.dx = c.integrals.dy = Eigen::VectorXd::Zero(n);
+    for (std::size_t k = 0; k < basis.functions.size(); ++k)
+        c.integrals.value[basis.functions[k]] = basis.value[static_cast<Eigen::Index>(k)];
+    return c;
+}
+
 }  // namespace
 
 std::vector<SupportSet> support_sets(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& on_grid) {
@@ -226,6 +248,32 @@ std::vector<solver::MeanConstraint> mean_constraints(const Scene& scene, const P
         if (s.rigid_x) add({1, 0}, 0, *s.rigid_x);
         if (s.rigid_y) add({0, 1}, 0, *s.rigid_y);
         if (s.rigid_rotation) add({0, 0}, 1, *s.rigid_rotation * on_grid.size);
+    }
+    return constraints;
+}
+
+std::vector<solver::MeanConstraint> point_constraints(const Scene& scene, const ResolvedConditions& conditions,
+                                                      const PartOnGrid& on_grid, int part) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    std::vector<solver::MeanConstraint> constraints;
+    if (on_grid.input.structure) return constraints;
+    const geometry::Part& drawn = scene.parts[at(on_grid.part)].part;
+    HeldSoFar so_far;
+    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+        const Support& s = scene.supports[i];
+        if (s.kind != Support::Kind::points || s.part != scene.parts[at(on_grid.part)].name) continue;
+        for (const Vec2& p : s.at)
+            for (const HeldComponent& held : components_of(s)) {
+                bool is_taken = is_held(so_far, p, *held.direction, merge_length(drawn));
+                for (std::size_t k = 0; k < scene.supports.size() && !is_taken; ++k)
+                    is_taken = holds_at(scene, k, conditions.supports[k], on_grid.part, p, *held.direction);
+                if (is_taken) continue;
+                so_far.emplace_back(p, *held.direction);
+                constraints.push_back(
+                    at_point(on_grid, on_grid.frame.to_local(p), on_grid.frame.vector_to_local(*held.direction)));
+                constraints.back().tag = static_cast<int>(i);
+                constraints.back().part = part;
+            }
     }
     return constraints;
 }

@@ -51,7 +51,7 @@ Eigen::Vector3d LedParts::gone(std::size_t part, const Placement& placement) con
 double LedParts::steps_to(std::size_t part, const Lead& lead) const {
     Eigen::Vector3d way = lead.to;
     way[2] *= 0.5 * sizes_[part];
-    for (Index c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c)
         if (!lead.is_given[at(c)]) way[c] = 0;
     constexpr double within = 0.9;
     return way.norm() / (within * step_fraction * sizes_[part]);
@@ -81,7 +81,7 @@ void LedParts::end(std::vector<Placement>& placements) const {
         const Lead& lead = leads_[part];
         if (!leads_at_all(lead)) continue;
         Eigen::Vector3d by = gone(part, placements[part]);
-        for (Index c = 0; c < 3; ++c)
+        for (int c = 0; c < 3; ++c)
             if (lead.is_given[at(c)]) by[c] = lead.to[c];
         const Placement there = about_center(centers_[part], lead.translation(by.head<2>()), by[2]);
         for (std::size_t i = 0; i < placements.size(); ++i)

@@ -200,7 +200,7 @@ solver::ContactQp step_problem(const MovingParts& moving, const std::vector<Clos
         const Vec2 aside = geometry::left_of(lead.axis);
         const std::array<Eigen::Vector3d, 3> directions{Eigen::Vector3d(lead.axis.x(), lead.axis.y(), 0),
                                                         Eigen::Vector3d(aside.x(), aside.y(), 0), turn};
-        for (Index c = 0; c < 3; ++c)
+        for (int c = 0; c < 3; ++c)
             if (lead.is_given[at(c)])
                 rows.lead(p, directions[at(c)], (c == 2 ? p.arm : 1) * lead.to[c],
                           (c == lead.way ? by.leading : 1) * stiffness);

@@ -10,6 +10,7 @@
 #include "src/plan/dissertation_limits.hpp"
 #include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"
+#include "src/plan/support_components.hpp"
 
 namespace abut {
 
@@ -53,8 +54,9 @@ bool is_on_boundary(const geometry::Part& part, const Vec2& p) {
     });
 }
 
-/// Points are held by weight functions, which know neither the part's mean motion nor strains that are not elastic.
+/// Weight functions that hold points know neither the part's mean motion nor strains that are not elastic.
 std::string why_no_points(const Scene& scene, int part) {
+    if (scene.accuracy.dirichlet != "solution_structure") return "";
     const ScenePart& p = scene.parts[at(part)];
     for (const Support& other : scene.supports)
         if (other.kind == Support::Kind::rigid && other.part == p.name) return "which has a rigid support, too";
@@ -64,21 +66,37 @@ std::string why_no_points(const Scene& scene, int part) {
     return "";
 }
 
-void append_wrong_points(const Scene& scene, std::vector<Problem>& problems) {
+/// The first support of edges that displaces a held point in a direction that its own support holds.
+std::optional<std::size_t> displacing(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions,
+                                      const Support& held, int part, const Vec2& p) {
+    for (std::size_t k = 0; k < scene.supports.size(); ++k)
+        for (int c : {0, 1})
+            if ((c == 0 ? held.x : held.y) && constant_value(scene.supports[k], c).value_or(0) != 0 &&
+                holds_at(scene, k, portions[k], part, p, Vec2::Unit(c)))
+                return k;
+    return std::nullopt;
+}
+
+void append_wrong_points(const Scene& scene, const std::vector<std::vector<EdgePortion>>& portions,
+                         std::vector<Problem>& problems) {
     for (const Support& s : scene.supports) {
         if (s.kind != Support::Kind::points) continue;
         for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i) {
             const ScenePart& part = scene.parts[at(i)];
             if (part.name != s.part) continue;
             if (const std::string why = why_no_points(scene, i); !why.empty())
-                problems.push_back({s.where, "points cannot be held of part " + part.name + ", " + why,
-                                    "hold edges instead, by \"roller\" or \"fix\""});
-            for (const Vec2& p : s.at)
+                problems.push_back({s.where, "weight functions cannot hold points of part " + part.name + ", " + why,
+                                    "take accuracy.dirichlet \"nitsche\", or hold edges instead"});
+            for (const Vec2& p : s.at) {
+                const std::string point = "the point (" + number_text(p.x(), 6) + ", " + number_text(p.y(), 6) + ")";
                 if (!contains(part.part, p) && !is_on_boundary(part.part, p))
+                    problems.push_back({s.where, point + " lies outside part " + part.name, "hold points inside the part"});
+                else if (const auto k = displacing(scene, portions, s, i, p))
                     problems.push_back({s.where,
-                                        "the point (" + number_text(p.x(), 6) + ", " + number_text(p.y(), 6) +
-                                            ") lies outside part " + part.name,
-                                        "hold points inside the part"});
+                                        point + " of part " + part.name + " is held, and support " + std::to_string(*k) +
+                                            " displaces the edge that it lies on",
+                                        "take one of them away"});
+            }
         }
     }
 }
@@ -107,7 +125,7 @@ ResolvedConditions resolve_conditions(const Scene& scene) {
                                 "give the edges of the hole, or load by \"force\""});
     }
     append_contradictions(scene, r.supports, problems);
-    append_wrong_points(scene, problems);
+    append_wrong_points(scene, r.supports, problems);
     append_axisymmetric_problems(scene, r, problems);
     append_dissertation_problems(scene, problems);
     if (!problems.empty()) throw InputError(problems);

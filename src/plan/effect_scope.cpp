@@ -9,6 +9,7 @@
 #include "src/plan/loads.hpp"
 #include "src/plan/plan.hpp"
 #include "src/plan/rigid_parts.hpp"
+#include "src/plan/support_components.hpp"
 
 namespace abut {
 
@@ -46,11 +47,11 @@ private:
         if (effect == "elasticity") return why_rigid(scene_, part).empty();
         if (effect == "axisymmetry") return true;
         if (effect == "rigid parts") return !why_rigid(scene_, part).empty();
-        if (effect == "springs") return supported(part, Support::Kind::spring);
-        if (effect == "rigid supports") return supported(part, Support::Kind::rigid);
         if (effect == "incompressibility") return is_nearly_incompressible(scene_, scene_.materials[at(p.material)]);
         for (std::size_t k = 0; k < scene_.loads.size(); ++k)
             if (effect_of(scene_.loads[k]) == effect && loaded(part, k)) return true;
+        for (std::size_t k = 0; k < scene_.supports.size(); ++k)
+            if (effect_of(scene_.supports[k]) == effect && supported(part, k)) return true;
         return false;
     }
 
@@ -59,12 +60,8 @@ private:
                                                 : acts_on_volume_of(scene_, scene_.loads[load], part);
     }
 
-    bool supported(int part, Support::Kind kind) const {
-        for (std::size_t k = 0; k < scene_.supports.size(); ++k)
-            if (scene_.supports[k].kind == kind &&
-                (has_portion(conditions_.supports[k], part) || scene_.supports[k].part == scene_.parts[at(part)].name))
-                return true;
-        return false;
+    bool supported(int part, std::size_t support) const {
+        return has_portion(conditions_.supports[support], part) || scene_.supports[support].part == scene_.parts[at(part)].name;
     }
 
     static bool has_portion(const std::vector<EdgePortion>& portions, int part) {

@@ -86,6 +86,7 @@ std::vector<Effect> plan_effects(const Scene& scene) {
         effect("gravity", has_load(scene, Load::Kind::gravity), "gravity is given", "no gravity"),
         effect("rigid supports", has_support(scene, Support::Kind::rigid), "a part is held by its mean motion",
                "no rigid support"),
+        effect("held points", has_support(scene, Support::Kind::points), "a part is held at points", "no point is held"),
         effect("interference", interference || scene.contacts.overlap == "press_fit",
                "an interference or drawn overlap closes gaps", "no interference"),
         effect("bonding", bonded, "a pair of edges is bonded", "no bonded pair"),

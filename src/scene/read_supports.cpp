@@ -82,14 +82,18 @@ void read_spring(SceneReading& reading, const JsonValue& value, Support& support
         report_problem(reading, value, "the spring has no stiffness", "give 'normal', 'tangential' or both");
 }
 
-/// "at" with "fix": held points. Singular in 2D: the scene gets one warning for all of them (read_supports).
+/// "at" with "fix": held points, or one.
 void read_points(SceneReading& reading, const JsonValue& value, const JsonValue& what, Support& support) {
     if (what.key != "fix") {
         report_problem(reading, value, "'at' does not go with '" + what.key + "'", "points can be held by 'fix' only");
         return;
     }
     support.kind = Support::Kind::points;
-    if (!check_list(reading, value, 1, "points [x, y]")) return;
+    if (!check_list(reading, value, 1, "a point [x, y], or several")) return;
+    if (value.items.front().kind != JsonValue::Kind::array) {
+        if (const auto p = read_vector(reading, value, dimension::length)) support.at.push_back(*p);
+        return;
+    }
     for (const JsonValue& item : value.items)
         if (const auto p = read_vector(reading, item, dimension::length)) support.at.push_back(*p);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "geometry/curves/bezier_span.hpp"
@@ -16,6 +17,7 @@
 #include "src/discretization/rigid_part.hpp"
 #include "src/discretization/shared_grids.hpp"
 #include "src/plan/rigid_parts.hpp"
+#include "src/plan/support_components.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/part_systems.hpp"
@@ -242,11 +244,13 @@ std::vector<PressedStretch> without_flicker(const std::vector<PressedStretch>& s
 }
 
 /// The solution's steps by effect: those on multipliers in proportion to the rows of each, the rest is elasticity's.
-void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
+void add_solution_uses(const Scene& scene, const solver::SolveSeconds& s, SolvedAssembly& solved) {
     long contact = 0, bonding = 0, friction = 0;
     for (const solver::Interface& face : solved.problem.interfaces)
         (face.friction ? friction : face.bilateral ? bonding : contact) += solver::n_rows(face);
-    const auto rigid = static_cast<long>(solved.problem.constraints.size()), rows = contact + bonding + friction + rigid;
+    std::map<std::string, long> held;
+    for (const solver::MeanConstraint& c : solved.problem.constraints) ++held[effect_of(scene.supports[at(c.tag)])];
+    const long rows = contact + bonding + friction + static_cast<long>(solved.problem.constraints.size());
     const double on_rows = s.rows + s.condensation + s.contact;
     const auto add = [&](const std::string& effect, long n) {
         if (n == 0) return;
@@ -257,7 +261,7 @@ void add_solution_uses(const solver::SolveSeconds& s, SolvedAssembly& solved) {
     add("contact", contact);
     add("bonding", bonding);
     add("friction", friction);
-    add("rigid supports", rigid);
+    for (const auto& [effect, n] : held) add(effect, n);
     solved.uses["elasticity"].seconds += s.displacements + (rows == 0 ? on_rows : 0);
 }
 
@@ -270,7 +274,7 @@ void solve_contacts(const Scene& scene, SolvedAssembly& solved, Stopwatches& sec
         solved.solution = solve_groups(solved.problem, threads);
     }
     add_steps(solved.solution.seconds, seconds);
-    add_solution_uses(solved.solution.seconds, solved);
+    add_solution_uses(scene, solved.solution.seconds, solved);
     solved.stretches.assign(solved.contacts.size(), {});
     solved.part_energy.clear();
     if (!solved.solution.mechanism.empty()) return;

@@ -2,8 +2,11 @@
 #include "src/solution/contact_measures.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "solver/contact/traction_arm.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 
@@ -17,14 +20,44 @@ double energy_of(const SolvedAssembly& s) {
     return sum;
 }
 
+namespace {
+
+/// Rounding of sums over stiffness matrices, the penalties of supports in them included.
+constexpr double stiffness_rounding = 1e-9;
+
+double largest_displacement(const SolvedAssembly& s, std::size_t part) {
+    return s.solution.displacement[part].cwiseAbs().maxCoeff();
+}
+double stiffness_of(const SolvedAssembly& s, std::size_t part) {
+    return s.grids[part].input.elasticity.d11 * s.grids[part].input.thickness;
+}
+
+}  // namespace
+
 double energy_rounding_of(const SolvedAssembly& s) {
-    constexpr double rounding = 1e-9;  // of sums over stiffness matrices, the penalties of supports in them included
     double sum = 0;
     for (std::size_t i = 0; i < s.grids.size(); ++i) {
-        const double moved = s.solution.displacement[i].cwiseAbs().maxCoeff();
-        sum += rounding * s.grids[i].input.elasticity.d11 * s.grids[i].input.thickness * moved * moved;
+        const double moved = largest_displacement(s, i);
+        sum += stiffness_rounding * stiffness_of(s, i) * moved * moved;
     }
     return sum;
+}
+
+std::vector<Vec2> points_that_carry(const Scene& scene, const SolvedAssembly& s, std::size_t part) {
+    std::set<int> carrying;  // supports
+    const double least = std::max(solver::neutral_work_fraction * s.problem.load_scale,
+                                  stiffness_rounding * stiffness_of(s, part) * largest_displacement(s, part));
+    for (std::size_t k = 0; k < s.problem.constraints.size(); ++k)
+        if (s.problem.constraints[k].part == static_cast<int>(part) && std::abs(s.solution.constraint_force[k]) > least)
+            carrying.insert(s.problem.constraints[k].tag);
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < scene.supports.size(); ++i) {
+        const Support& support = scene.supports[i];
+        const bool is_its = support.kind == Support::Kind::points && support.part == scene.parts[at(s.grids[part].part)].name;
+        if (is_its && (s.grids[part].input.structure || s.grids[part].is_rigid || carrying.count(static_cast<int>(i)) > 0))
+            points.insert(points.end(), support.at.begin(), support.at.end());
+    }
+    return points;
 }
 
 namespace {

@@ -29,6 +29,10 @@ Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Inter
                                     double begin = -std::numeric_limits<double>::infinity(),
                                     double end = std::numeric_limits<double>::infinity());
 
+/// The points that hold a solved part by a force; of points that only keep it in place (what acts on it balances) there is
+/// none.
+std::vector<Vec2> points_that_carry(const Scene& scene, const SolvedAssembly& solved, std::size_t part);
+
 /// The compliance 1 / E' of a half plane of the part's material, E' = E in plane stress, E / (1 - nu^2) in plane strain, per
 /// thickness of the interface: a thicker part is stiffer. 0 of a rigid part.
 double half_plane_compliance(const PartOnGrid& part, double thickness);

@@ -13,6 +13,7 @@
 #include "src/discretization/solution_structure.hpp"
 #include "src/discretization/support_sets.hpp"
 #include "src/io/number_text.hpp"
+#include "src/plan/support_components.hpp"
 
 namespace abut {
 
@@ -92,17 +93,27 @@ EffectUses uses_of(const solver::PartSystem& system) {
     return uses;
 }
 
-/// Rigid supports of one part.
-void append_constraints(const Scene& scene, std::size_t part, SolvedAssembly& solved) {
-    const auto is_held = [&](const Support& s) {
-        return s.kind == Support::Kind::rigid && s.part == scene.parts[at(solved.grids[part].part)].name;
+/// Does a support of this kind hold the part?
+bool is_held_by(const Scene& scene, Support::Kind kind, const PartOnGrid& g) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(),
+                       [&](const Support& s) { return s.kind == kind && s.part == scene.parts[at(g.part)].name; });
+}
+
+/// Rigid supports and held points of one part.
+void append_constraints(const Scene& scene, const ResolvedConditions& conditions, std::size_t part, SolvedAssembly& solved) {
+    const PartOnGrid& g = solved.grids[part];
+    if (g.is_rigid) return;
+    const int index = static_cast<int>(part);
+    const auto append = [&](Support::Kind kind, const char* effect, const auto& made) {
+        if (!is_held_by(scene, kind, g)) return;
+        MeteredCall call(solved.uses, effect);
+        for (solver::MeanConstraint& c : made()) {
+            solved.problem.constraints.push_back(std::move(c));
+            call.count(1);
+        }
     };
-    if (solved.grids[part].is_rigid || std::none_of(scene.supports.begin(), scene.supports.end(), is_held)) return;
-    MeteredCall call(solved.uses, "rigid supports");
-    for (solver::MeanConstraint& c : mean_constraints(scene, solved.grids[part], static_cast<int>(part))) {
-        solved.problem.constraints.push_back(std::move(c));
-        call.count(1);
-    }
+    append(Support::Kind::rigid, "rigid supports", [&] { return mean_constraints(scene, g, index); });
+    append(Support::Kind::points, "held points", [&] { return point_constraints(scene, conditions, g, index); });
 }
 
 /// Parts are made side by side, each on its share of the threads; in turn, on all threads each, where the largest part would
@@ -124,18 +135,19 @@ SharedThreads shared_threads(const std::vector<PartOnGrid>& grids, int threads) 
 }
 
 /// Those of one part, which no load changes, from an assembly that has them.
-void append_known_constraints(const SolvedAssembly& known, std::size_t part, SolvedAssembly& solved) {
+void append_known_constraints(const Scene& scene, const SolvedAssembly& known, std::size_t part, SolvedAssembly& solved) {
     const int there = known.solver_part[at(solved.grids[part].part)];
     for (const solver::MeanConstraint& c : known.problem.constraints) {
         if (c.part != there) continue;
         solved.problem.constraints.push_back(c);
         solved.problem.constraints.back().part = static_cast<int>(part);
-        ++solved.uses["rigid supports"].items;
+        ++solved.uses[effect_of(scene.supports[at(c.tag)])].items;
     }
 }
 
 /// Takes them in, with what they say of themselves. known: of the same supports, or null.
-void take_systems(const Scene& scene, std::vector<LoadedSystem> made, const SolvedAssembly* known, SolvedAssembly& solved) {
+void take_systems(const Scene& scene, const ResolvedConditions& conditions, std::vector<LoadedSystem> made,
+                  const SolvedAssembly* known, SolvedAssembly& solved) {
     for (std::size_t i = 0; i < made.size(); ++i) {
         PartOnGrid& g = solved.grids[i];
         solved.problem.load_scale = std::max(solved.problem.load_scale, made[i].load_scale);
@@ -148,9 +160,9 @@ void take_systems(const Scene& scene, std::vector<LoadedSystem> made, const Solv
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
         if (known)
-            append_known_constraints(*known, i, solved);
+            append_known_constraints(scene, *known, i, solved);
         else
-            append_constraints(scene, i, solved);
+            append_constraints(scene, conditions, i, solved);
     }
 }
 
@@ -169,7 +181,7 @@ void make_systems(const Scene& scene, const ResolvedConditions& conditions, int 
         const solver::PartSystem& system = made[at(solved.solver_part[at(g.model)])].system;
         made[at(i)] = system.failure.empty() ? loaded(scene, conditions, g, system) : LoadedSystem{system};
     });
-    take_systems(scene, std::move(made), nullptr, solved);
+    take_systems(scene, conditions, std::move(made), nullptr, solved);
 }
 
 void load_systems(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& prepared, int threads,
@@ -184,7 +196,7 @@ void load_systems(const Scene& scene, const ResolvedConditions& conditions, cons
         }
         made[at(i)] = loaded(scene, conditions, g, system);
     });
-    take_systems(scene, std::move(made), &prepared, solved);
+    take_systems(scene, conditions, std::move(made), &prepared, solved);
 }
 
 }  // namespace abut

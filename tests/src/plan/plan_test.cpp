@@ -71,7 +71,7 @@ TEST(Plan, SaysWhyOfEveryEffect) {
     }
     EXPECT_EQ(names,
               (Names{"elasticity", "contact", "rigid parts", "edge loads", "body force", "gravity", "rigid supports",
-                     "interference", "bonding", "friction", "springs", "temperature", "preload", "spin", "incompressibility"}));
+                     "held points", "interference", "bonding", "friction", "springs", "temperature", "preload", "spin", "incompressibility"}));
 }
 
 TEST(Plan, IncompressibilityIsForPlaneStrainNearAHalf) {
