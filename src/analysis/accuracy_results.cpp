@@ -106,6 +106,17 @@ ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved
     return e;
 }
 
+/// What largest pressures of contacts err by since parts move: by their pairs, and by half of what their forces do (as in
+/// Hertz').
+std::vector<double> peaks_of_motion(const Outcome& out, const MotionErrors& of_motion) {
+    const std::vector<std::optional<ContactError>>& of_grids = out.errors.back().contacts;
+    std::vector<double> of_peaks = of_motion.of_pairs;
+    for (std::size_t k = 0; k < of_peaks.size() && k < of_motion.of_forces.size() && k < of_grids.size(); ++k)
+        if (of_grids[k] && !out.solved.contacts[k].face.bilateral)
+            of_peaks[k] = std::hypot(of_peaks[k], 0.5 * of_grids[k]->of_integral * of_motion.of_forces[k]);
+    return of_peaks;
+}
+
 std::string moved_text(std::size_t k, const Result& result) {
     const ContactResult& c = result.contacts[k];
     return "contact " + contact_number(k) + " is paired where its parts are drawn, and they move away from there; draw " +
@@ -171,13 +182,14 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
 
 }  // namespace
 
-void fill_errors(const Outcome& out, const std::vector<double>& of_pairs, Result& result) {
+void fill_errors(const Outcome& out, const MotionErrors& of_motion, Result& result) {
     for (std::size_t k = 0; k < out.passes.size(); ++k)
         result.passes.push_back(
             {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
-    const ErrorEstimate error = with_errors_of_model(out.errors.back(), out.solved, of_pairs);
-    fill_target(out, error, of_pairs, result);
-    tell_moved_pairs(error, of_pairs, out.target, result);
+    const std::vector<double> of_peaks = peaks_of_motion(out, of_motion);
+    const ErrorEstimate error = with_errors_of_model(out.errors.back(), out.solved, of_peaks);
+    fill_target(out, error, of_peaks, result);
+    tell_moved_pairs(error, of_peaks, out.target, result);
     if (!error.energy && !error.contact_pressure) {
         result.error_estimate.method = "none: nothing is strained";
         return;
@@ -194,9 +206,11 @@ void fill_errors(const Outcome& out, const std::vector<double>& of_pairs, Result
     DoubtfulPeaks peaks;
     const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
-        if (const std::optional<ContactError>& e = error.contacts[k])
-            fill_contact(*e, force_error(error, result, k, k < is_static.size() && is_static[k]), out.target, k,
-                         result.contacts[k], peaks);
+        if (const std::optional<ContactError>& e = error.contacts[k]) {
+            const double of_force = force_error(error, result, k, k < is_static.size() && is_static[k]),
+                         of_turn = k < of_motion.of_forces.size() ? of_motion.of_forces[k] : 0;
+            fill_contact(*e, std::max(of_force, of_turn), out.target, k, result.contacts[k], peaks);
+        }
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();
     tell(std::move(peaks.at_corner), "corner", result);

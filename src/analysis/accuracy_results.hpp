@@ -6,10 +6,15 @@
 
 namespace abut {
 
+/// What small displacements leave out of each contact, since parts move from where they are drawn; or none.
+struct MotionErrors {
+    std::vector<double> of_pairs;   ///< of the largest pressure (moved_pair_errors)
+    std::vector<double> of_forces;  ///< (turned_shares)
+};
+
 /// Fills in the estimated errors of the contacts (parallel to the candidates) and of the whole, and the passes; warns where the
-/// target was missed or a pressure may have no limit. of_pairs: what each contact's largest pressure errs by since parts move
-/// (moved_pair_errors), or none.
-void fill_errors(const Outcome& out, const std::vector<double>& of_pairs, Result& result);
+/// target was missed or a pressure may have no limit.
+void fill_errors(const Outcome& out, const MotionErrors& of_motion, Result& result);
 
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
 void fill_missed(const Outcome& out, Result& result);

@@ -169,7 +169,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
     tell_contact_residual(solved, result);
-    fill_errors(out, moved_pair_errors(scene, solved), result);
+    fill_errors(out, {moved_pair_errors(scene, solved), turned_shares(scene, solved)}, result);
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;

@@ -333,6 +333,14 @@ Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
     return turned;
 }
 
+bool has_resultant(const SolvedAssembly& solved, const MovedForce& line) {
+    return line.force.norm() > rounding_of_pressing * pressing_force(solved, line.contact);
+}
+/// Has any contact a resultant? Press fits, which press all round, have none.
+bool has_resultants(const SolvedAssembly& solved, const std::vector<MovedForce>& lines) {
+    return std::any_of(lines.begin(), lines.end(), [&](const MovedForce& l) { return has_resultant(solved, l); });
+}
+
 }  // namespace
 
 bool are_forces_turned(const Scene& scene, const Outcome& out) {
@@ -347,17 +355,25 @@ bool are_forces_turned(const Scene& scene, const Outcome& out) {
     return most > noted_turn * out.target * largest;
 }
 
+std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solved) {
+    std::vector<double> shares(solved.contacts.size(), 0);
+    const auto [balance, motions, lines] = turned_of(scene, solved);
+    if (lines.empty()) return shares;
+    const Rebalanced moved = rebalanced(solved, balance, lines, motions);
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        double& share = shares[lines[k].contact];
+        if (has_resultant(solved, lines[k]))
+            share = std::max(share, std::min(1.0, moved.change[k].norm() / lines[k].force.norm()));
+    }
+    return shares;
+}
+
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
     const auto [balance, motions, lines] = turned_of(scene, solved);
-    if (lines.empty()) return;
-    double largest = 0, pressing = 0;
-    for (const MovedForce& l : lines) {
-        const ContactResult& c = result.contacts[l.contact];
-        largest = std::max(largest, l.force.norm());
-        pressing = std::max(pressing, c.max_pressure.value * c.contact_length * solved.contacts[l.contact].face.thickness);
-    }
-    if (largest <= rounding_of_pressing * pressing) return;  // press fits have no resultant
+    if (!has_resultants(solved, lines)) return;
+    double largest = 0;
+    for (const MovedForce& l : lines) largest = std::max(largest, l.force.norm());
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";

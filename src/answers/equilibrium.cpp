@@ -52,16 +52,6 @@ Resultant constraint_reaction(const SolvedAssembly& solved, std::size_t k, const
     return to_assembly(solver::resultant_of(grid.input.space, load), grid.frame, about);
 }
 
-/// Integral of a contact's pressure: a press fit presses all round without a resultant.
-double pressing_force(const SolvedAssembly& solved, std::size_t contact) {
-    double sum = 0;
-    if (solved.interface_of[contact] < 0) return sum;
-    const solver::Interface& face = solved.contacts[contact].face;
-    for (const solver::InterfacePoint& p : face.points)
-        sum += p.weight * face.thickness * solver::pressure_at(face.pressure, pressure_of(solved, contact), p.s);
-    return sum;
-}
-
 struct Totals {
     Resultant applied;
     std::map<int, Reaction> reactions;  // by support; the moment about `about`

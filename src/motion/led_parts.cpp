@@ -12,7 +12,6 @@ namespace abut {
 
 namespace {
 
-using Eigen::Index;
 
 bool leads_at_all(const Lead& lead) {
     return lead.is_given[0] || lead.is_given[1] || lead.is_given[2];

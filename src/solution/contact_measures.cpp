@@ -43,6 +43,15 @@ double energy_rounding_of(const SolvedAssembly& s) {
     return sum;
 }
 
+double pressing_force(const SolvedAssembly& s, std::size_t contact) {
+    double sum = 0;
+    if (s.interface_of[contact] < 0) return sum;
+    const solver::Interface& face = s.contacts[contact].face;
+    for (const solver::InterfacePoint& p : face.points)
+        sum += p.weight * face.thickness * solver::pressure_at(face.pressure, pressure_of(s, contact), p.s);
+    return sum;
+}
+
 std::vector<Vec2> points_that_carry(const Scene& scene, const SolvedAssembly& s, std::size_t part) {
     std::set<int> carrying;  // supports
     const double least = std::max(solver::neutral_work_fraction * s.problem.load_scale,
