@@ -313,6 +313,14 @@ void fill_friction(const AssemblyProblem& problem, const AssemblyRows& all, cons
     }
 }
 
+/// Do loads act on motions that others of the rows resist, those that are not among the chosen ones?
+bool acts_beside(const MotionSplit& split, const VectorXd& load) {
+    constexpr double rounding = 1e-9;
+    VectorXd left = load;
+    for (const MatrixXd* motions : {&split.resisted, &split.neutral}) left -= *motions * (motions->transpose() * load);
+    return left.norm() > rounding * load.norm();
+}
+
 /// start: amplitudes, as of `solve_held`.
 Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, const Resistance& resistance,
                     const VectorXd& start, int threads) {
@@ -332,6 +340,8 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     find_driven_neutral_motion(problem, resistance, split.neutral, qp.mode_load, qp.load_scale, solution);
     attempt.is_driven = !solution.mechanism.empty();
     if (attempt.is_driven) return attempt;
+    attempt.is_balanced = !acts_beside(split, qp.mode_load);
+    if (!attempt.is_balanced) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     std::optional<FrictionPath> path;
     if (!qp.friction.empty())

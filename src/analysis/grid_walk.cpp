@@ -253,12 +253,14 @@ private:
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
+    static std::string failure_of(const SolvedAssembly& now) {
+        if (!now.failure.empty()) return now.failure;
+        const bool is_stuck = !now.solution.converged && now.solution.sliding.empty();
+        return is_stuck ? "the contact iterations did not converge" : "";
+    }
+
     bool end(SolvedAssembly&& now, PathEnd why) {
-        if (!meets_others_ && now.solution.mechanism.empty() && !now.is_lost) {
-            failed_ = now.failure;
-            if (failed_.empty() && !now.solution.converged && now.solution.sliding.empty())
-                failed_ = "the contact iterations did not converge";
-        }
+        if (!meets_others_ && now.solution.mechanism.empty() && !now.is_lost) failed_ = failure_of(now);
         out_.solved = std::move(now);
         out_.end = why;
         return true;
@@ -336,7 +338,22 @@ private:
 
     bool out_of_passes() const {
         const std::size_t n = passes_before_ + out_.passes.size();
-        return n >= settled_from_ + max_passes || n >= comparable_from_ + most_beginnings * max_passes;
+        return n >= settled_from_ + max_passes || n >= comparable_from_ + most_beginnings * max_passes ||
+               (n >= comparable_from_ + max_passes && goes_astray());
+    }
+
+    /// Is the least error of the last passes no smaller than one before? So where contacts that come and go on the way to an
+    /// answer go on doing so: bodies that friction leaves to roll take other places on each grid.
+    bool goes_astray() const {
+        constexpr std::size_t last_ones = max_passes / 2;
+        const std::size_t n = out_.errors.size();
+        if (n < comparable_from_ + 2 * last_ones) return false;
+        const auto least = [&](std::size_t begin, std::size_t end) {
+            double error = 1;
+            for (std::size_t k = begin; k < end; ++k) error = std::min(error, out_.errors[k].contact_pressure.value_or(1));
+            return error;
+        };
+        return least(n - last_ones, n) >= least(comparable_from_, n - last_ones);
     }
 
     /// Did the last pass miss or close other contacts than the one before?
@@ -419,6 +436,7 @@ private:
         if (now.failure.empty() && !slides) tell_lost(scene_, now);
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         is_answered_ = now.solution.converged;
+        failed_ = failure_of(now);  // speaks only where grids before had answers
         if (!finer_failed_.empty()) {
             out_.why = finer_failed_;
             return end(std::move(now), PathEnd::finer_failed);

@@ -111,6 +111,31 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     return given;
 }
 
+std::vector<solver::RigidMotion> motions_left_to_contacts(const SolvedAssembly& solved, std::size_t grid) {
+    const solver::PartSystem& part = solved.problem.parts[grid];
+    const std::vector<solver::RigidMotion>& free = part.free_motions;
+    if (free.empty() || !has_held_means(solved, grid)) return free;
+    const auto n = static_cast<Index>(free.size());
+    Eigen::MatrixXd held(0, n);
+    for (const solver::MeanConstraint& c : solved.problem.constraints) {
+        if (c.part != static_cast<int>(grid)) continue;
+        held.conservativeResize(held.rows() + 1, n);
+        held.row(held.rows() - 1) = work(c, part).normalized();
+    }
+    const auto [values, vectors] = solver::right_singular_vectors(held);
+    std::vector<solver::RigidMotion> left;
+    for (Index k = 0; k < n; ++k) {
+        if (k < values.size() && values[k] > rounding * values[0]) continue;
+        solver::RigidMotion sum{Vec2(0, 0), 0, free.front().center};
+        for (Index j = 0; j < n; ++j) {
+            sum.translation += vectors(j, k) * free[static_cast<std::size_t>(j)].at(sum.center);
+            sum.rotation += vectors(j, k) * free[static_cast<std::size_t>(j)].rotation;
+        }
+        left.push_back(sum);
+    }
+    return left;
+}
+
 bool has_held_means(const SolvedAssembly& solved, std::size_t grid) {
     return std::any_of(solved.problem.constraints.begin(), solved.problem.constraints.end(),
                        [&](const solver::MeanConstraint& c) { return c.part == static_cast<int>(grid); });

@@ -11,6 +11,10 @@ namespace abut {
 /// action as they were found? False where there is no force.
 std::vector<char> given_by_statics(const SolvedAssembly& solved);
 
+/// The rigid motions of a solved part that nothing but contacts holds, in its own frame: its free motions, and of those that
+/// supports of means or of points resist the combinations that they let go.
+std::vector<solver::RigidMotion> motions_left_to_contacts(const SolvedAssembly& solved, std::size_t grid);
+
 /// Does a support hold a mean displacement or the mean rotation of a solved part (`rigid`)? What is held so is no free motion
 /// less, but not left to contact alone.
 bool has_held_means(const SolvedAssembly& solved, std::size_t grid);

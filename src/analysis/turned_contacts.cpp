@@ -124,9 +124,8 @@ struct Balance {
 Balance balance_of(const SolvedAssembly& solved) {
     Balance b;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) {
-        if (has_held_means(solved, i)) continue;
         const Frame& frame = solved.grids[i].frame;
-        for (const solver::RigidMotion& m : solved.problem.parts[i].free_motions) {
+        for (const solver::RigidMotion& m : motions_left_to_contacts(solved, i)) {
             b.part.push_back(i);
             b.motion.push_back({frame.vector_to_global(m.translation), m.rotation, frame.to_global(m.center)});
         }

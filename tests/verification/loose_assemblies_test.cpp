@@ -11,6 +11,7 @@
 
 #include "geometry/brep/extent.hpp"
 #include "geometry/csg/overlap.hpp"
+#include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/generated/sound.hpp"
 
@@ -193,6 +194,62 @@ TEST_P(LongLooseAssemblies, RestOrNameTheirMotion) {
         EXPECT_LT(rests, n / 2);
     else
         EXPECT_GT(rests, 0.9 * n);
+}
+
+/// Two links of length 60 on three pins of radius 5, the middle one pressed down with 100: a truss whose joints may roll and
+/// slide within their holes.
+Result linkage(double degrees, double friction, double clearance) {
+    const double angle = degrees * M_PI / 180, x = 60 * std::cos(angle), y = 60 * std::sin(angle);
+    std::ostringstream text;
+    text.precision(17);
+    const auto link = [&](const char* name, int level, double turn, double x0, double y0) {
+        text << R"({"name": ")" << name << R"(", "material": "m", "level": )" << level << R"(, "place": {"rotate": )" << turn
+             << R"(, "translate": [)" << x0 << ", " << y0
+             << R"(]}, "geometry": {"difference": [{"slot": {"from": [0, 0], "to": [60, 0], "radius": 10}},
+                 {"circle": {"center": [0, 0], "radius": )"
+             << 5 + clearance << R"(}}, {"circle": {"center": [60, 0], "radius": )" << 5 + clearance << "}}]}}, ";
+    };
+    const auto pin = [&](const char* name, const char* level, double x0, double y0) {
+        text << R"({"name": ")" << name << R"(", "material": "m", "level": )" << level
+             << R"(, "geometry": {"circle": {"center": [)" << x0 << ", " << y0 << R"(], "radius": 5}}})";
+    };
+    text << R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [)";
+    link("l1", 1, degrees, 0, 0);
+    link("l2", 2, -degrees, x, y);
+    pin("A", "1", 0, 0);
+    text << ", ";
+    pin("B", "[1, 2]", x, y);
+    text << ", ";
+    pin("C", "2", 2 * x, 0);
+    text << R"(], "supports": [{"part": "A", "rigid": {"translation": [0, 0], "rotation": 0}},
+        {"part": "C", "rigid": {"translation": [0, 0], "rotation": 0}}], "loads": [{"part": "B", "force": [0, -100]}],
+        "contacts": {"friction": )"
+         << friction << R"(}, "accuracy": {"level": "draft"}})";
+    return analyze(read_scene_text(text.str(), "linkage.json"), {});
+}
+
+/// Forces are those of a truss but for what friction turns them by: within the circle of friction at both ends of each link.
+TEST(LongLooseLinkages, BearAsTrussesDo) {
+    for (const double degrees : {45.0, 20.0, 8.0})
+        for (const double friction : {0.02, 0.1})
+            for (const double clearance : {0.01, 0.1}) {
+                SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(friction) + ", " +
+                             std::to_string(clearance));
+                const Result r = linkage(degrees, friction, clearance);
+                ASSERT_EQ(r.status, "ok") << r.message;
+                const double angle = degrees * M_PI / 180, turned = std::asin(2 * friction * 5 / 60);
+                double least = 1e300, most = 0;
+                for (const double a : {angle - turned, angle + turned}) {
+                    least = std::min(least, 50 / std::tan(a));
+                    most = std::max(most, 50 / std::tan(a));
+                }
+                for (const ContactResult& c : r.contacts) {
+                    if (c.status == "open") continue;
+                    EXPECT_NEAR(std::abs(c.force.y()), 50, 1e-6);
+                    EXPECT_GT(std::abs(c.force.x()), 0.98 * least);
+                    EXPECT_LT(std::abs(c.force.x()), 1.02 * most);
+                }
+            }
 }
 
 const auto name = [](const auto& kind) { return kind.param.first; };

@@ -29,7 +29,7 @@ Result filled(const Outcome& out, const std::vector<double>& of_pairs = {}) {
     result.contacts.emplace_back();
     result.contacts[0].max_pressure.value = 100;
     result.contacts[0].parts = {"plate", "pin"};
-    fill_errors(out, of_pairs, result);
+    fill_errors(out, {of_pairs, {}}, result);
     return result;
 }
 

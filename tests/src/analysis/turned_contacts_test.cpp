@@ -223,4 +223,43 @@ TEST(TurnedContacts, StretchesOfOneContactHaveTheirOwnForces) {
     EXPECT_FALSE(has_reason(r, "turned_balance"));
 }
 
+/// A drum on its axle, braked by a shoe: normals pass through its middle, so that it holds mu N R, and no more.
+Result braked(double share) {
+    constexpr double friction = 0.3, force = 500, radius = 50;
+    return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "thickness": 10, "parts": [
+        {"name": "drum", "material": "m", "geometry": {"circle": {"center": [0, 0], "radius": 50}}},
+        {"name": "shoe", "material": "m", "geometry": {"rectangle": {"min": [-20, -70], "max": [20, -50]}}}],
+        "supports": [{"part": "drum", "rigid": {"translation": [0, 0]}}, {"part": "shoe", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "shoe", "force": [0, 500]}, {"part": "drum", "moment": )" +
+                        std::to_string(share * friction * force * radius) + R"(}], "contacts": {"friction": 0.3}})");
+}
+
+TEST(TurnedContacts, ADrumIsBrakedByNoMoreThanFrictionBears) {
+    const Result held = braked(0.9);
+    ASSERT_EQ(held.status, "ok") << held.message;
+    EXPECT_FALSE(has_reason(held, "turned_lever") || has_reason(held, "turned_balance"));
+    for (const double share : {1.02, 1.1}) {
+        const Result slips = braked(share);
+        EXPECT_TRUE(slips.status != "ok" || has_reason(slips, "turned_lever") || has_reason(slips, "turned_balance")) << share;
+    }
+}
+
+/// Where discs stay as they are drawn, what their motion to the walls does to each force is in its error.
+TEST(TurnedContacts, ForcesErrByWhatMotionsChange) {
+    const Result drawn = three_discs(0.5, "off"), followed = three_discs(0.5);
+    ASSERT_EQ(drawn.status, "ok") << drawn.message;
+    ASSERT_EQ(followed.status, "ok") << followed.message;
+    const auto wall_of = [](const Result& r) {
+        return *std::find_if(r.contacts.begin(), r.contacts.end(), [](const ContactResult& c) {
+            return c.parts[0] == "box" && std::abs(c.force.x()) > std::abs(c.force.y());
+        });
+    };
+    const ContactResult wall = wall_of(drawn);
+    const double off = std::abs(wall.force.norm() / wall_of(followed).force.norm() - 1);
+    EXPECT_GT(off, 0.03);
+    ASSERT_TRUE(wall.errors);
+    EXPECT_NEAR(wall.errors->force, off, 0.3 * off);
+    EXPECT_GE(wall.errors->pressure, wall.errors->force);
+}
+
 }  // namespace abut::turned_contacts_test
