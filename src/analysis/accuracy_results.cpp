@@ -284,7 +284,19 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
          "displacement", result);
 }
 
-void warn_of_largest_stress(Result& result) {
+namespace {
+
+/// The stress at a corner of the part that goes beyond its largest one.
+const ValueAt* corner_of(const Outcome& out, const Result& result, const PartResult& part) {
+    for (std::size_t k = 0; k < out.largest.size(); ++k)
+        if (&result.parts[static_cast<std::size_t>(out.solved.grids[k].part)] == &part && out.largest[k].corner)
+            return &*out.largest[k].corner;
+    return nullptr;
+}
+
+}  // namespace
+
+void warn_of_largest_stress(const Outcome& out, Result& result) {
     const PartResult* most = most_stressed(result);
     if (!most) return;
     const std::string which = "the largest von Mises stress, " +
@@ -298,6 +310,14 @@ void warn_of_largest_stress(Result& result) {
                        "where its friction turns round): it grows with every finer grid",
                is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
              "corner", result);
+    else if (const ValueAt* corner = corner_of(out, result, *most))
+        tell(
+            {{0, most->name,
+              which + " is the largest on this grid: that at the sharp corner at " +
+                  place_text(corner->at, model_size(result)) + ", " + with_unit(corner->value, 4, result_units(result).stress) +
+                  " here, has no limit and exceeds it on finer ones; round the corner to know the stress there",
+              is_aimed_at ? "the stress at a sharp corner of " + most->name + " has no limit" : ""}},
+            "corner", result);
     else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
         tell({{0, most->name,
                which + " is uncertain by " + percent_text(std::min(*most->max_von_mises_error, 1.0)) +

@@ -26,7 +26,7 @@ void fill_missed(const Outcome& out, Result& result);
 void fill_displacement_errors(const Outcome& out, Result& result);
 
 /// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
-void warn_of_largest_stress(Result& result);
+void warn_of_largest_stress(const Outcome& out, Result& result);
 
 /// Fills in the next finer level (or a fifth of the target) and its time, from the growth of unknowns with falling errors over
 /// the passes and from the seconds they took; nothing where there is no estimate to go by, or where this level was missed. Call

@@ -91,8 +91,9 @@ void check_kinematics(const Scene& scene, const ResolvedConditions& conditions, 
     const double size = model_size(result);
     for (std::size_t k = 0; k < solved.grids.size(); ++k) {
         const PartOnGrid& g = solved.grids[k];
-        const auto& [rotation, strain] =
-            largest_change(g, solved.solution.displacement[k], singular_places(scene, conditions, solved, g.part));
+        const Eigen::VectorXd &moved = solved.solution.displacement[k], &free = solved.problem.parts[k].input.stress_free;
+        const auto& [rotation, strain] = largest_change(g, free.size() > 0 ? Eigen::VectorXd(moved - free) : moved,
+                                                        singular_places(scene, conditions, solved, g.part));
         const std::string& name = scene.parts[at(g.part)].name;
         const ValueAt& motion = result.parts[at(g.part)].max_displacement;
         const double degrees = rotation.value * 180 / std::numbers::pi;

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double rounding_of_strain = 1e-11;  // of displacement over size
 constexpr double cells_from_corner = 2;       // a largest stress no farther from a corner is the corner's
+constexpr double smaller_cells = 10;          // on which stress at a corner is compared with the largest one
 constexpr double half_a_cell = 0.5;           // over which an error of strains adds up, before it changes sign
 
 /// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
@@ -50,6 +51,24 @@ double hidden_share(const geometry::Part& local, const Vec2& place, double cell)
     return radius < cell ? 1 - 1 / (1 + 2 * std::sqrt(cell / radius)) : 0;
 }
 
+/// The stress at a re-entrant corner that is above `largest` on smaller cells; of several the highest there.
+std::optional<ValueAt> corner_beyond(const PartOnGrid& grid, const Eigen::VectorXd& displacement,
+                                     const solver::StressField& stress, const std::vector<SingularPlace>& places,
+                                     double largest) {
+    std::optional<ValueAt> corner;
+    for (const SingularPlace& p : places) {
+        if (p.growth == 0) continue;
+        const Vec2 local = grid.frame.to_local(p.at);
+        const int element = element_at(grid.local, grid.cells, grid.elements, local);
+        const double now = von_mises(sample_field(grid, displacement, stress, element, local).stress),
+                     then = now * std::pow(smaller_cells, p.growth);
+        if (then <= largest) continue;
+        largest = then;
+        corner = ValueAt{now, p.at};
+    }
+    return corner;
+}
+
 LargestStress largest_of(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved, std::size_t k,
                          const solver::StressField& stress) {
     const PartOnGrid& grid = solved.grids[k];
@@ -74,6 +93,7 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     });
     result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
     if (result.at_corner) return result;
+    result.corner = corner_beyond(grid, displacement, stress, places, result.von_mises.value);
     const double hidden = hidden_share(grid.local, found.von_mises.local, result.cell);
     result.error = std::max(result.smoothing / result.von_mises.value, hidden);
     return result;

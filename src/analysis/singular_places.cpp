@@ -44,6 +44,18 @@ double at_corner(double turn) {
     return missed_at_slit * std::pow(turn / std::numbers::pi, 2);
 }
 
+/// 1 - lambda, sin(lambda w) = -lambda sin(w): stress opens a corner with free faces, of material through an angle w above pi,
+/// like r^(lambda - 1) [Williams 1952].
+double growth_at_corner(double turn) {
+    const double w = std::numbers::pi - turn;
+    double low = 0.5, high = 1;
+    for (int k = 0; k < 40; ++k) {
+        const double lambda = 0.5 * (low + high);
+        (std::sin(lambda * w) + lambda * std::sin(w) > 0 ? low : high) = lambda;
+    }
+    return 1 - low;
+}
+
 /// turn: of the boundary where the support ends.
 double at_support_end(double turn) {
     return std::max(missed_at_clamp, missed_at_support * std::pow(std::max(0.0, 1 - 2 * turn / std::numbers::pi), 2));
@@ -157,7 +169,7 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
                                            const SolvedAssembly& solved, int part) {
     std::vector<SingularPlace> places;
     for (const Vertex& v : vertices(scene.parts[at(part)].part))
-        if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn)});
+        if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn), false, growth_at_corner(v.turn)});
     append_support_ends(scene, conditions, part, places);
     append_bond_ends(scene, solved, part, places);
     for (const Vec2& held : points_that_carry(scene, solved, at(solved.solver_part[at(part)]))) places.push_back({held, 0});

@@ -13,6 +13,7 @@ struct SingularPlace {
     Vec2 at;              ///< assembly coordinates
     double missed_share;  ///< what splines miss of the strain energy in the cells within a cell's size; 0 where not known
     bool is_of_contact = false;
+    double growth = 0;  ///< stress grows like distance^-growth towards a re-entrant corner of the part; 0 at other places
 };
 
 /// The places of one part of the scene.

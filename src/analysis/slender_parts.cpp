@@ -3,12 +3,15 @@
 // only it is a quarter of that, clamped at both ends four times as much.
 #include "src/analysis/slender_parts.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -52,6 +55,24 @@ bool is_bonded_along(const SolvedAssembly& solved, std::size_t grid, double alon
     return bonded >= 0.5 * along;
 }
 
+/// Is a part pressed between others from both of its long sides, along half of its length at least? So is a gasket.
+bool is_pressed_between(const Scene& scene, const SolvedAssembly& solved, std::size_t grid, const Vec2& along) {
+    constexpr double aside = 0.5;  // cosine: faces that look more along the column are its ends
+    const Vec2 axis = along.normalized();
+    std::array<double, 2> pressed{0, 0};  // by side
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        for (std::size_t of : {0U, 1U})
+            for (const PressedStretch& stretch : solved.stretches[k]) {
+                const ContactInterface& c = solved.contacts[k];
+                if (at(c.face.part[of]) != grid) continue;
+                const geometry::FacingPair pair = pair_at(scene, c, 0.5 * (stretch.begin + stretch.end));
+                const Vec2 normal = of == 0 ? pair.on1.normal : pair.on2.normal;
+                if (!pair.found || std::abs(normal.dot(axis)) > aside) continue;
+                pressed[geometry::cross(axis, normal) > 0 ? 0 : 1] += stretch.end - stretch.begin;
+            }
+    return std::min(pressed[0], pressed[1]) >= 0.5 * along.norm();
+}
+
 }  // namespace
 
 void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
@@ -67,7 +88,7 @@ void warn_of_buckling(const Scene& scene, const Outcome& out, Result& result) {
         if (euler == 0 || out.largest[k].von_mises.value <= one_end) continue;
         if (is_bonded_along(out.solved, k, column.along.norm())) continue;
         const double pressed = -mean_stress(g, out.solved.solution.displacement[k], area(part.part), column.along);
-        if (pressed <= one_end) continue;
+        if (pressed <= one_end || is_pressed_between(scene, out.solved, k, column.along)) continue;
         const std::string pressed_by =
             "part " + part.name + " is slender, and pressed along its length by " + number_text(pressed, 3) + " on average: ";
         findings.push_back({pressed / euler, part.name,

@@ -98,6 +98,23 @@ TEST(LargestStress, AtAReentrantCornerHasNoLimitAndSaysSo) {
     EXPECT_TRUE(warns(warnings, "has no limit there"));
 }
 
+/// The hole's stress is the largest on the first grids; a notch beside it has sharp corners.
+TEST(LargestStress, ThatASharpCornerExceedsOnFinerGridsIsSaid) {
+    const auto notched = [](const char* notch) {
+        return plate(std::string(R"({"difference": [{"rectangle": {"min": [-20, -20], "max": [20, 20]}, "name": "r"},
+            {"ellipse": {"center": [0, 0], "radii": [1, 0.3]}, "name": "h"})") +
+                         notch + "]}",
+                     "r/");
+    };
+    std::vector<std::string> warnings;
+    const PartResult part = solved(notched(R"(, {"rectangle": {"min": [17, -1], "max": [21, 1]}})"), &warnings);
+    EXPECT_FALSE(part.max_von_mises_at_corner);
+    EXPECT_LT(part.max_von_mises.at.x(), 2);
+    EXPECT_TRUE(warns(warnings, "that at the sharp corner at (17, "));
+    solved(notched(""), &warnings);
+    EXPECT_FALSE(warns(warnings, "corner"));
+}
+
 TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
     const std::string coarse = as_ellipse(0.02);
     Scene scene = read_scene_text(coarse, "scene.json");

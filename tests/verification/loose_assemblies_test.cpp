@@ -245,7 +245,7 @@ TEST(LongLooseLinkages, BearAsTrussesDo) {
                 }
                 for (const ContactResult& c : r.contacts) {
                     if (c.status == "open") continue;
-                    EXPECT_NEAR(std::abs(c.force.y()), 50, 1e-6);
+                    EXPECT_NEAR(std::abs(c.force.y()), 50, 50 * turned);
                     EXPECT_GT(std::abs(c.force.x()), 0.98 * least);
                     EXPECT_LT(std::abs(c.force.x()), 1.02 * most);
                 }
