@@ -22,6 +22,7 @@
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/slender_parts.hpp"
+#include "src/analysis/static_forces.hpp"
 #include "src/analysis/turned_contacts.hpp"
 #include "src/answers/contact_results.hpp"
 #include "src/answers/equilibrium.hpp"
@@ -130,6 +131,32 @@ void tell_neutral_motions(const Scene& scene, const SolvedAssembly& solved, Resu
     remark(values_of(findings), result);
 }
 
+/// Does anything press on the part where it touches others, or is it bonded to one?
+bool is_pressed(const SolvedAssembly& solved, std::size_t grid) {
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        for (const int of : solved.contacts[k].face.part)
+            if (at(of) == grid && (solved.contacts[k].face.bilateral || !solved.stretches[k].empty())) return true;
+    return false;
+}
+
+/// Parts that only contact keeps in place, while nothing presses on them: they lie anywhere within their clearances.
+void tell_floating(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    std::vector<Finding> findings;
+    for (std::size_t k = 0; k < solved.grids.size(); ++k) {
+        const std::string& name = scene.parts[at(solved.grids[k].part)].name;
+        const auto is_told = [&](const solver::PartMotion& m) { return at(m.part) == k; };
+        const std::vector<solver::PartMotion>& neutral = solved.solution.neutral;
+        if (std::any_of(neutral.begin(), neutral.end(), is_told) || is_pressed(solved, k) ||
+            motions_left_to_contacts(solved, k).empty())
+            continue;
+        findings.push_back({0, name,
+                            "part " + name +
+                                " lies loose, nothing presses it on another: it may be anywhere within its "
+                                "clearances, and its displacements are those of one place there"});
+    }
+    remark(std::move(findings), result);
+}
+
 /// Parts that CHOLMOD was asked for and has no factor of.
 void note_own_factors(const Scene& scene, const Outcome& out, Result& result) {
     for (const PartOnGrid& g : out.solved.grids)
@@ -178,6 +205,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_probes(scene, solved, out.stress, result);
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
+    tell_floating(scene, solved, result);
     note_idle_holds(scene, solved, result);
     check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);

@@ -9,6 +9,12 @@ bool is_solved(const SolvedAssembly& solved) {
     return solved.failure.empty() && solved.solution.mechanism.empty();
 }
 
+std::string failure_of(const SolvedAssembly& solved) {
+    if (!solved.failure.empty()) return solved.failure;
+    const bool is_stuck = !solved.solution.converged && solved.solution.sliding.empty();
+    return is_stuck ? "the contact iterations did not converge" : "";
+}
+
 EndsFollowed follow_ends(const Scene& scene, SolvedAssembly& now, std::vector<Candidate>& candidates, int most_moves,
                          Stopwatches& seconds, int threads) {
     EndsFollowed followed;

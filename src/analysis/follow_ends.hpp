@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is solved on the same grids, until contact ends where its pressure's knots expect it.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "src/solution/assembly_model.hpp"
@@ -9,6 +10,9 @@ namespace abut {
 
 /// Is there a solution, converged or not?
 bool is_solved(const SolvedAssembly& solved);
+
+/// Why it is no answer: its failure, or that the contact iterations have come to no end; empty: it is one, or slides.
+std::string failure_of(const SolvedAssembly& solved);
 
 struct EndsFollowed {
     int moves = 0;       ///< of the knots

@@ -253,12 +253,6 @@ private:
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
-    static std::string failure_of(const SolvedAssembly& now) {
-        if (!now.failure.empty()) return now.failure;
-        const bool is_stuck = !now.solution.converged && now.solution.sliding.empty();
-        return is_stuck ? "the contact iterations did not converge" : "";
-    }
-
     bool end(SolvedAssembly&& now, PathEnd why) {
         if (!meets_others_ && now.solution.mechanism.empty() && !now.is_lost) failed_ = failure_of(now);
         out_.solved = std::move(now);

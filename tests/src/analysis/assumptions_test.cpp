@@ -168,5 +168,57 @@ TEST(Assumptions, ThinPartsThatPressThickOnesAreSaid) {
     EXPECT_TRUE(warning(column(2, 1), "contact 1 presses").empty());
 }
 
+/// A soft sheet between two plates, clamped flat: it is pressed along itself, too, and has nowhere to go.
+TEST(Assumptions, SheetsBetweenPlatesDoNotBuckle) {
+    const auto plates = [](const char* upper) {
+        return test::answer(
+            std::string(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}, "soft": {"E": 210, "nu": 0.4}},
+            "parts": [{"name": "lower", "material": "m", "geometry": {"rectangle": {"min": [-35, -10], "max": [35, 0]}}},
+                {"name": "sheet", "material": "soft", "geometry": {"rectangle": {"min": [-30, 0], "max": [30, 1]}}})") +
+            upper + R"(], "contacts": {"friction": 0.3}, "accuracy": {"level": "draft"}})");
+    };
+    const Result r =
+        plates(R"(, {"name": "upper", "material": "m", "geometry": {"rectangle": {"min": [-35, 1], "max": [35, 11]}}}],
+        "supports": [{"on": "lower/bottom", "fix": ["x", "y"]}, {"part": "upper", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"on": "upper/top", "pressure": 10})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    for (const std::string& w : r.warnings) EXPECT_EQ(w.find("buckle"), std::string::npos) << w;
+    const Result bare =
+        plates(R"(], "supports": [{"on": "lower/bottom", "fix": ["x", "y"]}, {"on": "sheet/left", "fix": ["x", "y"]}],
+        "loads": [{"on": "sheet/right", "pressure": 1})");
+    ASSERT_EQ(bare.status, "ok") << bare.message;
+    EXPECT_TRUE(std::any_of(bare.warnings.begin(), bare.warnings.end(),
+                            [](const std::string& w) { return w.find("buckles") != std::string::npos; }));
+}
+
+/// The sides of a bolt's cut are drawn together by more than a cell's size can strain: that is no strain.
+TEST(Assumptions, WhatAPreloadDrawsTogetherIsNoStrain) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}, "soft": {"E": 210, "nu": 0.3}},
+        "parts": [{"name": "bolt", "material": "m", "geometry": {"union": [{"rectangle": {"min": [-2, -6], "max": [2, 6]}},
+                {"rectangle": {"min": [-5, 5], "max": [5, 8]}}, {"rectangle": {"min": [-5, -8], "max": [5, -5]}}]}},
+            {"name": "left", "material": "soft", "geometry": {"rectangle": {"min": [-8, -5], "max": [-2.5, 5]}}},
+            {"name": "right", "material": "soft", "geometry": {"rectangle": {"min": [2.5, -5], "max": [8, 5]}}}],
+        "supports": [{"part": "left", "rigid": {"translation": [0, 0], "rotation": 0}},
+            {"part": "right", "rigid": {"translation": [0, 0], "rotation": 0}}, {"part": "bolt", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "bolt", "preload": {"across": [[-3, 0], [3, 0]], "force": 30}}]})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_GT(r.preloads.at(0).shortening, 0.1);
+    for (const std::string& w : r.warnings) EXPECT_EQ(w.find("part bolt strains"), std::string::npos) << w;
+}
+
+TEST(Assumptions, PartsThatNothingPressesLieLoose) {
+    const auto bar = [](double warmer) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3, "expansion": 1.2e-5}}, "parts": [
+            {"name": "l", "material": "m", "geometry": {"rectangle": {"min": [-10, -10], "max": [0, 10]}}},
+            {"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, -5], "max": [100, 5]}}},
+            {"name": "r", "material": "m", "geometry": {"rectangle": {"min": [100, -10], "max": [110, 10]}}}],
+            "supports": [{"on": ["l/left", "r/right"], "fix": ["x", "y"]}, {"on": "bar/bottom", "roller": true}],
+            "loads": [{"part": "bar", "temperature": )" +
+                            std::to_string(warmer) + "}]}");
+    };
+    EXPECT_NE(warning(bar(-60), "part bar lies loose"), "");
+    EXPECT_EQ(warning(bar(60), "part bar lies loose"), "");
+}
+
 }  // namespace
 }  // namespace abut::assumptions_test
