@@ -112,8 +112,7 @@ std::vector<double> peaks_of_motion(const Outcome& out, const MotionErrors& of_m
     const std::vector<std::optional<ContactError>>& of_grids = out.errors.back().contacts;
     std::vector<double> of_peaks = of_motion.of_pairs;
     for (std::size_t k = 0; k < of_peaks.size() && k < of_motion.of_forces.size() && k < of_grids.size(); ++k)
-        if (of_grids[k] && !out.solved.contacts[k].face.bilateral)
-            of_peaks[k] = std::hypot(of_peaks[k], 0.5 * of_grids[k]->of_integral * of_motion.of_forces[k]);
+        if (of_grids[k]) of_peaks[k] = std::hypot(of_peaks[k], 0.5 * of_grids[k]->of_integral * of_motion.of_forces[k]);
     return of_peaks;
 }
 

@@ -18,6 +18,7 @@
 #include "src/analysis/follow_motion.hpp"
 #include "src/analysis/held_contacts.hpp"
 #include "src/analysis/idle_holds.hpp"
+#include "src/analysis/motions_at_limit.hpp"
 #include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/self_contact.hpp"
@@ -206,6 +207,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     seconds["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     tell_neutral_motions(scene, solved, result);
     tell_floating(scene, solved, result);
+    warn_of_motions_at_limit(scene, solved, result);
     note_idle_holds(scene, solved, result);
     check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);

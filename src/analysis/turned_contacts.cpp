@@ -361,7 +361,7 @@ std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solv
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         double& share = shares[lines[k].contact];
-        if (has_resultant(solved, lines[k]))
+        if (!solved.contacts[lines[k].contact].face.bilateral && has_resultant(solved, lines[k]))
             share = std::max(share, std::min(1.0, moved.change[k].norm() / lines[k].force.norm()));
     }
     return shares;

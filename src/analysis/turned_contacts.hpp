@@ -10,8 +10,8 @@ namespace abut {
 /// Do rigid motions of parts turn the normals of contacts so that forces change by more than they are to be known to?
 bool are_forces_turned(const Scene& scene, const Outcome& out);
 
-/// By contact: what its force changes by, of itself, as rigid motions of parts that are not followed turn and move it; 1 at
-/// most.
+/// The share by which each contact's force changes as rigid motions of parts that are not followed turn and move it, 1 at most.
+/// Bonds, across which parts are as one, have none.
 std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solved);
 
 /// Warns, with a reason against the answer, where the rigid motions of parts that are not followed turn a contact's normal by

@@ -262,4 +262,28 @@ TEST(TurnedContacts, ForcesErrByWhatMotionsChange) {
     EXPECT_GE(wall.errors->pressure, wall.errors->force);
 }
 
+/// Pressed into a groove a ball slips down both sides: nothing says whether it turns. Where friction holds it, it does not.
+TEST(MotionsAtLimit, ABallInAGrooveMayTurn) {
+    const auto in_groove = [](double friction) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "block", "material": "m", "geometry": {"difference": [{"rectangle": {"min": [-30, -30], "max": [30, 0]}},
+                {"polygon": [[0, -14.142135623730951], [20, 5.857864376269049], [-20, 5.857864376269049]]}]}}, )" +
+                            circle("ball", 0, 0) +
+                            R"(], "supports": [{"on": {"part": "block", "facing": [0, -1]}, "fix": ["x", "y"]}],
+            "loads": [{"part": "ball", "force": [0, -500]}], "contacts": {"friction": )" +
+                            std::to_string(friction) + "}}");
+    };
+    const auto says = [](const Result& r) {
+        return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+            return w.find("friction bears all it can wherever") != std::string::npos &&
+                   w.find("ball rotates") != std::string::npos;
+        });
+    };
+    const Result slips = in_groove(0.05), sticks = in_groove(0.9);
+    ASSERT_EQ(slips.status, "ok") << slips.message;
+    ASSERT_EQ(sticks.status, "ok") << sticks.message;
+    EXPECT_TRUE(says(slips));
+    EXPECT_FALSE(says(sticks));
+}
+
 }  // namespace abut::turned_contacts_test
