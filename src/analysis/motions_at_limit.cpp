@@ -34,7 +34,7 @@ bool is_at_limit(const SolvedAssembly& solved, std::size_t contact) {
 }
 
 /// What contacts resist motions of a part by, sliding along them left out where friction bears no more. Round faces on others
-/// press at one place.
+/// press at one place; in hollow ones the pressure moves along as it has to: a joint about the centre of the body inside.
 std::vector<UnitForce> resisting(const Scene& scene, const SolvedAssembly& solved, std::size_t part) {
     std::vector<UnitForce> forces;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
@@ -46,10 +46,14 @@ std::vector<UnitForce> resisting(const Scene& scene, const SolvedAssembly& solve
                 const geometry::FacingPair pair = pair_at(scene, c, stretch.begin + share * (stretch.end - stretch.begin));
                 if (!pair.found) continue;
                 const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
-                const bool is_at_one_place = k1 >= 0 && k2 >= 0 && k1 + k2 > 0;
-                if (is_at_one_place && share != 0.5) continue;
-                forces.push_back({pair.on1.x, pair.normal});
-                if (!slides) forces.push_back({pair.on1.x, geometry::left_of(pair.normal)});
+                const bool is_hollow = k1 < 0 || k2 < 0;
+                if ((is_hollow || k1 + k2 > 0) && share != 0.5) continue;
+                const Vec2 aside = geometry::left_of(pair.normal);
+                const double inner = k1 < 0 ? k2 : k1;
+                const Vec2 middle = inner > 0 ? Vec2(pair.on1.x + (k1 < 0 ? 1 : -1) / inner * pair.normal) : pair.on1.x;
+                if (is_hollow) forces.insert(forces.end(), {{middle, pair.normal}, {middle, aside}});
+                if (!is_hollow) forces.push_back({pair.on1.x, pair.normal});
+                if (!slides) forces.push_back({pair.on1.x, aside});
             }
     }
     return forces;

@@ -56,7 +56,7 @@ struct MovedForce {
     std::size_t contact;
     Vec2 drawn, moved;  ///< places
     Vec2 force{0, 0}, turned{0, 0};
-    bool any_direction = false;  ///< a joint, or friction that sticks
+    bool any_direction = false;  ///< a joint, or friction; what this bears then is looked at (beyond_friction)
     bool any_place = false;      ///< flat faces, bonds
     Vec2 along{0, 0};            ///< from `drawn` to where the parts as drawn are closest
     Vec2 normal{0, 0};           ///< where the parts have moved; none in hollow faces, along which it differs
@@ -84,9 +84,9 @@ double angle_between(const Vec2& from, const Vec2& to) {
 }
 
 MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pair, const Vec2& force,
-                       const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool sticks) {
+                       const solver::RigidMotion& m1, const solver::RigidMotion& m2, bool has_friction) {
     const double k1 = pair.on1.curvature, k2 = pair.on2.curvature;
-    MovedForce line{0, pair.on1.x, pair.on1.x, force, force, sticks};
+    MovedForce line{0, pair.on1.x, pair.on1.x, force, force, has_friction};
     if (k1 < 0 || k2 < 0) {
         const double inner = k1 < 0 ? k2 : k1;
         if (inner > 0) line.drawn += (k1 < 0 ? 1 : -1) / inner * pair.normal;
@@ -98,7 +98,7 @@ MovedForce moved_force(const ContactInterface& c, const geometry::FacingPair& pa
         line.normal = turned_by(pair.normal, angle);
         line.turned = turned_by(force, angle);
         line.any_place = true;
-        line.any_direction = sticks || c.face.bilateral;
+        line.any_direction = has_friction || c.face.bilateral;
     } else {
         const Vec2 along = -left_of(pair.normal);
         const double slide = (m2.at(pair.on2.x) - m1.at(pair.on1.x)).dot(along);
@@ -167,21 +167,13 @@ double load_change(const SolvedAssembly& solved, const Balance& b, std::size_t r
     return b.motion[row].rotation * (cross(moved.translation, force) - moved.rotation * virial);
 }
 
-/// Has friction room for another force along the faces?
-bool sticks(const SolvedAssembly& solved, std::size_t contact) {
-    const double friction = friction_of(solved, contact);
-    if (friction == 0) return false;
-    const FrictionSums sums = friction_sums(solved, contact);
-    return std::abs(sums.shear) < (1 - slip_fraction) * friction * sums.normal;
-}
-
 /// The force of a stretch under pressure on its first part, and the pair in its middle.
 struct StretchForce {
     std::size_t contact;
     geometry::FacingPair pair;
     double half_length;
     Vec2 force;
-    bool sticks;
+    bool has_friction;
 };
 
 std::vector<StretchForce> stretch_forces(const Scene& scene, const SolvedAssembly& solved) {
@@ -194,7 +186,7 @@ std::vector<StretchForce> stretch_forces(const Scene& scene, const SolvedAssembl
             if (!pair.found) continue;
             const Vec2 force = stretches.size() == 1 ? contact_force(solved, k).force
                                                      : contact_force_between(solved, k, stretch.begin, stretch.end).force;
-            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force, sticks(solved, k)});
+            forces.push_back({k, pair, 0.5 * (stretch.end - stretch.begin), force, friction_of(solved, k) > 0});
         }
     }
     return forces;
@@ -227,7 +219,8 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
     std::vector<MovedForce> lines;
     for (const StretchForce& f : forces) {
         const ContactInterface& c = solved.contacts[f.contact];
-        lines.push_back(moved_force(c, f.pair, f.force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], f.sticks));
+        lines.push_back(
+            moved_force(c, f.pair, f.force, motions[at(c.face.part[0])], motions[at(c.face.part[1])], f.has_friction));
         lines.back().contact = f.contact;
     }
     return lines;
