@@ -18,7 +18,8 @@ namespace {
 
 using Eigen::Index;
 
-/// Of the motion that is resisted most: what works less in a motion resists nothing in it.
+/// Of the motion that is resisted most, rotations measured at the part's size: what works less in a motion resists nothing in
+/// it.
 constexpr double resists_nothing = 1e-3;
 
 /// A unit force that could act on a part.
@@ -71,9 +72,6 @@ std::vector<solver::PartMotion> motions_at_limit(const Scene& scene, const Solve
             const auto& [place, force] = forces[at(static_cast<int>(f))];
             work(f, m) = frame.vector_to_local(force).dot(free[at(static_cast<int>(m))].at(frame.to_local(place)));
         }
-    // rotations as large as translations at the part's size
-    for (Index m = 0; m < work.cols(); ++m)
-        if (free[at(static_cast<int>(m))].rotation != 0) work.col(m) /= solved.grids[part].size;
     const auto [values, vectors] = solver::right_singular_vectors(work);
     std::vector<solver::PartMotion> motions;
     for (Index k = 0; k < work.cols(); ++k) {
@@ -81,9 +79,8 @@ std::vector<solver::PartMotion> motions_at_limit(const Scene& scene, const Solve
         solver::PartMotion motion{static_cast<int>(part), {{0, 0}, 0, free.front().center}};
         for (Index m = 0; m < work.cols(); ++m) {
             const solver::RigidMotion& unit = free[at(static_cast<int>(m))];
-            const double share = vectors(m, k) / (unit.rotation != 0 ? solved.grids[part].size : 1);
-            motion.motion.translation += share * unit.at(motion.motion.center);
-            motion.motion.rotation += share * unit.rotation;
+            motion.motion.translation += vectors(m, k) * unit.at(motion.motion.center);
+            motion.motion.rotation += vectors(m, k) * unit.rotation;
         }
         motions.push_back(motion);
     }
