@@ -296,13 +296,7 @@ std::vector<PartMotion> part_motions(const std::vector<PartSystem>& parts, const
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto share = amplitudes.segment(offset[i], offset[i + 1] - offset[i]);
         if (share.size() == 0 || share.norm() < notable * amplitudes.norm()) continue;
-        PartMotion m{static_cast<int>(i), {{0, 0}, 0, parts[i].free_motions[0].center}};
-        for (Index k = 0; k < share.size(); ++k) {
-            const RigidMotion& unit = parts[i].free_motions[static_cast<std::size_t>(k)];
-            m.motion.translation += share[k] * unit.translation;
-            m.motion.rotation += share[k] * unit.rotation;
-        }
-        result.push_back(m);
+        result.push_back({static_cast<int>(i), sum_of_motions(parts[i].free_motions, share)});
     }
     return result;
 }

@@ -5,6 +5,7 @@
 
 #include "solver/assembly/assembly.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 
@@ -80,6 +81,17 @@ Eigen::MatrixXd make_integrals(const PartSystem& system) {
 }
 
 }  // namespace
+
+RigidMotion sum_of_motions(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& shares) {
+    ENSURE(!motions.empty() && static_cast<Eigen::Index>(motions.size()) == shares.size(), "every motion has a share");
+    RigidMotion sum{{0, 0}, 0, motions.front().center};
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+        const double share = shares[static_cast<Eigen::Index>(k)];
+        sum.translation += share * motions[k].at(sum.center);
+        sum.rotation += share * motions[k].rotation;
+    }
+    return sum;
+}
 
 const Eigen::MatrixXd& motion_integrals(const PartSystem& system) {
     return system.motion_integrals([&] { return make_integrals(system); });

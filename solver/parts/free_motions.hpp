@@ -9,6 +9,9 @@ namespace abut::solver {
 /// Around an axis the only rigid motion is the one along it: all others stretch the hoops.
 std::vector<RigidMotion> free_motions(const PartSystem& system, const Vec2& center, double size);
 
+/// The sum of motions, each times its share, about the centre of the first.
+RigidMotion sum_of_motions(const std::vector<RigidMotion>& motions, const Eigen::VectorXd& shares);
+
 /// Integrals over the part of its functions times its free motions (2n x free motions): products with coefficients are mean
 /// products of displacements. Those of a rigid part are the motions themselves. Cost: two load vectors.
 const Eigen::MatrixXd& motion_integrals(const PartSystem& system);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/parts/free_motions.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/answers/motion_text.hpp"
 #include "src/base/index.hpp"
@@ -76,13 +77,7 @@ std::vector<solver::PartMotion> motions_at_limit(const Scene& scene, const Solve
     std::vector<solver::PartMotion> motions;
     for (Index k = 0; k < work.cols(); ++k) {
         if (k < values.size() && values[k] > resists_nothing * values[0]) continue;
-        solver::PartMotion motion{static_cast<int>(part), {{0, 0}, 0, free.front().center}};
-        for (Index m = 0; m < work.cols(); ++m) {
-            const solver::RigidMotion& unit = free[at(static_cast<int>(m))];
-            motion.motion.translation += vectors(m, k) * unit.at(motion.motion.center);
-            motion.motion.rotation += vectors(m, k) * unit.rotation;
-        }
-        motions.push_back(motion);
+        motions.push_back({static_cast<int>(part), solver::sum_of_motions(free, vectors.col(k))});
     }
     return motions;
 }

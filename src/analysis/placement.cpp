@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/linear_algebra/dense.hpp"
+#include "src/analysis/static_forces.hpp"
 #include "src/base/index.hpp"
 #include "src/motion/moving_parts.hpp"
 
@@ -14,7 +15,9 @@ Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t gr
     const solver::PartSystem& system = solved.problem.parts[grid];
     const Eigen::VectorXd& u = solved.solution.displacement[grid];
     if (system.free_motions.empty() || u.size() != system.modes.rows()) return Eigen::VectorXd::Zero(system.modes.cols());
-    return solver::PivotedCholesky(system.modes.transpose() * system.modes).solve(system.modes.transpose() * u);
+    const Eigen::MatrixXd free = combinations_let_go(solved, grid, true), modes = system.modes * free;
+    if (free.cols() == 0) return Eigen::VectorXd::Zero(system.modes.cols());
+    return free * solver::PivotedCholesky(modes.transpose() * modes).solve(modes.transpose() * u);
 }
 
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid) {

@@ -9,7 +9,8 @@
 
 namespace abut {
 
-/// What a part's free motions make up of its displacement in a solution, by amplitude.
+/// What a part's free motions make up of its displacement in a solution, by amplitude; none of what a support of means or of
+/// points holds.
 Eigen::VectorXd rigid_amplitudes_of(const SolvedAssembly& solved, std::size_t grid);
 /// A part's rigid motion in a solution: what its free motions make up of its displacement, in assembly coordinates.
 solver::RigidMotion rigid_motion_of(const SolvedAssembly& solved, std::size_t grid);

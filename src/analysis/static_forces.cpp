@@ -5,6 +5,7 @@
 
 #include "geometry/curves/vec2.hpp"
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/parts/free_motions.hpp"
 #include "src/solution/contact_measures.hpp"
 #include "src/solution/contact_states.hpp"
 
@@ -111,28 +112,27 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     return given;
 }
 
-std::vector<solver::RigidMotion> motions_left_to_contacts(const SolvedAssembly& solved, std::size_t grid) {
+Eigen::MatrixXd combinations_let_go(const SolvedAssembly& solved, std::size_t grid, bool are_led_free) {
     const solver::PartSystem& part = solved.problem.parts[grid];
-    const std::vector<solver::RigidMotion>& free = part.free_motions;
-    if (free.empty() || !has_held_means(solved, grid)) return free;
-    const auto n = static_cast<Index>(free.size());
+    const auto n = static_cast<Index>(part.free_motions.size());
     Eigen::MatrixXd held(0, n);
     for (const solver::MeanConstraint& c : solved.problem.constraints) {
-        if (c.part != static_cast<int>(grid)) continue;
+        if (c.part != static_cast<int>(grid) || (are_led_free && c.value != 0)) continue;
         held.conservativeResize(held.rows() + 1, n);
         held.row(held.rows() - 1) = work(c, part).normalized();
     }
+    if (held.rows() == 0) return Eigen::MatrixXd::Identity(n, n);
     const auto [values, vectors] = solver::right_singular_vectors(held);
+    const Index rank = (values.array() > rounding * values[0]).count();
+    return vectors.rightCols(n - rank);
+}
+
+std::vector<solver::RigidMotion> motions_left_to_contacts(const SolvedAssembly& solved, std::size_t grid) {
+    const std::vector<solver::RigidMotion>& free = solved.problem.parts[grid].free_motions;
+    if (free.empty() || !has_held_means(solved, grid)) return free;
+    const Eigen::MatrixXd combined = combinations_let_go(solved, grid, false);
     std::vector<solver::RigidMotion> left;
-    for (Index k = 0; k < n; ++k) {
-        if (k < values.size() && values[k] > rounding * values[0]) continue;
-        solver::RigidMotion sum{Vec2(0, 0), 0, free.front().center};
-        for (Index j = 0; j < n; ++j) {
-            sum.translation += vectors(j, k) * free[static_cast<std::size_t>(j)].at(sum.center);
-            sum.rotation += vectors(j, k) * free[static_cast<std::size_t>(j)].rotation;
-        }
-        left.push_back(sum);
-    }
+    for (Index k = 0; k < combined.cols(); ++k) left.push_back(solver::sum_of_motions(free, combined.col(k)));
     return left;
 }
 

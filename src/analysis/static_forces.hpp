@@ -11,6 +11,10 @@ namespace abut {
 /// action as they were found? False where there is no force.
 std::vector<char> given_by_statics(const SolvedAssembly& solved);
 
+/// The combinations of a solved part's free motions, orthonormal columns by motion, that supports of means and of points let
+/// go; are_led_free: of those alone that hold what they hold where it is, not elsewhere.
+Eigen::MatrixXd combinations_let_go(const SolvedAssembly& solved, std::size_t grid, bool are_led_free);
+
 /// The rigid motions of a solved part that nothing but contacts holds, in its own frame: its free motions, and of those that
 /// supports of means or of points resist the combinations that they let go.
 std::vector<solver::RigidMotion> motions_left_to_contacts(const SolvedAssembly& solved, std::size_t grid);

@@ -157,6 +157,8 @@ TEST(SupportMethods, PointsThatOnlyKeepInPlaceChangeNothing) {
     EXPECT_NEAR(r.probes[0].displacement.y(), -nu * 10 / E * 0.5, 1e-12);
     EXPECT_NEAR(r.parts.at(0).max_von_mises.value, 10, 1e-9);
     EXPECT_FALSE(r.parts.at(0).max_von_mises_at_corner);
+    c.material = R"("E": 20, "nu": 0.3)";  // strains by half: no motion of the part that it would have to be followed in
+    EXPECT_NEAR(answer(c).probes[0].displacement.x(), 10 / 20.0 * 1.75, 1e-9);
 }
 
 TEST(SupportMethods, PointsHoldWarmPartsAndThoseOfHeldMeans) {
