@@ -151,13 +151,9 @@ struct FoundPart {
 };
 
 /// `region_parts`: by region, its part among those found; -1 where it is none.
-void add_parts(const EntityGroup& group, const MendedLines* mended, const std::vector<Hatch>& hatches,
-               const SketchOptions& options, double rounding, SketchParts& sketch, std::vector<FoundPart>& found,
-               std::vector<int>& region_parts) {
-    const GroupOutlines closed = close_group(group, mended, options, rounding, sketch);
-    sketch.tolerance = std::max(sketch.tolerance, closed.largest_tolerance);
-    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence,
-                              {hatches, options.regions, static_cast<int>(sketch.regions.size()) + 1, !group.name.empty()});
+void add_parts(const std::string& group, const GroupOutlines& closed, const MaterialHints& hints, SketchParts& sketch,
+               std::vector<FoundPart>& found, std::vector<int>& region_parts) {
+    NestedParts nested = nest(closed.outlines, closed.tolerance, closed.coincidence, hints);
     append(sketch.problems, std::move(nested.problems));
     append(sketch.warnings, std::move(nested.warnings));
     for (std::size_t r = 0; r < nested.regions.size(); ++r)
@@ -169,10 +165,17 @@ void add_parts(const EntityGroup& group, const MendedLines* mended, const std::v
         Part& part = nested.parts[k];
         name_edges(part, entity);
         entity.resize(part.loops.front().edges.size());
-        part.name = nested.name[k].empty() ? part_name(entity, group.name) : nested.name[k];
-        found.push_back({std::move(part), group.name.empty() ? entity.front()->layer : group.name, entity.front()->line,
+        part.name = nested.name[k].empty() ? part_name(entity, group) : nested.name[k];
+        found.push_back({std::move(part), group.empty() ? entity.front()->layer : group, entity.front()->line,
                          static_cast<int>(found.size())});
     }
+}
+
+std::vector<Region> regions_inside(const Outlines& outlines) {
+    std::vector<Region> regions;
+    for (const EntityChain& chain : outlines.closed) regions.push_back(region_of(outlines.entities, chain));
+    for (const DividedOutline& divided : outlines.divided) regions.push_back(region_of(outlines.entities, divided.contour));
+    return regions;
 }
 
 // ---- all groups ----
@@ -182,6 +185,16 @@ struct DrawnLines {
     Drawing drawing;
     std::optional<MendedLines> mended{};  ///< of all entities, where that is known
 };
+
+/// What lies on a layer of its own says something about all parts, on the layer of a part about that.
+std::vector<Hatch> hatches_of(const EntityGroup& group, const std::vector<EntityGroup>& groups, std::vector<Hatch> hatches) {
+    std::erase_if(hatches, [&](const Hatch& hatch) {
+        return hatch.look.layer != group.name && std::any_of(groups.begin(), groups.end(), [&](const EntityGroup& other) {
+                   return other.name == hatch.look.layer;
+               });
+    });
+    return hatches;
+}
 
 SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, PartsBy parts_by) {
     const Drawing& drawing = lines.drawing;
@@ -193,9 +206,22 @@ SketchParts sketch_by(const DrawnLines& lines, const SketchOptions& options, Par
     std::vector<FoundPart> found;
     std::vector<int> region_parts;
     const std::vector<Hatch> hatches = moved(drawing.hatches, -origin);
-    for (const EntityGroup& group : group_entities(moved(drawing.entities, -origin), parts_by))
-        add_parts(group, parts_by == PartsBy::loop && lines.mended ? &*lines.mended : nullptr, hatches, options, rounding,
-                  sketch, found, region_parts);
+    const std::vector<EntityGroup> groups = group_entities(moved(drawing.entities, -origin), parts_by);
+    const MendedLines* mended = parts_by == PartsBy::loop && lines.mended ? &*lines.mended : nullptr;
+    std::vector<GroupOutlines> closed;
+    std::vector<std::vector<Region>> of_groups;
+    for (const EntityGroup& group : groups) {
+        closed.push_back(close_group(group, mended, options, rounding, sketch));
+        sketch.tolerance = std::max(sketch.tolerance, closed.back().largest_tolerance);
+        if (!hatches.empty() && groups.size() > 1) of_groups.push_back(regions_inside(closed.back().outlines));
+    }
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        const std::string& name = groups[g].name;
+        const int first_number = static_cast<int>(sketch.regions.size()) + 1;
+        const std::vector<Hatch> own = hatches_of(groups[g], groups, hatches);
+        add_parts(name, closed[g], {own, options.regions, first_number, !name.empty(), of_groups, g}, sketch, found,
+                  region_parts);
+    }
     std::stable_sort(found.begin(), found.end(), [](const FoundPart& a, const FoundPart& b) { return a.line < b.line; });
     for (FoundPart& one : found) {
         sketch.parts.push_back(std::move(one.part));

@@ -122,7 +122,19 @@ struct Decision {
 
     // ---- all ----
 
-    bool fill(int i) {
+    /// Does another group have material at this point of the region, inside outlines that lie in it?
+    bool is_anothers(const Region& region, const Vec2& inside) const {
+        const auto is_around = [&](const Region& other) {
+            return other.box.is_within(region.box, near_fraction * region.box.diagonal()) &&
+                   contains(finder_of(other).pieces, inside);
+        };
+        for (std::size_t g = 0; g < hints.of_groups.size(); ++g)
+            if (g != hints.group && std::count_if(hints.of_groups[g].begin(), hints.of_groups[g].end(), is_around) % 2 != 0)
+                return true;
+        return false;
+    }
+
+    bool fill(int i, const Vec2& inside) {
         Region& region = regions[at(i)];
         const auto choice = hints.choices.find(name(i));
         region.is_chosen = choice != hints.choices.end();
@@ -135,6 +147,7 @@ struct Decision {
             return what != "void";
         }
         const bool is_inside = is_inside_material(region);
+        if (is_inside && is_anothers(region, inside)) region.hatches.clear();
         if (!region.hatches.empty() || region.is_overlaid) return true;
         if (region.divided >= 0) return fill_face(region);
         if (is_twice(region) && !is_all_twice && !hints.is_one_part) return true;
@@ -165,7 +178,7 @@ struct Decision {
         std::iota(outermost_first.begin(), outermost_first.end(), 0);
         std::stable_sort(outermost_first.begin(), outermost_first.end(),
                          [&](int a, int b) { return regions[at(a)].area > regions[at(b)].area; });
-        for (const int i : outermost_first) regions[at(i)].is_filled = fill(i);
+        for (const int i : outermost_first) regions[at(i)].is_filled = fill(i, points[at(i)]);
     }
 
     // ---- what was taken ----

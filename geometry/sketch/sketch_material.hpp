@@ -22,11 +22,14 @@ struct MaterialHints {
     const std::map<std::string, std::string>& choices;  ///< what regions are, by their names (SketchOptions)
     int first_number = 1;                               ///< of the first region
     bool is_one_part = false;  ///< do the outlines belong to one part (a layer's)? Then what is drawn twice is so by mistake.
+    const std::vector<std::vector<Region>>& of_groups;  ///< outlines of all groups where what is hatched may be another's
+    std::size_t group = 0;                              ///< these outlines' own
 };
 
 /// Decides which regions are filled, the outermost first:
 ///   1. What the user chose.
-///   2. What is hatched is material; what is hatched alike beside it may be the same part (join_regions).
+///   2. What is hatched is material; what is hatched alike beside it may be the same part (join_regions). A hole of one group
+///      in which another has its outline is hatched for that.
 ///   3. What is drawn over other outlines is material.
 ///   4. An outline inside material is a hole, any other a part. Where it is drawn twice, unless all of them are, there is
 ///      material on both sides: a hole, and a part that fits. Inside a hole, a strip between two outlines that is as narrow as

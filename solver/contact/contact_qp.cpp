@@ -122,8 +122,7 @@ bool find_mechanism(const ContactQp& qp, ContactQpResult& result) {
 /// closing: C l.
 double residual_of(const ContactQp& qp, const ContactConditions& c, const VectorXd& closing) {
     if (c.gap.size() == 0) return 0;
-    const double force = force_scale(qp, c.multipliers), largest = c.multipliers.cwiseAbs().maxCoeff();
-    const double length = (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
+    const auto [force, largest, length] = residual_scales(qp, c, closing);
     const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
     double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0.0;
     for (Index k = 0; k < c.gap.size(); ++k) {
@@ -331,6 +330,13 @@ ContactQpResult solve_contact_qp(const ContactQp& qp) {
 double contact_residual(const ContactQp& qp, const ContactConditions& c) {
     if (!qp.friction.empty()) return friction_residual(qp, c);
     return residual_of(qp, c, qp.compliance * c.multipliers);
+}
+
+ResidualScales residual_scales(const ContactQp& qp, const ContactConditions& c, const VectorXd& closing) {
+    if (c.gap.size() == 0) return {force_scale(qp, c.multipliers), 0, 0};
+    const double least = feasibility_tolerance * qp.load_scale, largest = std::max(least, c.multipliers.cwiseAbs().maxCoeff());
+    const double of_least = least * qp.compliance.diagonal().maxCoeff();
+    return {force_scale(qp, c.multipliers), largest, std::max(of_least, (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff())};
 }
 
 bool solve_on_set(const ContactQp& qp, const std::vector<char>& active, VectorXd& multipliers, VectorXd& amplitudes) {

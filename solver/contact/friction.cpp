@@ -468,11 +468,8 @@ double friction_residual(const ContactQp& qp, const ContactConditions& c) {
     for (const FrictionRow& f : qp.friction) is_tangential[static_cast<std::size_t>(f.tangential)] = 1;
     for (std::size_t k = 0; k < is_tangential.size(); ++k)
         if (!is_tangential[k]) rows.push_back(static_cast<Index>(k));
-    const double largest = c.multipliers.size() > 0 ? c.multipliers.cwiseAbs().maxCoeff() : 0;
-    const VectorXd closing = qp.compliance * c.multipliers;
-    const double length = closing.size() == 0 ? 0 : (largest > 0 ? closing : c.gap).cwiseAbs().maxCoeff();
+    const auto [force, largest, length] = residual_scales(qp, c, qp.compliance * c.multipliers);
     const auto scaled = [](double value, double scale) { return scale > 0 ? value / scale : 0.0; };
-    const double force = force_scale(qp, c.multipliers);
     double worst = c.imbalance.size() > 0 ? scaled(c.imbalance.cwiseAbs().maxCoeff(), force) : 0;
     for (Index k : rows) {
         const double l = scaled(c.multipliers[k], largest), g = scaled(c.gap[k], length);

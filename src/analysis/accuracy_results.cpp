@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/analysis/largest_stress.hpp"
 #include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/io/number_text.hpp"
@@ -15,11 +16,6 @@
 namespace abut {
 
 namespace {
-
-/// A peak that still changes by more than this from grid to grid.
-constexpr double doubtful = 0.1;
-/// Of an error beside a target that it hardly exceeds.
-constexpr int most_digits = 15;
 
 /// A force that statics alone give errs by what its change from grid to grid shows, which the energy bounds: a cylinder on a
 /// block 2 to 12 times what the change says, 2e-6 of the force. Others err like the energy, in absolute terms of the largest on
@@ -168,10 +164,7 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
     if (result.accuracy.reached || (!is_by_model && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
     result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, result) : why_it_ended(out);
     const double known_to = result.accuracy.estimate.value_or(1);
-    const std::string target = percent_text(out.target);
-    std::string estimate = percent_text(known_to);
-    for (int digits = 3; estimate == target && digits <= most_digits; ++digits)
-        estimate = number_text(100 * known_to, digits) + " %";
+    const std::string target = percent_text(out.target), estimate = percent_beside(known_to, out.target);
     tell({{0, "",
            "the estimated error of the " + result.accuracy.of + ", " + estimate + ", is above the " + target +
                " aimed at: " + result.accuracy.why,

@@ -63,9 +63,9 @@ std::string holding_friction(const Outcome& out) {
         if (c.friction > 0 && !c.bonded) coefficients.insert(c.friction);
     if (factor == 0 || coefficients.empty()) return "";
     if (coefficients.size() == 1)
-        return ". A coefficient of friction of " + number_text(*coefficients.begin() * factor, 4) + " would hold it, " +
-               number_text(*coefficients.begin(), 4) + " does not";
-    return ". Coefficients of friction " + number_text(factor, 4) + " times as large would hold it";
+        return ". A coefficient of friction of " + number_beside(*coefficients.begin() * factor, *coefficients.begin(), 4) +
+               " would hold it, " + number_text(*coefficients.begin(), 4) + " does not";
+    return ". Coefficients of friction " + number_beside(factor, 1, 4) + " times as large would hold it";
 }
 
 void fill_failure(const Scene& scene, const Outcome& out, Result& result) {
@@ -211,6 +211,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     note_idle_holds(scene, solved, result);
     check_assumptions(scene, conditions, out, result);
     warn_of_turned_contacts(scene, out, result);
+    warn_of_unstable_balance(scene, solved, result);
     warn_of_buckling(scene, out, result);
     note_own_factors(scene, out, result);
     if (solved.solution.is_way_broken)

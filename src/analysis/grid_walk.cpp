@@ -37,6 +37,8 @@ constexpr double search_widening = 3, farthest_search = 1 / first_search_fractio
 /// On the same candidates, since contacts were last found or lost; in all so many times as many.
 constexpr int max_passes = 7, most_beginnings = 4;
 
+/// For the largest stress alone, where all else is known.
+constexpr int max_sharpenings = 2;
 /// The last pressure's middle is a sixth as far from the end from pass to pass: this many tell a thousandth of a zone.
 constexpr int max_tippings = 5;
 
@@ -55,27 +57,6 @@ bool grids_are_fixed(const Scene& scene) {
     if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
     if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
     return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
-
-/// energy: of each part, as shares of what it stores.
-std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
-    for (std::size_t k = 0; k < energy.size(); ++k)
-        if (const double own = energy_of_part(solved, k); own > 0) energy[k] /= own;
-    return energy;
-}
-
-/// Bonded parts are one body: the cells that are wanted at a place of one of them are wanted around it in all.
-WantedSizes with_bonded(const WantedSizes& wanted, const std::vector<Candidate>& candidates) {
-    std::vector<std::size_t> body(wanted.size());
-    std::iota(body.begin(), body.end(), std::size_t{0});
-    for (const Candidate& c : candidates)
-        if (c.bonded && body[at(c.first)] != body[at(c.second)])
-            std::replace(body.begin(), body.end(), std::size_t{body[at(c.second)]}, std::size_t{body[at(c.first)]});
-    WantedSizes all(wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        for (std::size_t j = 0; j < wanted.size(); ++j)
-            if (body[i] == body[j]) all[i].insert(all[i].end(), wanted[j].begin(), wanted[j].end());
-    return all;
 }
 
 }  // namespace
@@ -289,7 +270,7 @@ private:
             if (is_too_deep(now)) return end_too_deep(std::move(now));
             if (now.limited_grids > 0) return end(std::move(now), PathEnd::out_of_cells);
             if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-            if (!is_low_at_most) add_largest_stress(now, out_.largest, raisers_);
+            if (!is_low_at_most) add_largest_stress(scene_, conditions_, now, out_.stress, out_.largest, raisers_);
             if (!has_raisers && !is_low_on_the_whole) next_.coarseness /= coarsening_step;
         }
         coarsen_less(next_);
@@ -445,12 +426,12 @@ private:
             if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
             look_for_missed(now);
         }
-        if (is_reached()) return end(std::move(now), PathEnd::reached);
+        if (is_reached() && !is_stress_doubtful(now)) return end(std::move(now), PathEnd::reached);
         if (next_.on_final_cells() && is_too_deep(now)) return end_too_deep(std::move(now));
         if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
             return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-        const PressedStretches stretches = ask_for_next(now, out_.errors.back());
+        const PressedStretches stretches = is_reached() ? ask_for_stress(now) : ask_for_next(now, out_.errors.back());
         if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
         move_seams(scene_, now, out_.candidates);
         expect_ends(scene_, now, stretches, out_.candidates);
@@ -494,7 +475,30 @@ private:
         return error.contact_pressure && std::max(*error.contact_pressure, *error.peak) <= out_.target && !any_missed(missed_);
     }
 
-    /// Sets the sizes that are wanted next. The contacts as they are expected.
+    /// Is it worth another grid that the largest stress is known badly, which pressures do not say?
+    bool is_stress_doubtful(const SolvedAssembly& now) {
+        if (sharpened_ >= max_sharpenings || now.limited_grids > 0 || is_too_deep(now) || out_of_passes()) return false;
+        recover_stress(now);
+        const LargestStress* most = strongest(out_.largest);
+        return most && !most->corner && most->error.value_or(0) > doubtful;
+    }
+
+    /// The same grids, but where the stress is largest.
+    PressedStretches ask_for_stress(const SolvedAssembly& now) {
+        ++sharpened_;
+        add_largest_stress(scene_, conditions_, now, out_.stress, out_.largest, raisers_);
+        return want(now, now.stretches);
+    }
+
+    /// The sizes that the contacts as they are expected ask for, and what raises stresses.
+    PressedStretches want(const SolvedAssembly& now, PressedStretches stretches) {
+        wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
+        add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
+        add_raisers();
+        return stretches;
+    }
+
+    /// The contacts as they are expected.
     PressedStretches ask_for_next(const SolvedAssembly& now, const ErrorEstimate& error) {
         const bool is_first = next_.goal.empty(), has_goals = begins_like_another_ && out_.passes.size() == 1;
         if (is_first || has_goals) theory_ = contacts_by_theory(scene_, now);
@@ -508,11 +512,7 @@ private:
             if (may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
-        PressedStretches stretches = with_missed(is_first ? theory_.stretches : now.stretches, followed_);
-        wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
-        add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
-        add_raisers();
-        return stretches;
+        return want(now, with_missed(is_first ? theory_.stretches : now.stretches, followed_));
     }
 
     double seconds_so_far() const { return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"]; }
@@ -535,7 +535,7 @@ private:
         double factor = 0;
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
-    int widenings_ = 0, tipped_ = 0;
+    int widenings_ = 0, tipped_ = 0, sharpened_ = 0;
     bool is_over_ = false, is_answered_ = false, begins_like_another_ = false;
     std::string failed_, finer_failed_;
     bool meets_others_ = false;

@@ -22,24 +22,47 @@ constexpr double cells_from_corner = 2;       // a largest stress no farther fro
 constexpr double smaller_cells = 10;          // on which stress at a corner is compared with the largest one
 constexpr double half_a_cell = 0.5;           // over which an error of strains adds up, before it changes sign
 
-/// von Mises stress of what the smoothed stress and that of the displacement differ by: the largest at a place and at the
-/// quadrature points of its element. At one point they may agree by chance.
+/// von Mises stresses in an element, the largest of each.
+struct StressByElement {
+    double smoothed = 0;
+    double missing = 0;  ///< of what the smoothed stresses and those of the displacement differ by
+};
+
+/// Smoothed stresses and those of the displacement at the same place, as von Mises stresses.
+class StressesAt {
+public:
+    StressesAt(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress)
+        : input_(grid.input), raw_(grid.input, displacement), stress_(stress) {}
+
+    /// The larger of what is there and of this place.
+    void extend(StressByElement& all, int element, const Vec2& x) const {
+        const Eigen::Vector4d smoothed = stress_at(stress_, element, x);
+        all.smoothed = std::max(all.smoothed, von_mises(with_zz(smoothed.head<3>(), [&] { return smoothed[3]; })));
+        all.missing = std::max(all.missing, von_mises(with_zz(smoothed.head<3>() - raw_(element, x),
+                                                              [&] { return smoothed[3] - raw_.zz(element, x); })));
+    }
+
+private:
+    template <class OwnZz>
+    Stress with_zz(const Eigen::Vector3d& s, OwnZz zz) const {
+        return {s[0], s[1], s[2], has_own_zz(input_) ? zz() : input_.elasticity.out_of_plane * (s[0] + s[1])};
+    }
+    const solver::PartInput& input_;
+    const solver::StressOf raw_;
+    const solver::StressField& stress_;
+};
+
+/// The largest missing at a place and at the quadrature points of its element. At one point they may agree by chance.
 double smoothing_around(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                         int element, const Vec2& place) {
-    const solver::StressOf raw(grid.input, displacement);
-    double largest = 0;
-    const auto take = [&](const Vec2& x) {
-        const Eigen::Vector4d smoothed = stress_at(stress, element, x);
-        const Eigen::Vector3d s = smoothed.head<3>() - raw(element, x);
-        const double zz =
-            has_own_zz(grid.input) ? smoothed[3] - raw.zz(element, x) : grid.input.elasticity.out_of_plane * (s[0] + s[1]);
-        largest = std::max(largest, von_mises({s[0], s[1], s[2], zz}));
-    };
-    take(place);
+    const StressesAt stresses(grid, displacement, stress);
+    StressByElement largest;
+    stresses.extend(largest, element, place);
     for_all_cells(grid.input, [&](const solver::CellRule& cell) {
-        if (cell.element == element) std::for_each(cell.points.begin(), cell.points.end(), take);
+        if (cell.element == element)
+            for (const Vec2& x : cell.points) stresses.extend(largest, element, x);
     });
-    return largest;
+    return largest.missing;
 }
 
 /// What a cell does not see of a notch whose radius is below its size, of the stress there: notches as deep as the cell raise
@@ -97,8 +120,10 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     result.displacement = found.displacement.value;
     result.von_mises = found.von_mises.value;
     if (found.von_mises.element < 0 || grid.is_rigid) return result;
-    if (result.von_mises.value <= rounding_of_strain * grid.input.elasticity.d11 * result.displacement.value / grid.size)
-        return result;
+    const Stress there = sample_field(grid, displacement, stress, found.von_mises.element, found.von_mises.local).stress;
+    const double direct = std::max({std::abs(there.xx), std::abs(there.yy), std::abs(there.zz)}),
+                 turned = grid.input.elasticity.d11 * result.displacement.value / grid.size;
+    if (result.von_mises.value <= rounding_of_strain * std::max(direct, turned)) return result;
     const auto cell_of = [&](const LargestOfPart::Found& f) {
         return grid.cells.grid.box(grid.elements.cell_of(f.element)).size().maxCoeff();
     };
@@ -136,6 +161,31 @@ std::vector<LargestStress> largest_stresses(const Scene& scene, const ResolvedCo
             all[k].error =
                 std::max(*all[k].error, std::abs(all[k].von_mises.value - before[k].von_mises.value) / all[k].von_mises.value);
     return all;
+}
+
+std::vector<int> elements_as_large(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                                   std::size_t k, const solver::StressField& stress, const LargestStress& largest) {
+    constexpr double tolerated = 0.01;  // of a stress: what no other grid is worth
+    const PartOnGrid& grid = solved.grids[k];
+    const StressesAt stresses(grid, solved.solution.displacement[k], stress);
+    std::vector<StressByElement> all(grid.input.space.fraction.size());
+    for_all_cells(grid.input, [&](const solver::CellRule& cell) {
+        for (const Vec2& x : cell.points) stresses.extend(all[at(cell.element)], cell.element, x);
+    });
+    const auto places = singular_places(scene, conditions, solved, grid.part);
+    const auto is_corners = [&](int element) {
+        const Vec2 size = grid.input.space.cell_size(element),
+                   middle = grid.frame.to_global(grid.input.space.low_corner(element) + 0.5 * size);
+        return std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
+            return (p.at - middle).norm() <= cells_from_corner * size.maxCoeff();
+        });
+    };
+    const double as_large = (1 - std::min(largest.error.value_or(0), doubtful)) * largest.von_mises.value;
+    std::vector<int> elements;
+    for (int e = 0; e < static_cast<int>(all.size()); ++e)
+        if (all[at(e)].smoothed >= as_large && all[at(e)].missing > tolerated * all[at(e)].smoothed && !is_corners(e))
+            elements.push_back(e);
+    return elements;
 }
 
 const LargestStress* strongest(const std::vector<LargestStress>& all) {

@@ -17,6 +17,10 @@
 
 namespace abut {
 
+/// A largest stress that is known no better than to this share of it is doubtful: that is told, and contact problems, which aim
+/// at pressures, go on for it.
+inline constexpr double doubtful = 0.1;
+
 /// The largest stress of one part, and its largest displacement.
 struct LargestStress {
     ValueAt displacement;           ///< the largest, too: both are found in one go
@@ -37,5 +41,11 @@ std::vector<LargestStress> largest_stresses(const Scene& scene, const ResolvedCo
 
 /// The largest stress of all; nullptr where there is none.
 const LargestStress* strongest(const std::vector<LargestStress>& all);
+
+/// The elements of solved.grids[k] whose stress is as large as the largest of their part, within its error and 10 % of it at
+/// most, and that are not fine enough for it; none beside corners. Cost: an evaluation of both stresses at every quadrature
+/// point.
+std::vector<int> elements_as_large(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                                   std::size_t k, const solver::StressField& stress, const LargestStress& largest);
 
 }  // namespace abut

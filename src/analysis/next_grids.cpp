@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "src/base/index.hpp"
 
 namespace abut {
 
@@ -111,6 +114,19 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
         end_fraction = std::max(next.goal[k], std::min(end_known * error.contacts[k]->ends, finer));
     }
     coarsen_less(next);
+}
+
+WantedSizes with_bonded(const WantedSizes& wanted, const std::vector<Candidate>& candidates) {
+    std::vector<std::size_t> body(wanted.size());
+    std::iota(body.begin(), body.end(), std::size_t{0});
+    for (const Candidate& c : candidates)
+        if (c.bonded && body[at(c.first)] != body[at(c.second)])
+            std::replace(body.begin(), body.end(), std::size_t{body[at(c.second)]}, std::size_t{body[at(c.first)]});
+    WantedSizes all(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        for (std::size_t j = 0; j < wanted.size(); ++j)
+            if (body[i] == body[j]) all[i].insert(all[i].end(), wanted[j].begin(), wanted[j].end());
+    return all;
 }
 
 }  // namespace abut

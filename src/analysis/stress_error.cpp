@@ -209,4 +209,10 @@ std::optional<std::vector<double>> energy_errors(const SolvedAssembly& solved, c
     return error;
 }
 
+std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy) {
+    for (std::size_t k = 0; k < energy.size(); ++k)
+        if (const double own = energy_of_part(solved, k); own > 0) energy[k] /= own;
+    return energy;
+}
+
 }  // namespace abut

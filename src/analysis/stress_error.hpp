@@ -38,4 +38,7 @@ bool is_strained(const SolvedAssembly& solved);
 std::optional<std::vector<double>> energy_errors(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress,
                                                  int threads = 1);
 
+/// Energies of each of solved.grids, as shares of what it stores.
+std::vector<double> of_own_energy(const SolvedAssembly& solved, std::vector<double> energy);
+
 }  // namespace abut

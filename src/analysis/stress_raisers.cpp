@@ -62,12 +62,16 @@ bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::
     return n > 0;
 }
 
-void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted) {
+void add_largest_stress(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                        const std::vector<solver::StressField>& stress, const std::vector<LargestStress>& largest,
+                        WantedSizes& wanted) {
     const LargestStress* most = strongest(largest);
     if (!most) return;
     const auto k = static_cast<std::size_t>(most - largest.data());
-    wanted[static_cast<std::size_t>(solved.grids[k].part)].push_back(
-        {{most->von_mises.at}, refinement * most->cell, size_growth});
+    std::vector<WantedSize>& own = wanted[static_cast<std::size_t>(solved.grids[k].part)];
+    own.push_back({{most->von_mises.at}, refinement * most->cell, size_growth});
+    for (const int element : elements_as_large(scene, conditions, solved, k, stress[k], *most))
+        own.push_back(smaller_cell(solved.grids[k], element));
 }
 
 }  // namespace abut

@@ -14,7 +14,10 @@ namespace abut {
 /// displacement). False: the error lies everywhere, and nothing is added. stress: by part of solved.grids.
 bool add_stress_raisers(const SolvedAssembly& solved, const std::vector<solver::StressField>& stress, WantedSizes& wanted);
 
-/// Adds smaller cells where the largest stress of all parts stands.
-void add_largest_stress(const SolvedAssembly& solved, const std::vector<LargestStress>& largest, WantedSizes& wanted);
+/// Adds smaller cells where the largest stress of all parts stands, and wherever its part's stress is as large within the error
+/// of that: around a bore it is so all the way round.
+void add_largest_stress(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                        const std::vector<solver::StressField>& stress, const std::vector<LargestStress>& largest,
+                        WantedSizes& wanted);
 
 }  // namespace abut

@@ -17,15 +17,21 @@
 //
 // A contact that moves along as its body rolls, while loads stay, balances a moment that it does not have: what loads do in a
 // motion in which no contact force could work where the parts were drawn is balanced by nothing.
+//
+// Motions in which no force can work (bodies roll on each other) are pushed: loads and forces that work in them then, and not
+// against them, take them farther.
 #include "src/analysis/turned_contacts.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "solver/linear_algebra/dense.hpp"
+#include "solver/parts/free_motions.hpp"
 #include "src/analysis/placement.hpp"
 #include "src/analysis/static_forces.hpp"
+#include "src/answers/motion_text.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
@@ -200,7 +206,8 @@ bool join_at_corner(const SolvedAssembly& solved, const StretchForce& other, Str
     if ((other.pair.on1.x - to.pair.on1.x).norm() > 2 * (other.half_length + to.half_length)) return false;
     const double turn1 = std::abs(angle_between(other.pair.on1.normal, to.pair.on1.normal)),
                  turn2 = std::abs(angle_between(other.pair.on2.normal, to.pair.on2.normal));
-    if (std::max(turn1, turn2) <= meeting_angle) return false;
+    // where the other body turns, too, it has a corner of its own in this one's: it rests on two faces
+    if (std::max(turn1, turn2) <= meeting_angle || std::min(turn1, turn2) > 0.5 * std::max(turn1, turn2)) return false;
     const Vec2 force = other.force + to.force;
     if (other.force.norm() > to.force.norm()) to = other;
     to.force = force;
@@ -226,6 +233,61 @@ std::vector<MovedForce> moved_forces(const Scene& scene, const SolvedAssembly& s
     return lines;
 }
 
+/// What a line's force can be besides what it is.
+struct Unknown {
+    std::size_t line;
+    Vec2 direction;  ///< zero: a couple
+};
+
+std::vector<Unknown> unknowns_of(const std::vector<MovedForce>& lines) {
+    std::vector<Unknown> unknowns;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const Vec2 direction = lines[k].force.norm() > 0 ? lines[k].force.normalized() : Vec2(1, 0);
+        unknowns.push_back({k, direction});
+        if (lines[k].any_direction) unknowns.push_back({k, left_of(direction)});
+        if (lines[k].any_place) unknowns.push_back({k, {0, 0}});
+    }
+    return unknowns;
+}
+
+/// By row, what each unknown works. By the places as drawn: the same to the first order, and what works nothing in a motion
+/// does so here.
+Eigen::MatrixXd works_of(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
+                         const std::vector<Unknown>& unknowns) {
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Index>(b.part.size()), static_cast<Index>(unknowns.size()));
+    for (std::size_t row = 0; row < b.part.size(); ++row)
+        for (std::size_t j = 0; j < unknowns.size(); ++j) {
+            const MovedForce& l = lines[unknowns[j].line];
+            const Vec2 &direction = unknowns[j].direction, place = l.drawn + l.along;
+            const Vec2 aside(solved.grids[b.part[row]].size, 0);
+            // a couple at the part's size: a force there and its opposite at the line
+            matrix(static_cast<Index>(row), static_cast<Index>(j)) =
+                direction.norm() > 0 ? work_in_row(solved, b, row, l.contact, place, direction)
+                                     : work_in_row(solved, b, row, l.contact, place + aside, {0, 1}) -
+                                           work_in_row(solved, b, row, l.contact, place, {0, 1});
+        }
+    return matrix;
+}
+
+/// By row, what the lines' forces and the loads do more where parts have gone.
+Eigen::VectorXd off_balance(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
+                            const std::vector<solver::RigidMotion>& motions) {
+    Eigen::VectorXd off(static_cast<Index>(b.part.size()));
+    for (std::size_t row = 0; row < b.part.size(); ++row) {
+        double& sum = off[static_cast<Index>(row)] = load_change(solved, b, row, motions[b.part[row]]);
+        for (const MovedForce& l : lines)
+            sum += work_in_row(solved, b, row, l.contact, l.moved, l.turned) -
+                   work_in_row(solved, b, row, l.contact, l.drawn, l.force);
+    }
+    return off;
+}
+
+Index rank_of(const Eigen::VectorXd& values) {
+    Index rank = 0;
+    while (rank < values.size() && values[rank] > known_places * values[0]) ++rank;
+    return rank;
+}
+
 /// Changes of the lines' forces on their first parts that balance them where parts have gone, with those of `turned`; and by
 /// row what they leave out of balance, and what loads do in motions in which no force of a contact would work as drawn.
 struct Rebalanced {
@@ -235,41 +297,13 @@ struct Rebalanced {
 
 Rebalanced rebalanced(const SolvedAssembly& solved, const Balance& b, const std::vector<MovedForce>& lines,
                       const std::vector<solver::RigidMotion>& motions) {
-    struct Unknown {
-        std::size_t line;
-        Vec2 direction;  ///< zero: a couple
-    };
-    std::vector<Unknown> unknowns;
-    for (std::size_t k = 0; k < lines.size(); ++k) {
-        const Vec2 direction = lines[k].force.norm() > 0 ? lines[k].force.normalized() : Vec2(1, 0);
-        unknowns.push_back({k, direction});
-        if (lines[k].any_direction) unknowns.push_back({k, left_of(direction)});
-        if (lines[k].any_place) unknowns.push_back({k, {0, 0}});
-    }
-    // by the places as drawn: the same to the first order, and what works nothing in a motion does so here
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(static_cast<Index>(b.part.size()), static_cast<Index>(unknowns.size()));
-    Eigen::VectorXd off = Eigen::VectorXd::Zero(matrix.rows()), loads = off;
-    for (std::size_t row = 0; row < b.part.size(); ++row) {
-        const auto r = static_cast<Index>(row);
-        const double size = solved.grids[b.part[row]].size;
-        off[r] = load_change(solved, b, row, motions[b.part[row]]);
-        loads[r] = load_work(solved, b, row);
-        for (const MovedForce& l : lines)
-            off[r] += work_in_row(solved, b, row, l.contact, l.moved, l.turned) -
-                      work_in_row(solved, b, row, l.contact, l.drawn, l.force);
-        for (std::size_t j = 0; j < unknowns.size(); ++j) {
-            const MovedForce& l = lines[unknowns[j].line];
-            const Vec2 &direction = unknowns[j].direction, place = l.drawn + l.along;
-            // a couple at the part's size: a force there and its opposite at the line
-            matrix(r, static_cast<Index>(j)) = direction.norm() > 0
-                                                   ? work_in_row(solved, b, row, l.contact, place, direction)
-                                                   : work_in_row(solved, b, row, l.contact, place + Vec2(size, 0), {0, 1}) -
-                                                         work_in_row(solved, b, row, l.contact, place, {0, 1});
-        }
-    }
+    const std::vector<Unknown> unknowns = unknowns_of(lines);
+    const Eigen::MatrixXd matrix = works_of(solved, b, lines, unknowns);
+    const Eigen::VectorXd off = off_balance(solved, b, lines, motions);
+    Eigen::VectorXd loads(off.size());
+    for (std::size_t row = 0; row < b.part.size(); ++row) loads[static_cast<Index>(row)] = load_work(solved, b, row);
     const auto [values, vectors] = solver::right_singular_vectors(matrix);
-    Index rank = 0;
-    while (rank < values.size() && values[rank] > known_places * values[0]) ++rank;
+    const Index rank = rank_of(values);
     const auto range = vectors.leftCols(rank);
     const auto balancing = [&](const Eigen::VectorXd& work) -> Eigen::VectorXd {
         const Eigen::VectorXd along_range = range.transpose() * (matrix.transpose() * work);
@@ -333,7 +367,83 @@ bool has_resultants(const SolvedAssembly& solved, const std::vector<MovedForce>&
     return std::any_of(lines.begin(), lines.end(), [&](const MovedForce& l) { return has_resultant(solved, l); });
 }
 
+/// The motions of parts under `share` of a motion of the rows, beside those that they have.
+std::vector<solver::RigidMotion> moved_on(const Balance& b, const Eigen::VectorXd& motion, double share,
+                                          std::vector<solver::RigidMotion> motions) {
+    for (std::size_t row = 0; row < b.part.size(); ++row) {
+        solver::RigidMotion& of_part = motions[b.part[row]];
+        const double amplitude = share * motion[static_cast<Index>(row)];
+        of_part.translation += amplitude * b.motion[row].at(of_part.center);
+        of_part.rotation += amplitude * b.motion[row].rotation;
+    }
+    return motions;
+}
+
+double largest_force(const std::vector<MovedForce>& lines) {
+    double largest = 0;
+    for (const MovedForce& l : lines) largest = std::max(largest, l.force.norm());
+    return largest;
+}
+
+/// The motion of the rows in which no contact holds the parts, rolling on each other, and in which they go on by themselves,
+/// the fastest of them; empty: none. Friction holds what turns in a hollow face.
+Eigen::VectorXd unstable_motion(const Scene& scene, const SolvedAssembly& solved, const Turned& turned) {
+    constexpr double push = 1e-5;  // radians
+    const Balance& b = turned.balance;
+    std::vector<Unknown> unknowns = unknowns_of(turned.lines);
+    for (std::size_t k = 0; k < turned.lines.size(); ++k)
+        if (turned.lines[k].normal.norm() == 0 && friction_of(solved, turned.lines[k].contact) > 0)
+            unknowns.push_back({k, {0, 0}});
+    const Eigen::MatrixXd works = works_of(solved, b, turned.lines, unknowns);
+    const auto [values, vectors] = solver::right_singular_vectors(works.transpose());
+    const Eigen::MatrixXd rolling = vectors.rightCols(works.rows() - rank_of(values));
+    if (rolling.cols() == 0) return {};
+    Eigen::MatrixXd driving(rolling.cols(), rolling.cols());
+    double turn = 0;  // sizes times squared rotations, of the one that turns most
+    for (Index k = 0; k < rolling.cols(); ++k) {
+        double fastest = 0;
+        for (std::size_t row = 0; row < b.part.size(); ++row) {
+            const double rotation = std::abs(rolling(static_cast<Index>(row), k) * b.motion[row].rotation);
+            fastest = std::max(fastest, rotation);
+            turn = std::max(turn, solved.grids[b.part[row]].size * rotation * rotation);
+        }
+        if (fastest == 0) return {};
+        const auto off = [&](double share) {
+            const auto motions = moved_on(b, rolling.col(k), share / fastest, turned.motions);
+            return off_balance(solved, b, moved_forces(scene, solved, motions), motions);
+        };
+        driving.col(k) = rolling.transpose() * (off(push) - off(-push)) / (2 * push / fastest);
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (driving + driving.transpose()));
+    const Index most = driving.cols() - 1;
+    if (!(eigen.eigenvalues()[most] > known_places * largest_force(turned.lines) * turn)) return {};
+    return rolling * eigen.eigenvectors().col(most);
+}
+
 }  // namespace
+
+void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, Result& result) {
+    const Turned turned = turned_of(scene, solved);
+    if (std::none_of(turned.lines.begin(), turned.lines.end(),
+                     [&](const MovedForce& l) { return friction_of(solved, l.contact) > 0; }))
+        return;  // what slides freely was pushed where it was put
+    const Eigen::VectorXd motion = unstable_motion(scene, solved, turned);
+    std::vector<Finding> findings;
+    for (std::size_t i = 0; motion.size() > 0 && i < solved.grids.size(); ++i) {
+        const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, i);
+        const auto first = std::find(turned.balance.part.begin(), turned.balance.part.end(), i);
+        if (first == turned.balance.part.end()) continue;
+        const Eigen::VectorXd own = motion.segment(first - turned.balance.part.begin(), static_cast<Index>(free.size()));
+        if (own.norm() <= known_places * motion.norm()) continue;
+        const std::string text = "the balance is unstable: once pushed, " +
+                                 motion_text(scene, solved, {static_cast<int>(i), solver::sum_of_motions(free, own)}) +
+                                 " and goes on";
+        findings.push_back({own.norm(), scene.parts[at(solved.grids[i].part)].name,
+                            text + ", rolling, which friction does not hold: this is the answer as long as nothing pushes",
+                            text});
+    }
+    tell(std::move(findings), "turned_balance", result);
+}
 
 bool are_forces_turned(const Scene& scene, const Outcome& out) {
     const auto [balance, motions, lines] = turned_of(scene, out.solved);
@@ -364,8 +474,7 @@ void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& res
     const SolvedAssembly& solved = out.solved;
     const auto [balance, motions, lines] = turned_of(scene, solved);
     if (!has_resultants(solved, lines)) return;
-    double largest = 0;
-    for (const MovedForce& l : lines) largest = std::max(largest, l.force.norm());
+    const double largest = largest_force(lines);
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";

@@ -19,4 +19,9 @@ std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solv
 /// rolls), and where friction would then have to bear more than it can.
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result);
 
+/// Warns, with a reason against the answer, where parts are balanced on each other as friction lets them roll, and any push
+/// would have them go on: a plate on one roller, loaded above the roller's middle. Without friction this was seen as the parts
+/// were put where they come to rest.
+void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, Result& result);
+
 }  // namespace abut

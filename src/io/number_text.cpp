@@ -10,6 +10,7 @@ namespace abut {
 
 namespace {
 
+constexpr int most_digits = 15;         ///< that a double has
 constexpr int coordinate_decimals = 2;  ///< a hundredth of a pixel: finer than any screen or printer shows
 
 std::string to_text(double value, std::chars_format format, int precision) {
@@ -47,6 +48,17 @@ std::string number_text(double value, int digits) {
 
 std::string percent_text(double fraction) {
     return number_text(100 * fraction, 2) + " %";
+}
+
+std::string number_beside(double value, double other, int digits) {
+    const std::string beside = number_text(other, digits);
+    std::string text = number_text(value, digits);
+    while (text == beside && digits < most_digits) text = number_text(value, ++digits);
+    return text;
+}
+
+std::string percent_beside(double fraction, double other) {
+    return number_beside(100 * fraction, 100 * other, 2) + " %";
 }
 
 std::string coordinate_text(double pixels) {

@@ -39,8 +39,7 @@ std::string case_box(const CaseResult& c, std::size_t k, const ModelFacts& model
 
 /// A part of the yield is shown as the tables of one result have it.
 std::string largest_text(const EnvelopeLine& line) {
-    return line.quantity == "utilisation" ? number_text(100 * line.largest.value, 3) + " %"
-                                          : with_unit(line.largest.value, 5, line.unit);
+    return line.quantity == "utilisation" ? percent_beside(line.largest.value, 1) : with_unit(line.largest.value, 5, line.unit);
 }
 
 std::string envelope_table(const std::vector<CaseResult>& cases) {

@@ -12,8 +12,8 @@ namespace {
 
 std::string aimed_and_reached(const Result& result) {
     const auto& a = result.accuracy;
-    std::string words =
-        "Estimated error of the " + a.of + ": " + percent_text(*a.estimate) + "; aimed at: " + percent_text(a.target) + ".";
+    std::string words = "Estimated error of the " + a.of + ": " + percent_beside(*a.estimate, a.target) +
+                        "; aimed at: " + percent_text(a.target) + ".";
     if (!a.why.empty()) words += " Not reached: " + a.why + ".";
     if (a.of == "contact pressure")
         words +=

@@ -34,7 +34,8 @@ std::string units_text(const ResultUnits& u) {
 std::string accuracy_text(const Result& result) {
     const auto& a = result.accuracy;
     if (!a.estimate) return "";
-    return percent_text(a.target) + " of the " + a.of + " asked for, " + percent_text(*a.estimate) + " reached";
+    return percent_text(a.target) + " of the " + a.of + " asked for, " +
+           percent_beside(*a.estimate, a.reached ? *a.estimate : a.target) + " reached";
 }
 
 FactRows general_rows(const Result& result, const ModelFacts& model) {

@@ -162,7 +162,7 @@ std::string part_table(const Result& result, const ResultUnits& u) {
                                    : "not analysed: no load reaches it",
                         value(p.max_displacement), at(p.max_displacement),
                         known(p.max_von_mises) ? largest_stress_text(p, 5, "") : "–", at(p.max_von_mises),
-                        p.utilisation ? percent_text(*p.utilisation) : "–"});
+                        p.utilisation ? percent_beside(*p.utilisation, 1) : "–"});
     }
     return subsection("Parts", html_table({{"part"},
                                            {"material"},

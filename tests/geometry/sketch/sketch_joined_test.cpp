@@ -164,5 +164,28 @@ TEST(SketchJoined, LayersSeparateWhateverIsHatched) {
     EXPECT_EQ(part_names(sketch), (std::vector<std::string>{"A", "B"}));
 }
 
+TEST(SketchJoined, AHoleIsHatchedForThePinOfAnotherLayer) {
+    for (const double radius : {4.99, 5.0, 5.01}) {
+        Hatch hatch{{{Arc{{10, 10}, radius, 0, 2 * std::numbers::pi}}}, plain};
+        Entities lines = drawn_rectangle({0, 0}, {20, 20}, "a", "A") +
+                         Entities{drawn_circle({10, 10}, 5, "h", "A"), drawn_circle({10, 10}, radius, "p", "B")};
+        EXPECT_EQ(part_names(parts_with(lines, {hatch})), (std::vector<std::string>{"A", "B"})) << radius;
+        // where no other layer has anything there, it is a part that the hole holds
+        lines.pop_back();
+        lines.push_back(drawn_circle({40, 10}, radius, "q", "B"));
+        EXPECT_EQ(part_names(parts_with(lines, {hatch})), (std::vector<std::string>{"A#0", "A#1", "B"})) << radius;
+    }
+}
+
+TEST(SketchJoined, AHatchOnAPartsLayerIsThatParts) {
+    Entities lines = drawn_rectangle({0, 0}, {20, 20}, "a", "A") + Entities{drawn_circle({10, 10}, 5, "h", "A")} +
+                     drawn_rectangle({-20, -20}, {40, 40}, "b", "B");
+    const Hatch behind = hatch_of(rectangle_of({-20, -20}, {40, 40}), {"ANSI31", 0, 1, "B", 7});
+    SketchOptions by_layer;
+    by_layer.parts_by = PartsBy::layer;
+    EXPECT_EQ(part_names(parts_with(lines, {behind}, by_layer)), (std::vector<std::string>{"A", "B"}));
+    EXPECT_NEAR(area(parts_with(lines, {behind}, by_layer).parts[0]), 400 - 25 * pi, 1e-9);
+}
+
 }  // namespace
 }  // namespace abut::geometry::sketch_joined_test

@@ -35,6 +35,25 @@ TEST(ManyContacts, AreAnsweredAsByAllOfTheirRows) {
     EXPECT_LT(solved.solution.residual, 1e-10);
 }
 
+/// What holds a part without having to carry anything leaves rounding, which has no scale but the loads.
+TEST(ManyContacts, AreNotDoubtedForPartsThatCarryNothing) {
+    for (const std::string loads : {R"({"on": "bar/left", "force": [-1000, 0]}, {"on": "bar/right", "force": [1000, 0]})",
+                                    R"({"part": "bar", "spin": {"about": [250, 5], "omega": 314}})"}) {
+        const Result r = analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3, "density": 8e-9}},
+            "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [200, 0], "max": [300, 10]}}},
+                      {"name": "disc", "material": "m", "geometry": {"circle": {"center": [0, 10], "radius": 10}}},
+                      {"name": "bed", "material": "m", "geometry": {"rectangle": {"min": [-40, -30], "max": [40, 0]}}}],
+            "supports": [{"part": "bar", "rigid": {"translation": [0, 0], "rotation": 0}},
+                         {"on": "bed/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "loads": [{"part": "disc", "force": [0, -500]}, )" +
+                                                     loads + "]}",
+                                                 "test.json"),
+                                 {});
+        EXPECT_EQ(r.status, "ok") << r.message;
+        EXPECT_LT(r.solver.contact_residual.value(), 1e-7);
+    }
+}
+
 TEST(ManyContacts, RollersThatNothingHoldsDoNotDecideOnTheAccuracy) {
     const Result r = analyze(bearing(48, "draft"), {});
     EXPECT_TRUE(r.accuracy.reached) << r.message;

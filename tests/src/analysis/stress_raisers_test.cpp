@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "src/analysis/adaptive.hpp"
+#include "src/analysis/analysis.hpp"
 #include "src/analysis/error_estimate.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/plan/plan.hpp"
@@ -74,6 +77,39 @@ TEST(EnergyErrorOfTwoGrids, KnowsWhatTheSmoothedStressesMiss) {
     // grids that are no finer tell nothing
     EXPECT_EQ(energy_error_of({1, 0.010}, {1.001, 0.009}), 0.009);
     EXPECT_EQ(energy_error_of({1, 0.010}, {1.001, 0.020}), 0.020);
+}
+
+/// Beside contact the pressure is aimed at, and a largest stress that is known badly is worth another grid: around a bore it is
+/// as large all the way.
+TEST(LargestStress, OfAShrinkFitIsKnown) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 70000, "nu": 0.33}},
+        "parts": [{"name": "ring", "material": "m", "geometry": {"difference": [{"circle": {"center": [3, 4], "radius": 35}},
+                       {"circle": {"center": [3, 4], "radius": 20}}]}},
+                  {"name": "shaft", "material": "m", "geometry": {"difference": [
+                       {"circle": {"center": [3, 4], "radius": 20}}, {"circle": {"center": [3, 4], "radius": 8}}]}}],
+        "analysis": "plane_stress",
+        "supports": [{"part": "shaft", "rigid": {"translation": [0, 0], "rotation": 0}}],
+        "contacts": {"pairs": [{"between": ["ring/*", "shaft/*"], "interference": 0.02}]}})",
+                                             "test.json"),
+                             {});
+    EXPECT_EQ(r.reasons.size(), 0u);
+    // Lame
+    const double p = r.contacts[0].max_pressure.value, hoop = p * (35 * 35 + 20 * 20) / (35 * 35 - 20 * 20);
+    const double exact = std::sqrt(p * p + hoop * hoop + p * hoop), found = r.parts[0].max_von_mises.value;
+    ASSERT_TRUE(r.parts[0].max_von_mises_error);
+    EXPECT_LT(*r.parts[0].max_von_mises_error, 0.1);
+    EXPECT_NEAR(found, exact, *r.parts[0].max_von_mises_error * exact + r.contacts[0].errors->peak * exact);
+}
+
+TEST(LargestStress, OfEvenPressureIsRounding) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3, "expansion": 1.2e-5}},
+        "analysis": "plane_strain", "parts": [{"name": "p", "material": "m", 
+             "geometry": {"rectangle": {"min": [0, 0], "max": [40, 20]}}}],
+        "supports": [{"on": ["p/left", "p/right"], "fix": ["x"]}, {"on": ["p/bottom", "p/top"], "fix": ["y"]}], "loads": [{"part": "p", "temperature": 30}]})",
+                                             "test.json"),
+                             {});
+    EXPECT_EQ(r.reasons.size(), 0u);
+    EXPECT_LT(r.parts[0].max_von_mises.value, 1e-9);
 }
 
 }  // namespace abut::stress_raisers_test

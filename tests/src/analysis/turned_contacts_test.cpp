@@ -286,4 +286,40 @@ TEST(MotionsAtLimit, ABallInAGrooveMayTurn) {
     EXPECT_FALSE(says(sticks));
 }
 
+/// Of dead loads: a plate on a cylinder that is held rolls back while it is loaded below the cylinder's middle.
+TEST(UnstableBalance, IsSaidWhereFrictionLetsPartsRoll) {
+    const auto plate_on = [](const std::string& below, double thickness, bool is_held) {
+        const std::string supports =
+            R"({"on": "bed/bottom", "fix": ["x", "y"]})" +
+            std::string(is_held ? R"(, {"part": "r", "rigid": {"translation": [0, 0], "rotation": 0}})" : "");
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "bed", "material": "m", "geometry": {"rectangle": {"min": [-60, -30], "max": [60, 0]}}},
+            {"name": "plate", "material": "m", "geometry": {"rectangle": {"min": [-40, 20], "max": [40, )" +
+                            std::to_string(20 + thickness) + "]}}}, " + below + R"(], "supports": [)" + supports + R"(],
+            "loads": [{"on": "plate/top", "force": [0, -100]}], "contacts": {"friction": 0.3}})");
+    };
+    const auto says = [](const Result& r) {
+        EXPECT_EQ(r.status, "ok") << r.message;
+        return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+            return w.find("the balance is unstable: once pushed, plate rotates") != std::string::npos;
+        });
+    };
+    const std::string one = circle("r", 0, 10), two = circle("r", -20, 10) + ", " + circle("s", 20, 10);
+    EXPECT_FALSE(says(plate_on(one, 8, true)));
+    EXPECT_TRUE(says(plate_on(one, 12, true)));
+    EXPECT_TRUE(says(plate_on(one, 8, false))) << "the cylinder rolls away below the plate";
+    EXPECT_FALSE(says(plate_on(two, 12, false)));
+}
+
+/// A block in the corner of a frame rests on two faces: it is held by each along its length.
+TEST(UnstableBalance, ABlockInACornerRests) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "frame", "material": "m", "geometry": {"polygon": [[-80, -60], [60, -60], [60, 60], [40, 60], [40, -40], [-80, -40]]}},
+        {"name": "b", "material": "m", "geometry": {"rectangle": {"min": [10, -40], "max": [40, 20]}}}],
+        "supports": [{"on": "frame/e0", "fix": ["x", "y"]}], "loads": [{"on": "b/top", "force": [0, -10000]}],
+        "contacts": {"friction": 0.1}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_FALSE(has_reason(r, "turned_balance"));
+}
+
 }  // namespace abut::turned_contacts_test

@@ -21,6 +21,15 @@ TEST(NumberText, NumbersAreShort) {
     EXPECT_EQ(number_text(std::numeric_limits<double>::quiet_NaN(), 3), "n/a");
 }
 
+TEST(NumberText, SharesAreToldFromTheirLimit) {
+    EXPECT_EQ(percent_beside(1.026, 1), "103 %");
+    EXPECT_EQ(percent_beside(0.9962, 1), "99.6 %");
+    EXPECT_EQ(percent_beside(0.01004, 0.01), "1.004 %");
+    EXPECT_EQ(percent_beside(0.5, 1), "50 %");
+    EXPECT_EQ(percent_beside(1, 1), "100 %");
+    EXPECT_EQ(number_beside(0.176327, 0.1763, 4), "0.17633");
+}
+
 TEST(NumberText, CoordinatesNeverUseExponents) {
     EXPECT_EQ(coordinate_text(1234567.891), "1234567.89");
     EXPECT_EQ(coordinate_text(-0.001), "0");
