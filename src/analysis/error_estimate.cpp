@@ -22,9 +22,10 @@ constexpr double missing_of_peak = 0.75;
 /// to a ninth, the error not at all), and so does that of a peak whose cells are no finer.
 constexpr double most_fall = 0.25;
 /// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
-/// 0.1 to 0.6 (150 contacts of generated assemblies, seeds 1 and 2): of use where the change from the grid before is small by
-/// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved.
-constexpr double ends_in_peak = 0.3, ends_in_length = 0.6;
+/// 0.1 to 1 (generated assemblies, and those of data/ at draft): of use where the change from the grid before is small by
+/// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved, or by all of a tail
+/// that the pressure's error could take away.
+constexpr double ends_in_peak = 0.3, ends_in_length = 1;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
 
@@ -71,6 +72,29 @@ void fill_local(const ContactRecord& now, const PressureChange& c, double share,
     e.inside = std::sqrt(square);
 }
 
+/// The length of a contact where something holds.
+template <class Holds>
+double length_where(const ContactRecord& c, Holds holds) {
+    constexpr int samples = 8;  // by interval
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
+        const double begin = c.pressure.breakpoints[i], step = (c.pressure.breakpoints[i + 1] - begin) / samples;
+        for (int k = 0; k < samples; ++k)
+            if (holds(begin + (k + 0.5) * step)) length += step;
+    }
+    return length;
+}
+
+/// The share of a contact's length whose pressure is below its error.
+double share_of_tails(const ContactRecord& c, double error, double norm) {
+    const double length = length_of(c.stretches), level = error * norm / std::sqrt(length);
+    const auto is_light = [&](double s) {
+        const double p = solver::pressure_at(c.pressure, c.coefficients, s);
+        return p > 0 && p < level;
+    };
+    return length > 0 ? std::min(1.0, length_where(c, is_light) / length) : 0;
+}
+
 ContactError estimate(const ContactRecord& now, const PressureChange& c, const std::optional<ContactError>& before,
                       const std::optional<PlanePressure>& theory) {
     ContactError e;
@@ -96,6 +120,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     }
     e.peak = std::max(e.peak, e.inside);  // no place is known better than the mean
     e.pressure = std::hypot(e.ends, e.inside);
+    e.length = std::max(e.length, share_of_tails(now, e.pressure, c.norm));
     return e;
 }
 
@@ -107,18 +132,11 @@ double missing_of_traction(double refinement) {
 /// Length that sticks by less than a share of what friction bears there: where a traction comes to its bound without a kink
 /// that is much of a contact.
 double length_near_bound(const ContactRecord& c, double share) {
-    constexpr int samples = 8;  // by interval
-    double length = 0;
-    for (std::size_t i = 0; i + 1 < c.pressure.breakpoints.size(); ++i) {
-        const double begin = c.pressure.breakpoints[i], step = (c.pressure.breakpoints[i + 1] - begin) / samples;
-        for (int k = 0; k < samples; ++k) {
-            const double s = begin + (k + 0.5) * step;
-            const double left = 1 - std::abs(solver::pressure_at(c.pressure, c.shear->coefficients, s)) /
-                                        (c.shear->coefficient * solver::pressure_at(c.pressure, c.coefficients, s));
-            if (left > slip_fraction && left < share) length += step;
-        }
-    }
-    return length;
+    return length_where(c, [&](double s) {
+        const double left = 1 - std::abs(solver::pressure_at(c.pressure, c.shear->coefficients, s)) /
+                                    (c.shear->coefficient * solver::pressure_at(c.pressure, c.coefficients, s));
+        return left > slip_fraction && left < share;
+    });
 }
 
 /// Friction's traction counts like the pressure, over its bound, or over the pressure where its coefficient is above 1. The

@@ -130,6 +130,12 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     if (found.displacement.element >= 0)
         result.displacement_error = half_a_cell * cell_of(found.displacement) *
                                     strain_error(grid.input, displacement, stress, found.displacement.element);
+    if (grid.input.stress_free.size() > 0 && found.displacement.element >= 0) {
+        // the sides of a cut meet within a cell
+        const Stress there =
+            sample_field(grid, displacement, stress, found.displacement.element, found.displacement.local).stress;
+        result.displacement_error += half_a_cell * cell_of(found.displacement) * von_mises(there) / grid.input.elasticity.d11;
+    }
     result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {

@@ -45,8 +45,8 @@ public:
 
     FieldSample operator()(int element, const Vec2& local) {
         if (element != element_) take(element);
-        const Vec2 u =
-            moved_ ? moved_->value(local) : solver::displacement_at(grid_.input, displacement_, element, local).value;
+        const Vec2 u = moved_ ? moved_->value(local) + pulled_at(local)
+                              : solver::displacement_at(grid_.input, displacement_, element, local).value;
         return {grid_.frame.to_global(local), grid_.frame.vector_to_global(u),
                 turned(pressed_ ? solver::stress_at(stress_, *pressed_, element, local)
                                 : solver::stress_at(stress_, element, local),
@@ -57,14 +57,35 @@ private:
     void take(int element) {
         element_ = element;
         if (!grid_.input.structure)
-            moved_.emplace(grid_.input.space, element, [&](int f) { return displacement_.segment<2>(2 * f); });
+            moved_.emplace(grid_.input.space, element,
+                           [&](int f) { return Vec2(displacement_.segment<2>(2 * f) - pull_of(f)); });
+        if (grid_.input.stress_free.size() > 0) {
+            std::vector<Vec2> pulls;
+            pulled_.emplace(grid_.input.space, element, [&](int f) { return pulls.emplace_back(pull_of(f)); });
+            sides_ = {pulls.front(), *std::max_element(pulls.begin(), pulls.end(), [&](const Vec2& a, const Vec2& b) {
+                          return (a - pulls.front()).squaredNorm() < (b - pulls.front()).squaredNorm();
+                      })};
+        }
         if (stress_.failure.empty()) pressed_.emplace(local_stress(stress_, element));
+    }
+
+    Vec2 pull_of(int function) const {
+        const Eigen::VectorXd& free = grid_.input.stress_free;
+        return free.size() > 0 ? Vec2(free.segment<2>(2 * function)) : Vec2(0, 0);
+    }
+    /// In the cells of a cut pulls go over from one side to the other, which bodies do in one place.
+    Vec2 pulled_at(const Vec2& local) const {
+        if (!pulled_) return {0, 0};
+        const Vec2 pull = pulled_->value(local);
+        return (pull - sides_[0]).norm() <= (pull - sides_[1]).norm() ? sides_[0] : sides_[1];
     }
 
     const PartOnGrid& grid_;
     const Eigen::VectorXd& displacement_;
     const solver::StressField& stress_;
     int element_ = -1;
+    std::optional<solver::LocalSpline<2>> pulled_;   // of parts that are tightened
+    std::array<Vec2, 2> sides_{};                    // how far those of a cut through the element are pulled
     std::optional<solver::LocalSpline<2>> moved_;    // without a solution structure
     std::optional<solver::LocalSpline<3>> pressed_;  // where there are stresses
 };

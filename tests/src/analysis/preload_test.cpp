@@ -76,6 +76,24 @@ TEST(Preload, StressIsUniformAwayFromTheCutAndInIt) {
     }
 }
 
+/// A cell that a cut goes through has both of its sides.
+TEST(Preload, TheSidesOfACutAreApart) {
+    const std::string text =
+        R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0}},
+      "parts": [{"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [10, 1]}}}],
+      "supports": [{"on": "bar/left", "fix": ["x", "y"]}, {"on": "bar/right", "fix": ["x"]}],
+      "loads": [)" +
+        preload("bar", "[[4, -1], [4, 2]]", 3) +
+        R"(], "output": {"probes": [{"part": "bar", "at": [3.8, 0.5]}, {"part": "bar", "at": [4.2, 0.5]}]}})";
+    const Result r = analyze(read_scene_text(text, "s.json"), {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_NEAR(r.probes.at(0).displacement.x(), 0.003 * 3.8, 1e-8);
+    EXPECT_NEAR(r.probes.at(1).displacement.x(), 0.003 * (4.2 - 10), 1e-8);
+    const PartResult& bar = r.parts.at(0);
+    EXPECT_NEAR(bar.max_displacement.value, 0.003 * 6, bar.max_displacement_error.value() * 0.003 * 6);
+    EXPECT_LT(bar.max_displacement_error.value(), 0.1);
+}
+
 TEST(Preload, WhatDoesNotPartThePartIsRefused) {
     const auto ring = [](const std::string& across) {
         return R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}},
