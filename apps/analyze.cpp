@@ -186,7 +186,7 @@ int analyze_command(const Arguments& arguments) {
     Result result = with_progress(analyze, scene, has(arguments, "--quiet"), threads);
     complete_import_time(result, reading_seconds);
     const ModelFacts model = facts_of_run(scene, sources, watch);
-    write_results(result, model, folder, scene.output.formats, watch);
+    write_results(result, model, folder, scene.output.formats, watch, solver::usable_threads(threads));
     print_result(result, model, folder, arguments, scene.output);
     const bool as_expected = tell_expectations(scene, result, arguments);
     return exit_status(arguments, verdict_of(result), as_expected,

@@ -150,9 +150,9 @@ ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const S
 
 namespace {
 
-/// data: report_data of the result, where a report is asked for.
-void write_files(Result& result, const ModelFacts& model, const std::string& data, const std::string& folder,
-                 const std::vector<std::string>& formats, const Stopwatch& since_start) {
+/// data: report_data of the result, where it is made already; else null.
+void write_files(Result& result, const ModelFacts& model, const std::string* data, const std::string& folder,
+                 const std::vector<std::string>& formats, const Stopwatch& since_start, int threads) {
     const Stopwatch output;
     set_time(result, "output", 0);
     remove_cases(folder);
@@ -162,7 +162,7 @@ void write_files(Result& result, const ModelFacts& model, const std::string& dat
     if (holds(formats, "vtu")) write_file(folder, "fields.vtu", fields_vtu(result));
     if (holds(formats, "svg") || holds(formats, "png")) write_pictures(result, model, folder, formats);
     set_time(result, "total", since_start.seconds());
-    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, data));
+    if (holds(formats, "html")) write_file(folder, "report.html", report_html(result, model, threads, data));
     set_time(result, "output", output.seconds());
     set_time(result, "total", since_start.seconds());
     predict_next_level(result);  // with the time of writing
@@ -172,8 +172,8 @@ void write_files(Result& result, const ModelFacts& model, const std::string& dat
 }  // namespace
 
 void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
-                   const Stopwatch& since_start) {
-    write_files(result, model, holds(formats, "html") ? report_data(result, model) : "", folder, formats, since_start);
+                   const Stopwatch& since_start, int threads) {
+    write_files(result, model, nullptr, folder, formats, since_start, threads);
 }
 
 void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models, const std::string& folder,
@@ -189,7 +189,7 @@ void write_case_results(std::vector<CaseResult>& cases, const std::vector<ModelF
         const std::string own = path_in(folder, case_folder(k));
         prepare_output_folder(own);
         if (holds(formats, "html")) data[k] = report_data(cases[k].result, models[k]);
-        write_files(cases[k].result, models[k], data[k], own, formats, since_start);
+        write_files(cases[k].result, models[k], &data[k], own, formats, since_start, 1);
     });
     for (std::size_t k = 0; k < cases.size(); ++k) series.emplace_back(cases[k].name, case_folder(k) + "/fields.vtu");
     if (holds(formats, "vtu")) write_file(folder, "fields.pvd", fields_pvd(series));

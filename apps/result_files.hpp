@@ -25,9 +25,9 @@ ModelFacts facts_of_run(const Scene& scene, const ModelSources& sources, const S
 
 /// Writes the formats asked for; removes what an earlier run left in the folder and this one does not write. `since_start` runs
 /// since the program's start: the timing "total" and "output" are completed with it, up to the writing of result.json, which
-/// comes last.
+/// comes last. The sections of the report are made side by side on `threads` threads at most.
 void write_results(Result& result, const ModelFacts& model, const std::string& folder, const std::vector<std::string>& formats,
-                   const Stopwatch& since_start);
+                   const Stopwatch& since_start, int threads = 1);
 
 /// Writes what is largest of all load cases (cases.json, envelope.csv, report.html), and the files of each case into a folder
 /// of its own; cases.json is written whatever the formats. Removes what an earlier run wrote there. Cases are written side by

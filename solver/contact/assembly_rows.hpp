@@ -17,7 +17,7 @@ struct AssemblyRows {
     Eigen::VectorXd expected;    ///< multipliers; empty: nothing is known of them
     std::vector<FrictionRow> friction;
 };
-AssemblyRows assembly_rows(const AssemblyProblem& problem);
+AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads = 1);
 
 /// The rows' motions (rows x motions) combined, as a rule each of few: G B.
 Eigen::MatrixXd times_few(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& combinations);

@@ -246,9 +246,9 @@ HeldAnswer solve_held(const ContactQp& qp, const MotionSplit& split, const Matri
     return all.has_answer() ? all : answer;
 }
 
-AssemblyRows assembly_rows(const AssemblyProblem& problem) {
+AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads) {
     AssemblyRows all;
-    all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row);
+    all.rows = interface_rows(problem.parts, problem.interfaces, all.first_row, threads);
     for (const MeanConstraint& c : problem.constraints)
         append_mean_constraint(all.rows, problem.parts[static_cast<std::size_t>(c.part)], c.part, c.integrals, c.area,
                                c.coefficient, c.size, c.value);
@@ -563,7 +563,7 @@ void split_multipliers(const AssemblyProblem& problem, const AssemblyRows& all, 
 
 AssemblySolution solve_assembly(const AssemblyProblem& problem, int threads) {
     Laps laps;
-    const AssemblyRows all = assembly_rows(problem);
+    const AssemblyRows all = assembly_rows(problem, threads);
     const double of_rows = laps.lap();
     const Resistance resistance = candidate_resistance(problem);  // now: the points are still at hand in the cache
     const double of_resistance = laps.lap();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -87,17 +88,20 @@ Vec2 opening_direction(const InterfacePoint& p, std::size_t side) {
 }
 
 /// One side's entries of a point, on a body with a solution structure.
-void add_structured(Rows& rows, const PartInput& input, std::size_t part, const InterfacePoint& p, std::size_t side,
+void add_structured(std::vector<RowEntry>& entries, const PartInput& input, const InterfacePoint& p, std::size_t side,
                     const PointRows& of) {
     const DisplacementBasis b = displacement_basis(input, p.element[side], p.x[side]);
     const Vec2 along = opening_direction(p, side);
-    for (std::size_t k = 0; k < of.n; ++k) {
-        rows.gap0[of.row[k]] += of.share[k] * along.dot(b.data.value);
+    for (std::size_t k = 0; k < of.n; ++k)
         for (std::size_t i = 0; i < b.x.functions.size(); ++i)
             for (int c = 0; c < 2; ++c)
-                rows.by_part[part].push_back(
+                entries.push_back(
                     {of.row[k], 2 * b.x.functions[i] + c, of.share[k] * b.of(c).value[static_cast<Index>(i)] * along[c]});
-    }
+}
+
+/// What a solution structure's boundary values open.
+double structured_gap(const PartInput& input, const InterfacePoint& p, std::size_t side) {
+    return opening_direction(p, side).dot(displacement_basis(input, p.element[side], p.x[side]).data.value);
 }
 
 /// Entries of one side's points that follow each other in the same element and rows: summed for the element's B-splines, then
@@ -154,17 +158,35 @@ private:
     Eigen::MatrixXd sums_;  // (row and component x B-spline of the element)
 };
 
-void add_side(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, std::size_t side,
+std::vector<PointRows> rows_of_points(const Interface& face, int first_row) {
+    const auto rows_of = face.penalty.empty() ? mortar_rows : penalty_row;
+    std::vector<PointRows> of;
+    for (std::size_t q = 0; q < face.points.size(); ++q) of.push_back(rows_of(face, q, first_row));
+    return of;
+}
+
+void add_side(std::vector<RowEntry>& entries, const PartInput& input, const Interface& face, std::size_t side,
               const std::vector<PointRows>& of) {
-    const auto part = static_cast<std::size_t>(face.part[side]);
-    const PartInput& input = parts[part].input;
-    RunOfPoints run(input.space, rows.by_part[part]);
+    RunOfPoints run(input.space, entries);
     for (std::size_t q = 0; q < face.points.size(); ++q) {
         const InterfacePoint& p = face.points[q];
         if (input.structure)
-            add_structured(rows, input, part, p, side, of[q]);
+            add_structured(entries, input, p, side, of[q]);
         else
             run.add(p.element[side], p.x[side], opening_direction(p, side), of[q]);
+    }
+}
+
+/// The gaps as drawn, with what boundary values open.
+void add_gaps(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, const std::vector<PointRows>& of) {
+    for (std::size_t q = 0; q < face.points.size(); ++q) {
+        add_gap(rows, face.friction ? 0 : face.points[q].gap, of[q]);
+        for (const std::size_t side : {0U, 1U}) {
+            const PartInput& input = parts[static_cast<std::size_t>(face.part[side])].input;
+            if (!input.structure) continue;
+            const double gap = structured_gap(input, face.points[q], side);
+            for (std::size_t k = 0; k < of[q].n; ++k) rows.gap0[of[q].row[k]] += of[q].share[k] * gap;
+        }
     }
 }
 
@@ -198,16 +220,6 @@ void add_turnings(const std::vector<PartSystem>& parts, const Interface& face, i
             for (int part : face.part)
                 rows.turning[static_cast<std::size_t>(part)].arm[of.row[k]] -= 0.5 * of.share[k] * face.points[q].gap;
     }
-}
-
-void add_interface(Rows& rows, const std::vector<PartSystem>& parts, const Interface& face, int first_row) {
-    const auto rows_of = face.penalty.empty() ? mortar_rows : penalty_row;
-    std::vector<PointRows> of;
-    for (std::size_t q = 0; q < face.points.size(); ++q) {
-        of.push_back(rows_of(face, q, first_row));
-        add_gap(rows, face.friction ? 0 : face.points[q].gap, of.back());
-    }
-    for (std::size_t side = 0; side < 2; ++side) add_side(rows, parts, face, side, of);
 }
 
 void add_softness(Rows& rows, const std::vector<Interface>& interfaces, const std::vector<int>& first_row) {
@@ -245,8 +257,8 @@ Eigen::VectorXd continued(const Interface& face, const Eigen::VectorXd& at_point
 
 }  // namespace
 
-Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
-                    std::vector<int>& first_row) {
+Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces, std::vector<int>& first_row,
+                    int threads) {
     Rows rows;
     first_row.clear();
     for (const Interface& face : interfaces) {
@@ -262,14 +274,22 @@ Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Inte
     rows.gap0 = Eigen::VectorXd::Zero(rows.n);
     rows.weight = Eigen::VectorXd::Zero(rows.n);
     rows.unilateral.assign(static_cast<std::size_t>(rows.n), 1);
+    std::vector<std::vector<PointRows>> of_points(interfaces.size());
+    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> sides_of(parts.size());  // interface and side
     for (std::size_t k = 0; k < interfaces.size(); ++k) {
-        add_interface(rows, parts, interfaces[k], first_row[k]);
+        of_points[k] = rows_of_points(interfaces[k], first_row[k]);
+        add_gaps(rows, parts, interfaces[k], of_points[k]);
+        for (const std::size_t side : {0U, 1U})
+            sides_of[static_cast<std::size_t>(interfaces[k].part[side])].push_back({k, side});
         if (interfaces[k].friction) add_turnings(parts, interfaces[k], first_row[k], rows);
         if (interfaces[k].bilateral) std::fill_n(rows.unilateral.begin() + first_row[k], n_rows(interfaces[k]), 0);
     }
     add_softness(rows, interfaces, first_row);
-    for (std::size_t i = 0; i < parts.size(); ++i)
+    parallel_for(static_cast<int>(parts.size()), threads, [&](int part) {
+        const auto i = static_cast<std::size_t>(part);
+        for (const auto& [k, side] : sides_of[i]) add_side(rows.by_part[i], parts[i].input, interfaces[k], side, of_points[k]);
         if (!rows.by_part[i].empty()) compress(rows.by_part[i], rows.n, 2 * parts[i].n());
+    });
     return rows;
 }
 

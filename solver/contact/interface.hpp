@@ -88,9 +88,9 @@ struct Rows {
 };
 
 /// Makes one row for every pressure function (penalty: point) of every interface, in order; row offsets by interface in
-/// first_row.
-Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces,
-                    std::vector<int>& first_row);
+/// first_row. Those of parts are made side by side, the same on any number of threads.
+Rows interface_rows(const std::vector<PartSystem>& parts, const std::vector<Interface>& interfaces, std::vector<int>& first_row,
+                    int threads = 1);
 
 /// Appends the row that holds a part's mean displacement and mean rotation (half the mean curl), in its own frame, at
 /// coefficient . (mean u_x, mean u_y, mean rotation * size) = value. Returns the row's number.

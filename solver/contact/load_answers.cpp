@@ -56,7 +56,7 @@ LoadAnswers::LoadAnswers(const AssemblyProblem& problem, std::vector<UnitLoad> l
                          const std::vector<DisplacementMeasure>& measures, int threads)
     : problem_(problem),
       loads_(std::move(loads)),
-      rows_(assembly_rows(problem)),
+      rows_(assembly_rows(problem, threads)),
       resistance_(candidate_resistance(problem)),
       qp_(whole_problem(problem, rows_, threads)),
       modes_(qp_.modes),

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/report/report.hpp"
 
+#include <array>
+
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "src/io/build_id.hpp"
 #include "src/io/escape_xml.hpp"
 #include "src/io/number_text.hpp"
@@ -65,19 +68,22 @@ std::string report_data(const Result& result, const ModelFacts& model) {
     return result.geometry.empty() ? "" : report::page_data(result, model);
 }
 
-std::string report_html(const Result& result, const ModelFacts& model) {
-    return report_html(result, model, report_data(result, model));
-}
-
-std::string report_html(const Result& result, const ModelFacts& model, const std::string& data) {
+std::string report_html(const Result& result, const ModelFacts& model, int threads, const std::string* data) {
+    std::array<std::string, 4> made;
+    auto& [script, fields, contacts, tables] = made;
+    solver::parallel_for(static_cast<int>(made.size()), threads, [&](int k) {
+        if (k == 0) script = data ? *data : report_data(result, model);
+        if (k == 1) fields = report::fields_section(result);
+        if (k == 2) contacts = report::contacts_section(result);
+        if (k == 3) tables = report::tables_section(result);
+    });
     // The script shows its instrument instead of the pictures, which remain for paper and for browsers without scripts.
     const auto pictures = [](const std::string& sections) { return "<div class=\"pictures\">\n" + sections + "</div>\n"; };
     return page(result,
                 report::verdict_box(result) + report::warnings_box(result) + "<div id=\"instrument\"></div>\n" +
-                    pictures(report::assembly_section(result, model) + report::fields_section(result)) +
-                    report::model_section(result, model) + pictures(report::contacts_section(result)) +
-                    report::tables_section(result),
-                data.empty() ? "" : report::instrument(data));
+                    pictures(report::assembly_section(result, model) + fields) + report::model_section(result, model) +
+                    pictures(contacts) + tables,
+                script.empty() ? "" : report::instrument(script));
 }
 
 std::string cases_html(const std::vector<CaseResult>& cases, const std::vector<ModelFacts>& models,
