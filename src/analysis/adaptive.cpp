@@ -75,9 +75,9 @@ std::optional<Outcome> walk_group(const CaseProblem& problem, const PartGroup& g
         GridWalk& walk = walks[0];
         const PassAsk ask = walk.ask();
         tell_pass(walk, ask, options);
-        return walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
-                                    ask.coarseness, seconds, threads)) ||
-               walk.meets_others();
+        const bool is_over = walk.take(solve_pass(*problem.scene, *problem.conditions, walk.candidates(), ask.parts, ask.wanted,
+                                                  ask.coarseness, seconds, threads));
+        return (is_over && !walk.sharpen()) || walk.meets_others();
     });
     if (walks[0].meets_others()) return std::nullopt;
     return walks[0].take_outcome();
@@ -136,11 +136,11 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
     const auto have_all = [&] {
         return std::all_of(walks.begin(), walks.end(), [](const GridWalk& w) { return w.is_over(); });
     };
-    // A step is like the one before it: the first few find out what grids they want, in every pass twice as many take part,
-    // with the sizes that those before them have come to, and all where these lack nothing. Without friction steps are the same
-    // in any order, and so begin at once.
-    constexpr std::size_t first_steps = 4;
-    const bool begin_in_turn = scene.in_steps && has_friction(candidates);
+    // A case is like the one before it: the first few find out what grids they want, in every pass twice as many take part,
+    // with the sizes that those before them have come to, and all where these lack nothing. Steps without friction, which are
+    // the same in any order, begin at once.
+    constexpr std::size_t first_cases = 4;
+    const bool begin_in_turn = !scene.in_steps || has_friction(candidates);
     std::size_t n_begun = begin_in_turn ? 0 : cases.size();
     walk_to_end(walks, [&] {
         const PassAsk ask = joined(walks);
@@ -157,7 +157,7 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
                                      prepared, before, seconds, threads));
         };
         std::vector<std::size_t> later;
-        const std::size_t n_before = n_begun, may_begin = std::max(first_steps, 2 * n_begun);
+        const std::size_t n_before = n_begun, may_begin = std::max(first_cases, 2 * n_begun);
         bool is_lacking = false;
         for (std::size_t k = 0; k < cases.size() && (k < may_begin || !is_lacking); ++k) {
             if (walks[k].is_over() && !scene.in_steps) {
@@ -171,7 +171,7 @@ std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vecto
         }
         if (!have_all()) return false;
         std::for_each(later.begin(), later.end(), solve);
-        return have_all();
+        return have_all() && std::count_if(walks.begin(), walks.end(), [](GridWalk& w) { return w.sharpen(); }) == 0;
     });
     std::vector<Outcome> outcomes;
     for (GridWalk& walk : walks) {

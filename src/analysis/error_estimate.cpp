@@ -174,6 +174,16 @@ std::optional<double> steering(const ErrorEstimate& e) {
     return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
 }
 
+bool go_astray(std::span<const ErrorEstimate> errors, std::size_t last_ones) {
+    if (errors.size() < 2 * last_ones) return false;
+    const auto least = [](std::span<const ErrorEstimate> some) {
+        double error = 1;
+        for (const ErrorEstimate& e : some) error = std::min(error, e.contact_pressure.value_or(1));
+        return error;
+    };
+    return least(errors.last(last_ones)) >= least(errors.first(errors.size() - last_ones));
+}
+
 ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEstimate& estimate_before,
                               std::span<const std::optional<PlanePressure>> theory) {
     ErrorEstimate e;

@@ -65,4 +65,8 @@ struct EnergyOnGrid {
 /// the stress the smoothed ones see a quarter of the error (error of stress: half), and miss the same fraction on both grids.
 double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);
 
+/// Is the least pressure error of the last passes no smaller than one before? So where contacts that come and go on the way to
+/// an answer go on doing so: bodies that friction leaves to roll take other places on each grid.
+bool go_astray(std::span<const ErrorEstimate> errors, std::size_t last_ones);
+
 }  // namespace abut

@@ -119,6 +119,19 @@ public:
         finer_failed_ = finer_failed;
         is_over_ = false;
     }
+    /// The same grids, but where the stress is largest.
+    bool sharpen() {
+        const SolvedAssembly& now = out_.solved;
+        if (out_.end != PathEnd::reached || !is_in_contact(now) || !is_stress_doubtful(now)) return false;
+        ++sharpened_;
+        add_largest_stress(scene_, conditions_, now, out_.stress, out_.largest, raisers_);
+        const PressedStretches stretches = want(now, now.stretches);
+        if (exceeds_budget(now)) return false;
+        expect(now, stretches);
+        is_over_ = false;
+        if (scene_.in_steps) last_ = std::move(out_.solved);
+        return true;
+    }
     const SolvedAssembly& last() const { return is_over_ ? out_.solved : last_; }
     Outcome take_outcome() {
         recover_stress(out_.solved);
@@ -314,21 +327,8 @@ private:
     bool out_of_passes() const {
         const std::size_t n = passes_before_ + out_.passes.size();
         return n >= settled_from_ + max_passes || n >= comparable_from_ + most_beginnings * max_passes ||
-               (n >= comparable_from_ + max_passes && goes_astray());
-    }
-
-    /// Is the least error of the last passes no smaller than one before? So where contacts that come and go on the way to an
-    /// answer go on doing so: bodies that friction leaves to roll take other places on each grid.
-    bool goes_astray() const {
-        constexpr std::size_t last_ones = max_passes / 2;
-        const std::size_t n = out_.errors.size();
-        if (n < comparable_from_ + 2 * last_ones) return false;
-        const auto least = [&](std::size_t begin, std::size_t end) {
-            double error = 1;
-            for (std::size_t k = begin; k < end; ++k) error = std::min(error, out_.errors[k].contact_pressure.value_or(1));
-            return error;
-        };
-        return least(n - last_ones, n) >= least(comparable_from_, n - last_ones);
+               (n >= comparable_from_ + max_passes &&
+                go_astray(std::span(out_.errors).subspan(comparable_from_), max_passes / 2));
     }
 
     /// Did the last pass miss or close other contacts than the one before?
@@ -426,17 +426,21 @@ private:
             if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
             look_for_missed(now);
         }
-        if (is_reached() && !is_stress_doubtful(now)) return end(std::move(now), PathEnd::reached);
+        if (is_reached()) return end(std::move(now), PathEnd::reached);
         if (next_.on_final_cells() && is_too_deep(now)) return end_too_deep(std::move(now));
         if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
             return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
-        const PressedStretches stretches = is_reached() ? ask_for_stress(now) : ask_for_next(now, out_.errors.back());
+        const PressedStretches stretches = ask_for_next(now, out_.errors.back());
         if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
+        expect(now, stretches);
+        return false;
+    }
+
+    void expect(const SolvedAssembly& now, const PressedStretches& stretches) {
         move_seams(scene_, now, out_.candidates);
         expect_ends(scene_, now, stretches, out_.candidates);
         expect_pressures(now, out_.candidates);
-        return false;
     }
 
     static bool is_too_deep(const SolvedAssembly& now) {
@@ -481,13 +485,6 @@ private:
         recover_stress(now);
         const LargestStress* most = strongest(out_.largest);
         return most && !most->corner && most->error.value_or(0) > doubtful;
-    }
-
-    /// The same grids, but where the stress is largest.
-    PressedStretches ask_for_stress(const SolvedAssembly& now) {
-        ++sharpened_;
-        add_largest_stress(scene_, conditions_, now, out_.stress, out_.largest, raisers_);
-        return want(now, now.stretches);
     }
 
     /// The sizes that the contacts as they are expected ask for, and what raises stresses.
@@ -560,6 +557,9 @@ const std::vector<Candidate>& GridWalk::candidates() const {
 }
 bool GridWalk::take(SolvedAssembly solved) {
     return path_->take(std::move(solved));
+}
+bool GridWalk::sharpen() {
+    return path_->sharpen();
 }
 bool GridWalk::is_over() const {
     return path_->is_over();

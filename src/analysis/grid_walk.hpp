@@ -39,7 +39,10 @@ public:
     /// Takes a solution on grids that are as fine as asked for, or finer. True: it may be the last one, and is if no other
     /// follows.
     bool take(SolvedAssembly solved);
-    bool is_over() const;  ///< as take said last
+    /// Where the walk is over, since pressures are known well enough: asks for another grid for the largest stress, if that is
+    /// doubtful. False: it is as well known, or no grid is worth it.
+    bool sharpen();
+    bool is_over() const;  ///< as take or sharpen said last
     /// Has the last solution taken an answer, with an error that somebody could aim at?
     bool has_answer() const;
     int n_widenings() const;  ///< of the search: answers before have other candidates
