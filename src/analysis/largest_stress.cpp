@@ -37,16 +37,17 @@ public:
     /// The larger of what is there and of this place.
     void extend(StressByElement& all, int element, const Vec2& x) const {
         const Eigen::Vector4d smoothed = stress_at(stress_, element, x);
-        all.smoothed = std::max(all.smoothed, von_mises(with_zz(smoothed.head<3>(), [&] { return smoothed[3]; })));
-        all.missing = std::max(all.missing, von_mises(with_zz(smoothed.head<3>() - raw_(element, x),
-                                                              [&] { return smoothed[3] - raw_.zz(element, x); })));
+        all.smoothed = std::max(all.smoothed, von_mises_of(smoothed.head<3>(), smoothed[3]));
+        const double raw_zz = has_own_zz(input_) ? raw_.zz(element, x) : 0;
+        all.missing = std::max(all.missing, von_mises_of(smoothed.head<3>() - raw_(element, x), smoothed[3] - raw_zz));
     }
 
 private:
-    template <class OwnZz>
-    Stress with_zz(const Eigen::Vector3d& s, OwnZz zz) const {
-        return {s[0], s[1], s[2], has_own_zz(input_) ? zz() : input_.elasticity.out_of_plane * (s[0] + s[1])};
+    /// own_zz: where the stress out of the plane does not follow from the others.
+    double von_mises_of(const Eigen::Vector3d& s, double own_zz) const {
+        return von_mises({s[0], s[1], s[2], has_own_zz(input_) ? own_zz : input_.elasticity.out_of_plane * (s[0] + s[1])});
     }
+
     const solver::PartInput& input_;
     const solver::StressOf raw_;
     const solver::StressField& stress_;
@@ -111,6 +112,12 @@ std::optional<ValueAt> corner_beyond(const PartOnGrid& grid, const Eigen::Vector
     return corner;
 }
 
+/// Is the stress at this place that of one of these, where it has no limit?
+bool is_corners(const std::vector<SingularPlace>& places, const Vec2& at, double cell) {
+    return std::any_of(places.begin(), places.end(),
+                       [&](const SingularPlace& p) { return (p.at - at).norm() <= cells_from_corner * cell; });
+}
+
 LargestStress largest_of(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved, std::size_t k,
                          const solver::StressField& stress) {
     const PartOnGrid& grid = solved.grids[k];
@@ -132,15 +139,13 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
                                     strain_error(grid.input, displacement, stress, found.displacement.element);
     if (grid.input.stress_free.size() > 0 && found.displacement.element >= 0) {
         // the sides of a cut meet within a cell
-        const Stress there =
-            sample_field(grid, displacement, stress, found.displacement.element, found.displacement.local).stress;
-        result.displacement_error += half_a_cell * cell_of(found.displacement) * von_mises(there) / grid.input.elasticity.d11;
+        const FieldSample side = sample_field(grid, displacement, stress, found.displacement.element, found.displacement.local);
+        result.displacement_error +=
+            half_a_cell * cell_of(found.displacement) * von_mises(side.stress) / grid.input.elasticity.d11;
     }
     result.cell = cell_of(found.von_mises);
     const auto places = singular_places(scene, conditions, solved, grid.part);
-    result.at_corner = std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
-        return (p.at - result.von_mises.at).norm() <= cells_from_corner * result.cell;
-    });
+    result.at_corner = is_corners(places, result.von_mises.at, result.cell);
     result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
     if (result.at_corner) return result;
     result.corner = corner_beyond(grid, displacement, stress, places, result.von_mises.value);
@@ -179,17 +184,15 @@ std::vector<int> elements_as_large(const Scene& scene, const ResolvedConditions&
         for (const Vec2& x : cell.points) stresses.extend(all[at(cell.element)], cell.element, x);
     });
     const auto places = singular_places(scene, conditions, solved, grid.part);
-    const auto is_corners = [&](int element) {
+    const auto is_at_corner = [&](int element) {
         const Vec2 size = grid.input.space.cell_size(element),
                    middle = grid.frame.to_global(grid.input.space.low_corner(element) + 0.5 * size);
-        return std::any_of(places.begin(), places.end(), [&](const SingularPlace& p) {
-            return (p.at - middle).norm() <= cells_from_corner * size.maxCoeff();
-        });
+        return is_corners(places, middle, size.maxCoeff());
     };
     const double as_large = (1 - std::min(largest.error.value_or(0), doubtful)) * largest.von_mises.value;
     std::vector<int> elements;
     for (int e = 0; e < static_cast<int>(all.size()); ++e)
-        if (all[at(e)].smoothed >= as_large && all[at(e)].missing > tolerated * all[at(e)].smoothed && !is_corners(e))
+        if (all[at(e)].smoothed >= as_large && all[at(e)].missing > tolerated * all[at(e)].smoothed && !is_at_corner(e))
             elements.push_back(e);
     return elements;
 }
