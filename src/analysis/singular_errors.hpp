@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a grid misses where the stress has no limit. Near such a place the exact strain energy within a distance r grows with a
 // power of r, 1 to 1.5 (Williams, J. Appl. Mech. 19, 1952), and splines miss a fixed fraction of what lies within a cell's
-// size: contact pressures far away do not show it, displacements do.
+// size: contact pressures far away do not show it, displacements do. Where a load ends on a smooth edge the stress has a limit
+// but in no direction the same: splines miss what such a jump stores in a cell's area, half of which smoothed stresses see.
 #pragma once
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SingularError {
     bool is_of_contact;
     double cell;    ///< size of the cell there
     double energy;  ///< strain energy that is missed
+    double order;   ///< it falls with this power of the cell
 };
 
 /// The errors at all places of parts that are not rigid. Cost: the stress at the quadrature points of some ten cells a place.

@@ -13,7 +13,6 @@ namespace abut {
 
 namespace {
 
-constexpr double sharp_turn = 0.1;  // radians, as for the cells at re-entrant corners (grid_design)
 /// Missed share at a slit, which splines tie together where it is narrower than a cell, and where a support ends on a straight
 /// edge. Both fall with the square of how much more than half a turn the material takes (of the support: with its mirror
 /// image), measured on notches of 135, 90, 45 and 10 degrees, an L and half supported blocks, cells of a tenth to a fortieth,
@@ -102,14 +101,6 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
         if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn)});
 }
 
-/// How the boundary of a part turns at one of its points; 0 within an edge.
-double turn_at(const geometry::Part& part, const Vec2& place) {
-    const double merge = merge_length(part);
-    for (const Vertex& v : vertices(part))
-        if ((v.at - place).norm() <= merge) return v.turn;
-    return 0;
-}
-
 /// A bond makes one body of two. Where it ends, their boundaries meet in a corner, which is re-entrant where both together fill
 /// more than half a turn; where another bond of theirs goes on there is none.
 void append_bond_ends(const Scene& scene, const SolvedAssembly& solved, int part, std::vector<SingularPlace>& places) {
@@ -164,6 +155,13 @@ std::vector<double> reversals_in(const SolvedAssembly& solved, std::size_t conta
 }
 
 }  // namespace
+
+double turn_at(const geometry::Part& part, const Vec2& place) {
+    const double merge = merge_length(part);
+    for (const Vertex& v : vertices(part))
+        if ((v.at - place).norm() <= merge) return v.turn;
+    return 0;
+}
 
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved, int part) {

@@ -20,4 +20,10 @@ struct SingularPlace {
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved, int part);
 
+/// A boundary that turns by more, in radians, has a corner: as for the cells at re-entrant corners (grid_design).
+constexpr double sharp_turn = 0.1;
+
+/// How the boundary of a part turns to the left at one of its points; 0 within an edge.
+double turn_at(const geometry::Part& part, const Vec2& place);
+
 }  // namespace abut

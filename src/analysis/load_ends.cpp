@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "src/analysis/load_ends.hpp"
+
+#include <algorithm>
+
+#include "src/analysis/singular_places.hpp"
+#include "src/base/index.hpp"
+#include "src/plan/loads.hpp"
+
+namespace abut {
+
+std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& conditions, int part) {
+    constexpr double rounding = 1e-9;  // of the largest traction
+    const geometry::Part& shape = scene.parts[at(part)].part;
+    const double merge = merge_length(shape);
+    std::vector<LoadEnd> ends;
+    double largest = 0;
+    for (std::size_t l = 0; l < conditions.loads.size(); ++l) {
+        const Load& load = scene.loads[l];
+        const std::vector<EdgePortion>& portions = conditions.loads[l];
+        const auto is_here = [&](const EdgePortion& portion) { return portion.part == part; };
+        if (!is_edge_load(load) || std::none_of(portions.begin(), portions.end(), is_here)) continue;
+        const EdgeTraction spread = edge_traction(scene, load, portions);
+        for (const EdgePortion& portion : portions) {
+            if (!is_here(portion)) continue;
+            const geometry::Curve& curve = shape.edges[at(portion.edge)].curve;
+            for (const auto& [t, sign] : {std::pair(portion.t0, 1), std::pair(portion.t1, -1)}) {
+                const Vec2 place = point(curve, t), traction = traction_at(load, spread, place, outward_normal(curve, t));
+                largest = std::max(largest, traction.norm());
+                const auto known = std::find_if(ends.begin(), ends.end(),
+                                                [&](const LoadEnd& end) { return (end.at - place).norm() <= merge; });
+                if (known == ends.end())
+                    ends.push_back({place, sign * traction});
+                else
+                    known->jump += sign * traction;
+            }
+        }
+    }
+    std::erase_if(ends, [&](const LoadEnd& end) {
+        return end.jump.norm() <= rounding * largest || std::abs(turn_at(shape, end.at)) > sharp_turn;
+    });
+    return ends;
+}
+
+}  // namespace abut
