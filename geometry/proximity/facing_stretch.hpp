@@ -25,7 +25,8 @@ struct FacingStretch {
     EdgePair begin, end;
 };
 
-inline constexpr double least_opposition = 0.5;  ///< normals oppose each other within 60 degrees
+/// Normals oppose each other within 60 degrees: prisms of 60 degrees are drawn often, and count however they are turned.
+inline constexpr double least_opposition = 0.5 - 1e-9;
 /// The fraction of their distance to which neighbouring points may draw together on the way to the middle curve: at the centre
 /// of curvature of either side the pairing folds back, and closer to it points have no partners.
 inline constexpr double least_spread = 0.05;

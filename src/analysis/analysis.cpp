@@ -227,7 +227,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
             "loads; which one comes about depends on how they were applied, which steps say");
     warn_of_held_contacts(scene, conditions, out, result);
     note_needed_friction(scene, conditions, result);
-    warn_of_drawn_touches(scene, result);
+    warn_of_drawn_touches(scene, solved, result);
 }
 
 /// "assembly" holds the factorisations, too.

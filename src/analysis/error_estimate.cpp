@@ -107,7 +107,9 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
     if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
-    if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak);
+    if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak_inside);
+    e.peak_inside = e.peak;
+    e.peak = std::max(e.peak, missing_of_peak * c.at_ends / c.peak);
     e.force = missing * c.force_change;
     if (now.resultant && c.force != 0) e.of_integral = std::min(1.0, now.resultant->norm() / std::abs(c.force));
     e.length = std::max(ends_in_length * e.ends, c.ends_left);

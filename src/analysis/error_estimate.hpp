@@ -22,6 +22,7 @@ struct ContactError {
     double ends = 0, inside = 0;  ///<   of its free ends, to which the borders of slip belong, and of the rest
     double change = 0;            ///< of the rest, from the grids before
     double peak = 0, force = 0, length = 0;
+    double peak_inside = 0;    ///< the peak's by all but a change beside a free end, where it stands when that end still moves
     double stick_length = 0;   ///< of what sticks, absolute
     double of_integral = 1;    ///< the resultant's size over the pressure's integral: rounding where a fit presses all round
     double share = 1;          ///< of the strongest contact's pressure (L2)

@@ -111,7 +111,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
     if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) > elastic) return std::nullopt;
-    return std::move(loose.placements);
+    return with_way_left(drawn, conditions, std::move(loose.placements));
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -155,7 +155,8 @@ void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
-    return Rest{placed(drawn, conditions, settling.placements), settling.placements};
+    std::vector<Placement> placements = with_way_left(drawn, conditions, settling.placements);
+    return Rest{placed(drawn, conditions, placements), std::move(placements)};
 }
 
 std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedConditions& conditions, const Outcome& out) {
@@ -164,7 +165,7 @@ std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedC
     if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions);
     if (loose.end != Settling::End::rests) return std::nullopt;
-    return std::move(loose.placements);
+    return with_way_left(drawn, conditions, std::move(loose.placements));
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -174,7 +175,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
-            solve_at(drawn, conditions, std::move(beside.placements), options, seconds, out, rest);
+            solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
+                     rest);
     }
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))

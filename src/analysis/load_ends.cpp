@@ -6,10 +6,37 @@
 #include "src/analysis/singular_places.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/loads.hpp"
+#include "src/solution/contact_measures.hpp"
 
 namespace abut {
 
-std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& conditions, int part) {
+namespace {
+
+/// Where a contact presses up to a place the load may have ended only because the pressure goes on for it.
+void subtract_pressures(const Scene& scene, const SolvedAssembly& solved, int part, double merge, std::vector<LoadEnd>& ends) {
+    for (std::size_t k = 0; k < solved.stretches.size(); ++k) {
+        const ContactInterface& contact = solved.contacts[k];
+        for (int side : {0, 1}) {
+            if (contact.part[at(side)] != part) continue;
+            for (const PressedStretch& stretch : solved.stretches[k])
+                for (double s : {stretch.begin, stretch.end}) {
+                    const geometry::FacingPair pair = pair_at(scene, contact, s);
+                    const Vec2 place = side == 0 ? pair.on1.x : pair.on2.x;
+                    const auto here = std::find_if(ends.begin(), ends.end(),
+                                                   [&](const LoadEnd& e) { return (e.at - place).norm() <= merge; });
+                    if (here == ends.end()) continue;
+                    const Vec2 traction = solver::pressure_at(contact.face.pressure, pressure_of(solved, k), s) * pair.normal;
+                    for (const Vec2& other : {Vec2(here->jump + traction), Vec2(here->jump - traction)})
+                        if (other.norm() < here->jump.norm()) here->jump = other;
+                }
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                               int part) {
     constexpr double rounding = 1e-9;  // of the largest traction
     const geometry::Part& shape = scene.parts[at(part)].part;
     const double merge = merge_length(shape);
@@ -36,6 +63,7 @@ std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& con
             }
         }
     }
+    subtract_pressures(scene, solved, part, merge, ends);
     std::erase_if(ends, [&](const LoadEnd& end) {
         return end.jump.norm() <= rounding * largest || std::abs(turn_at(shape, end.at)) > sharp_turn;
     });

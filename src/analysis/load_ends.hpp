@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/plan/boundary_conditions.hpp"
+#include "src/solution/solved_assembly.hpp"
 
 namespace abut {
 
@@ -14,8 +15,9 @@ struct LoadEnd {
     Vec2 jump;  ///< force per area
 };
 
-/// The places of one part of the scene, by the loads that its edges carry together. At corners, between whose sides the
-/// traction may differ without a jump of the stress, there is none.
-std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& conditions, int part);
+/// The places of one part of the scene, by the loads that its edges carry together, and the pressures of contacts that begin
+/// where a load ends. At corners, between whose sides the traction may differ without a jump of the stress, there is none.
+std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                               int part);
 
 }  // namespace abut

@@ -112,13 +112,25 @@ MissedContact missed_between(double begin, double end, double depth) {
     return m;
 }
 
+/// The gaps at a zone's ends and points; 0 under pressure.
+std::vector<GapAt> gaps_along(const DeformedZone& zone, const ContactInterface& c) {
+    std::vector<GapAt> gaps;
+    const auto append = [&](double s, std::optional<double> gap) {
+        if (gap) gaps.push_back({s, zone.is_pressed(s) ? 0 : *gap});
+    };
+    append(c.s.front(), zone.gap(c.s.front()));
+    for (const solver::InterfacePoint& p : c.face.points) append(p.s, zone.gap(p));
+    append(c.s.back(), zone.gap(c.s.back()));
+    return gaps;
+}
+
 /// The least gap along a zone, about that of its points.
-double least_of(const DeformedZone& zone, const ContactInterface& c, const std::vector<GapAt>& gaps) {
+double least_of(const DeformedZone& zone, const std::vector<GapAt>& gaps) {
     if (gaps.empty()) return std::numeric_limits<double>::infinity();
     const auto least = std::min_element(gaps.begin(), gaps.end(), [](const GapAt& a, const GapAt& b) { return a.gap < b.gap; });
     if (least->gap == 0) return 0;
-    const double before = least == gaps.begin() ? c.s.front() : (least - 1)->s,
-                 after = least + 1 == gaps.end() ? c.s.back() : (least + 1)->s;
+    const double before = least == gaps.begin() ? least->s : (least - 1)->s,
+                 after = least + 1 == gaps.end() ? least->s : (least + 1)->s;
     return std::min(least->gap, least_between(zone, before, after).gap);
 }
 
@@ -127,14 +139,13 @@ double least_of(const DeformedZone& zone, const ContactInterface& c, const std::
 /// estimate, and by motions that nothing holds, which tilt the gap.
 SeenContact look_at(const DeformedZone& zone, const ContactInterface& c) {
     SeenContact seen;
-    std::vector<GapAt> gaps;  // 0: under pressure
-    for (const solver::InterfacePoint& p : c.face.points) gaps.push_back({p.s, zone.is_pressed(p.s) ? 0 : zone.gap(p)});
-    seen.least_gap = least_of(zone, c, gaps);
+    const std::vector<GapAt> gaps = gaps_along(zone, c);
+    seen.least_gap = least_of(zone, gaps);
     const std::size_t n = gaps.size();
     std::vector<MissedContact>& found = seen.overlaps;
     for (std::size_t i = 0; i < n; ++i) {
-        const double before = i == 0 ? c.s.front() : gaps[i - 1].s;
-        const auto after = [&] { return i + 1 == n ? c.s.back() : gaps[i + 1].s; };
+        const double before = i == 0 ? gaps[i].s : gaps[i - 1].s;
+        const auto after = [&] { return i + 1 == n ? gaps[i].s : gaps[i + 1].s; };
         if (gaps[i].gap < 0) {
             const std::size_t first = i;
             double depth = -gaps[i].gap;

@@ -160,7 +160,7 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
     if (now.s.empty() || before.s.empty()) return change;
     change.local.resize(static_cast<std::size_t>(now.pressure.n_intervals()));
     const auto& rule = geometry::gauss_rule(points_per_interval);
-    std::vector<std::array<double, 2>> inside;  // pressure and difference
+    std::vector<std::array<double, 2>> inside, at_ends;  // pressure and difference
     for (int i = 0; i < now.pressure.n_intervals(); ++i) {
         const double a = now.pressure.breakpoints[static_cast<std::size_t>(i)];
         const double h = now.pressure.breakpoints[static_cast<std::size_t>(i) + 1] - a;
@@ -179,9 +179,10 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             const double square = w * (p - p0) * (p - p0);
             change.difference += square;
             change.norm += w * p * p;
-            if (beside(StretchEnd::Kind::free, now, s) || beside(StretchEnd::Kind::free, before, s0)) continue;
+            const bool at_end = beside(StretchEnd::Kind::free, now, s) || beside(StretchEnd::Kind::free, before, s0);
+            (at_end ? at_ends : inside).push_back({std::abs(p), std::abs(p - p0)});
+            if (at_end) continue;
             change.inside += square;
-            inside.push_back({std::abs(p), std::abs(p - p0)});
             LocalChange& local = change.local[static_cast<std::size_t>(i)];
             local.square += square;
             local.refinement = std::max(local.refinement, closer);
@@ -192,8 +193,9 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
             }
         }
     }
-    for (const auto& [p, difference] : inside)
-        if (p + difference >= change.peak) change.around_peak = std::max(change.around_peak, difference);
+    for (const auto& [places, around_peak] : {std::pair(&inside, &change.around_peak), std::pair(&at_ends, &change.at_ends)})
+        for (const auto& [p, difference] : *places)
+            if (p + difference >= change.peak) *around_peak = std::max(*around_peak, difference);
     change.difference = std::sqrt(change.difference);
     change.inside = std::sqrt(change.inside);
     change.refinement = length > 0 ? std::exp(ratios / length) : 1;

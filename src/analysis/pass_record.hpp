@@ -60,6 +60,7 @@ struct PressureChange {
     double norm = 0;                     ///< L2 of the pressure
     double peak = 0, peak_before = 0;    ///< largest magnitude: bonds pull, too
     double around_peak = 0;              ///< largest difference inside where it could have made, or hidden, the peak
+    double at_ends = 0;                  ///< the same in the neighbourhoods of free ends
     double force = 0, force_before = 0;  ///< integral of the pressure, times the thickness
     double force_change = 0;         ///< of the resultant, relative to it; of the integral where that is unknown or rounding
     double ends_left = 0;            ///< what its free ends still have to move, of the contact's length

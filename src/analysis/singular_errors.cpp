@@ -73,7 +73,7 @@ std::vector<SingularError> singular_errors(const Scene& scene, const ResolvedCon
         std::vector<SingularPlace> places = singular_places(scene, conditions, solved, solved.grids[k].part);
         std::erase_if(places, [](const SingularPlace& place) { return place.missed_share == 0; });
         if (!places.empty()) append_errors(solved, k, places, errors);
-        append_load_ends(solved.grids[k], k, load_ends(scene, conditions, solved.grids[k].part), errors);
+        append_load_ends(solved.grids[k], k, load_ends(scene, conditions, solved, solved.grids[k].part), errors);
     }
     return errors;
 }

@@ -19,7 +19,7 @@ Effect left_out_effect(const Scene& scene, const ResolvedConditions& conditions)
         for (std::size_t i = 0; i < solved.size(); ++i)
             if (!solved[i]) effect.parts.push_back(scene.parts[i].name);
         effect.on = !effect.parts.empty();
-        effect.why = effect.on ? "not analysed: they carry no load and touch no part that does"
+        effect.why = effect.on ? "not analysed: they carry no load, and no face of them touches a part that does"
                                : "every part carries a load, or touches one that does";
     } catch (const InputError& error) {
         effect.why = "not known, since contacts cannot be searched: " + one_line(error.problems().front());
@@ -38,8 +38,9 @@ std::string left_out_text(const std::vector<std::string>& parts) {
     if (parts.empty()) return "";
     std::string names;
     for (const std::string& part : parts) names += (names.empty() ? "" : ", ") + part;
-    return parts.size() == 1 ? "part " + names + " is not analysed: it carries no load and touches no part that does"
-                             : "parts " + names + " are not analysed: they carry no load and touch no part that does";
+    return parts.size() == 1
+               ? "part " + names + " is not analysed: it carries no load, and no face of it touches a part that does"
+               : "parts " + names + " are not analysed: they carry no load, and no face of them touches a part that does";
 }
 
 }  // namespace abut

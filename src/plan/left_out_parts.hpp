@@ -17,7 +17,8 @@ Effect left_out_effect(const Scene& scene, const ResolvedConditions& conditions)
 /// The names of a result's parts that were left out; none where no part was solved, which is told otherwise.
 std::vector<std::string> left_out_parts(const Result& result);
 
-/// The left out parts in words: "parts a, b are not analysed: they carry no load and touch no part that does"; empty for none.
+/// The left out parts in words: "parts a, b are not analysed: they carry no load, and no face of them touches a part that does";
+/// empty for none.
 std::string left_out_text(const std::vector<std::string>& parts);
 
 }  // namespace abut

@@ -467,5 +467,16 @@ TEST(Facing, ManyShortEdges) {
     EXPECT_LT(seconds, 20);  // 0.3 s optimised; quadratic behaviour takes minutes
 }
 
+/// A prism of 60 degrees stands on a wall: both of its faces are at the limit, wherever rounding has them.
+TEST(Facing, FacesAtTheLimitCountHoweverTheyAreTurned) {
+    const Part wall = block(-50, -10, 50, 0),
+               prism = polygon(
+                   {{0, 0}, {20 * std::sin(pi / 6), 20 * std::cos(pi / 6)}, {-20 * std::sin(pi / 6), 20 * std::cos(pi / 6)}});
+    for (int degrees = 0; degrees < 90; ++degrees) {
+        const double angle = degrees * pi / 180;
+        EXPECT_EQ(find_facing_zones(turned(prism, angle, {0, 0}), turned(wall, angle, {0, 0}), 5).size(), 2U) << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace abut::geometry::facing_test

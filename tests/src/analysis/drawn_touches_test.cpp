@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +40,31 @@ TEST(DrawnTouches, ABarOnBladesFailsByTheirNames) {
     double pressed = 0;  // both faces of a tip have a share
     for (const ContactResult& c : blunt.contacts) pressed += std::abs(c.force.y());
     EXPECT_NEAR(pressed, 500, 1e-6);
+}
+
+/// A bar on two blocks and a blade between them.
+TEST(DrawnTouches, ABarThatBendsIntoABladeIsNoAnswer) {
+    const auto block = [](const char* name, const char* polygon) {
+        return std::string(R"(, {"name": ")") + name + R"(", "material": "m", "geometry": {"polygon": )" + polygon + "}}";
+    };
+    const auto answer = [&](const char* load) {
+        return test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "bar", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [200, 10]}}})" +
+                            block("left", "[[0, 0], [0, -20], [20, -20], [20, 0]]") +
+                            block("blade", "[[100, 0], [90, -20], [110, -20]]") +
+                            block("right", "[[180, 0], [180, -20], [200, -20], [200, 0]]") + R"(],
+            "supports": [{"on": ["left/e1", "right/e1", "blade/e1"], "fix": ["x", "y"]},
+                         {"part": "bar", "rigid": {"translation": [0, null]}}],
+            "loads": [{"on": "bar/top", "force": )" +
+                            load + R"(}], "accuracy": {"level": "draft"}})");
+    };
+    const auto says = [](const Result& r) {
+        return std::any_of(r.reasons.begin(), r.reasons.end(), [](const auto& reason) {
+            return reason.text.find("bar and blade go into each other by ") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(says(answer("[0, -500]")));
+    EXPECT_FALSE(says(answer("[0, 0]")));
 }
 
 }  // namespace abut::drawn_touches_test

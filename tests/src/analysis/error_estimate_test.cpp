@@ -156,4 +156,18 @@ TEST(ErrorEstimate, BesideCornersASmallChangeMayBeByChance) {
     EXPECT_GT(*estimate_errors(std::vector<PassRecord>{coarser, pass({now})}, before).contact_pressure, 0.01);
 }
 
+/// A spike beside a free end is as high as that end is near: where the end moved by its width, another of the same height does
+/// not confirm it.
+TEST(ErrorEstimate, APeakBesideAnEndThatMovedIsNotKnown) {
+    const auto spike = [](double middle) {
+        ContactRecord r = record(200, [=](double s) { return 1 + 9 * std::exp(-std::pow((s - middle) / 0.01, 2)); });
+        r.stretches[0].at_begin = {StretchEnd::Kind::free, 0.1, 0};
+        return r;
+    };
+    EXPECT_LT(*estimate({pass({spike(0.05)}), pass({spike(0.05)})}).peak, 1e-9);
+    const ErrorEstimate moved = estimate({pass({spike(0.05)}), pass({spike(0.03)})});
+    EXPECT_GT(*moved.peak, 0.5);
+    EXPECT_LT(moved.contacts[0]->peak_inside, 0.01);
+}
+
 }  // namespace abut::error_estimate_test

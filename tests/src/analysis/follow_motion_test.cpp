@@ -47,6 +47,29 @@ TEST(FollowMotion, BendingIsNoMotionOfThePart) {
     }
 }
 
+/// A shoe on a drum that is turned, a little or far: friction slides all the same, over what the drum goes last. Its moment is
+/// mu R times the integral of the pressure.
+TEST(FollowMotion, FrictionSlidesWhereAPartIsLedFar) {
+    const auto braked = [](double degrees) {
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "drum", "material": "m", "geometry": {"circle": {"center": [0, 0], "radius": 40}}},
+            {"name": "shoe", "material": "m", "geometry": {"difference": [
+                {"rectangle": {"min": [-20, 30], "max": [20, 60]}}, {"circle": {"center": [0, 0], "radius": 40}}]}}],
+            "supports": [{"part": "drum", "rigid": {"translation": [0, 0], "rotation": )" +
+                            test::number(degrees) + R"(}},
+                         {"part": "shoe", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "loads": [{"part": "shoe", "force": [0, -1000]}], "contacts": {"friction": 0.3},
+            "accuracy": {"level": "draft"}})");
+    };
+    const double near = braked(0.01).reactions.at(0).moment;
+    EXPECT_NEAR(std::abs(near), 0.3 * 40 * 1000, 0.05 * 12000);  // the arc presses a little more than the force
+    for (double degrees : {0.5, 20.0, -20.0}) {
+        const Result far = braked(degrees);
+        ASSERT_EQ(far.status, "ok") << far.message;
+        EXPECT_NEAR(far.reactions.at(0).moment, degrees > 0 ? near : -near, 0.01 * std::abs(near)) << degrees;
+    }
+}
+
 /// A lever in mid-air, held by its pin alone, falls on its stop with or without friction, which acts on it there.
 TEST(FollowMotion, FrictionThatHoldsNothingLetsPartsGo) {
     const auto falls = [](const std::string& friction) {

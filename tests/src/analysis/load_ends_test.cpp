@@ -16,7 +16,7 @@ std::vector<LoadEnd> ends_with(const std::string& loads) {
         "supports": [{"on": "b/e0", "fix": ["x", "y"]}], "loads": )" +
                                             loads + "}",
                                         "test.json");
-    return load_ends(scene, resolve_conditions(scene), 0);
+    return load_ends(scene, resolve_conditions(scene), SolvedAssembly(), 0);
 }
 
 TEST(LoadEnds, APressureEndsWithinAFace) {

@@ -89,6 +89,26 @@ Result pushed_row(double degrees) {
                         test::number(0.02 * std::cos(turn)) + R"(, "y": )" + test::number(0.02 * std::sin(turn)) + "}}]}");
 }
 
+/// A block that lies on a base and is pushed against a stop whose face leans away from the corner that both begin at.
+Result against_corner(double degrees) {
+    const std::string turn = R"("place": {"rotate": )" + test::number(degrees) + "}";
+    const double turned = degrees * std::numbers::pi / 180;
+    const auto force = [&](double x, double y) {
+        return test::pair_text(x * std::cos(turned) - y * std::sin(turned), x * std::sin(turned) + y * std::cos(turned));
+    };
+    return test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10, "contacts": {"friction": 0.2},
+        "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [60, 15]}}, )" +
+                        turn + R"(},
+        {"name": "stop", "material": "m", "geometry": {"polygon": [[48, 15], [58, 15], [58, 45], [52, 45]]}, )" +
+                        turn + R"(},
+        {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [12, 15], "max": [48, 45]}}, )" +
+                        turn + R"(}],
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"on": "stop/e1", "fix": ["x", "y"]}],
+        "loads": [{"part": "block", "force": )" +
+                        force(590, -3000) + "}]}");
+}
+
 TEST(MissedContacts, EveryRollerCarriesItsShareAtEveryAccuracy) {
     // 26.1 N by independent finite elements; the first cells see no contact there, for a mean gap stays open
     for (const char* level : {"draft", "standard", "fine"}) {
@@ -135,6 +155,16 @@ TEST(MissedContacts, WhereMotionsAloneDriveOverlapsAreMeasuredByEachOther) {
         for (const ContactResult& c : r->contacts) EXPECT_NE(c.status, "open");
     }
     EXPECT_NEAR(force_on(turned, "d0"), force_on(straight, "d0"), 0.01 * force_on(straight, "d0"));
+}
+
+TEST(MissedContacts, ACornerAtAZonesEndIsSeen) {
+    const Result straight = against_corner(0), turned = against_corner(30);
+    for (const Result* r : {&straight, &turned}) {
+        ASSERT_EQ(r->status, "ok");
+        EXPECT_GT(r->contacts.at(2).force.norm(), 20);
+    }
+    const double force = straight.contacts.at(2).force.norm();
+    EXPECT_NEAR(turned.contacts.at(2).force.norm(), force, 0.05 * force);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST(LeftOutParts, TheAnswerNamesThem) {
     Scene scene = scene_of({.more_parts = two_far});
     scene.accuracy.level = "draft";
     const Result result = analyze(scene, {});
-    const std::string text = "parts block, peg are not analysed: they carry no load and touch no part that does";
+    const std::string text =
+        "parts block, peg are not analysed: they carry no load, and no face of them touches a part that does";
     EXPECT_EQ(std::count(result.warnings.begin(), result.warnings.end(), text), 1);
     EXPECT_NE(result_table(result).find("warning: " + text), std::string::npos);
     const auto parts = nlohmann::json::parse(result_json(result))["parts"];
@@ -59,7 +60,7 @@ TEST(LeftOutParts, ASceneWithoutThemHasNoWordOfThem) {
     scene.accuracy.level = "draft";
     for (const std::string& warning : analyze(scene, {}).warnings) EXPECT_EQ(warning.find("not analysed"), std::string::npos);
     EXPECT_EQ(left_out_text({}), "");
-    EXPECT_EQ(left_out_text({"a"}), "part a is not analysed: it carries no load and touches no part that does");
+    EXPECT_EQ(left_out_text({"a"}), "part a is not analysed: it carries no load, and no face of it touches a part that does");
 }
 
 }  // namespace
