@@ -59,7 +59,9 @@ std::string job_line(const JobRecord& record, bool kept) {
         text += record.message.empty() ? "" : ";";
         text += " " + plural(record.parts.value_or(0), "part") + ", " + plural(record.pairs.value_or(0), "pair");
         if (record.max_pressure) text += ", peak pressure " + number_text(*record.max_pressure, 4);
-        if (record.error_estimate) text += " (estimated error " + number_text(100 * *record.error_estimate, 2) + " %)";
+        if (record.error_estimate)
+            text += std::string(record.max_pressure ? ", contact pressures" : ", stresses") + " known to " +
+                    number_text(100 * *record.error_estimate, 2) + " %";
         if (!record.warnings.empty()) text += ", " + plural(static_cast<int>(record.warnings.size()), "warning");
     }
     return text + (kept ? ", kept" : ", " + number_text(record.seconds, 2) + " s");

@@ -80,7 +80,7 @@ void warn_of_held_contacts(const Scene& scene, const ResolvedConditions& conditi
                     return holds_there(scene.supports[s], conditions.supports[s], of, of == c.first ? p.on1 : p.on2);
                 };
                 if (std::none_of(touching.begin(), touching.end(), is_held)) continue;
-                const std::string text = "support " + std::to_string(s) + " (" + support_label(scene, static_cast<int>(s)) +
+                const std::string text = "support " + std::to_string(s + 1) + " (" + support_label(scene, static_cast<int>(s)) +
                                          ") holds part " + scene.parts[at(part)].name + " where " +
                                          scene.parts[at(other)].name +
                                          " touches it: what presses there goes into the support, not through the part; hold "

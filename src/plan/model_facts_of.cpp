@@ -131,6 +131,8 @@ ModelFacts model_facts(const Scene& scene, const ModelSources& sources) {
     const ResultUnits units = result_units(labels);
     ModelFacts facts;
     facts.files = sources.files;
+    facts.length_unit = scene.length_unit;
+    facts.force_unit = scene.force_unit;
     facts.analysis = analysis_key(scene.analysis);
     for (const Material& m : scene.materials)
         facts.materials.push_back(

@@ -50,6 +50,7 @@ FactsJson load_fact(const LoadFacts& l) {
 std::string model_json(const ModelFacts& model) {
     FactsJson j;
     j["files"] = facts_list(model.files, [](const HashedFile& f) { return FactsJson{{"file", f.file}, {"hash", f.hash}}; });
+    j["units"] = {{"length", model.length_unit}, {"force", model.force_unit}};
     j["analysis"] = model.analysis;
     j["materials"] = facts_list(model.materials, material_fact);
     j["parts"] = facts_list(model.parts, [](const PartFacts& p) {

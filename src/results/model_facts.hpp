@@ -43,9 +43,10 @@ struct SupportFacts {
 
 /// The model.
 struct ModelFacts {
-    std::string begun{};            ///< when the run began: "2026-01-31T12:00:00Z"; may be empty
-    std::vector<HashedFile> files;  ///< the scene's file, and those that it imports; empty: made from no file
-    std::string analysis;           ///< "plane_stress", "plane_strain", "axisymmetric"; empty: nothing is known
+    std::string begun{};                  ///< when the run began: "2026-01-31T12:00:00Z"; may be empty
+    std::vector<HashedFile> files;        ///< the scene's file, and those that it imports; empty: made from no file
+    std::string length_unit, force_unit;  ///< empty: not given
+    std::string analysis;                 ///< "plane_stress", "plane_strain", "axisymmetric"; empty: nothing is known
     std::vector<MaterialFacts> materials;
     std::vector<PartFacts> parts;
     std::vector<LoadFacts> loads;

@@ -87,15 +87,23 @@ std::vector<NamedNumber> numbers_of(const DifferenceJson& result) {
     return std::move(list.numbers);
 }
 
+/// "mm, N"; empty: not given, or of a result that was written before they were.
+std::string units_of(const DifferenceJson& result) {
+    const DifferenceJson::json_pointer at("/model/units");
+    if (!result.contains(at)) return "";
+    const auto length = result.at(at).at("length").get<std::string>(), force = result.at(at).at("force").get<std::string>();
+    return length.empty() || force.empty() ? length + force : length + ", " + force;
+}
+
 struct ReadResult {
-    std::string verdict;
+    std::string verdict, units;  // "" for units that are not known
     std::vector<NamedNumber> numbers;
 };
 
 ReadResult read_result(const std::string& text, const std::string& name) {
     try {
         const DifferenceJson j = DifferenceJson::parse(text);
-        return {j.at("verdict").get<std::string>(), numbers_of(j)};
+        return {j.at("verdict").get<std::string>(), units_of(j), numbers_of(j)};
     } catch (const nlohmann::json::exception&) {
         throw InputError(name, "this is no result of abut analyze", "give its folder, or its result.json");
     }
@@ -129,6 +137,9 @@ bool exceeds_errors(const ComparedNumber& number) {
 ResultDifference compare_results(const std::string& a, const std::string& name_a, const std::string& b,
                                  const std::string& name_b) {
     const ReadResult first = read_result(a, name_a), second = read_result(b, name_b);
+    if (!first.units.empty() && !second.units.empty() && first.units != second.units)
+        throw InputError(name_b, "this result is in other units, " + second.units + ", than " + name_a + ", " + first.units,
+                         "analyse both scenes in the same units");
     ResultDifference difference{first.verdict, second.verdict, {}};
     std::vector<bool> taken(second.numbers.size(), false);
     for (const NamedNumber& n : first.numbers) {

@@ -48,7 +48,7 @@ TEST(HeldContacts, ASupportOnAContactIsAWarning) {
     };
     const std::vector<std::string> both = held(R"({"on": "b/bottom", "fix": ["x", "y"]})");
     ASSERT_EQ(both.size(), 1U);
-    for (const char* word : {"support 1", "holds part b where base touches it", "rigid"})
+    for (const char* word : {"support 2", "holds part b where base touches it", "rigid"})
         EXPECT_NE(both[0].find(word), std::string::npos) << both[0];
     EXPECT_EQ(held(R"({"on": "b/bottom", "symmetry": true}, )" + glide).size(), 1U);
     EXPECT_EQ(held(R"({"on": "base/top", "fix": ["y"]}, )" + glide).size(), 1U);

@@ -9,6 +9,7 @@
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
 #include "src/scene/scene.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut::support_methods_test {
 namespace {
@@ -291,6 +292,27 @@ TEST(SupportMethods, HeldPointsMayBeCornersAndNeedAPartThatTheyGoWith) {
     EXPECT_EQ(problem_of(warm), "");
     warm.accuracy = R"("dirichlet": "solution_structure")";
     EXPECT_NE(problem_of(warm).find("whose temperature changes"), std::string::npos);
+}
+
+/// A plate that a half bolt squeezes, kept in place by one of its corners: the corner's function must not be what the plate is
+/// pinned by, or the support would hold nothing.
+TEST(SupportMethods, APartIsKeptByAnyOfItsCorners) {
+    for (const char* corner : {"[30, 0]", "[30, 30]", "[6, 0]", "[6, 30]", "[30, 15]"}) {
+        const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "plate", "material": "m", "geometry": {"rectangle": {"min": [6, 0], "max": [30, 30]}}},
+            {"name": "bolt", "material": "m", "geometry": {"union": [{"rectangle": {"min": [0, -1], "max": [5, 31]}},
+                {"rectangle": {"min": [0, -8], "max": [10, 0]}}, {"rectangle": {"min": [0, 30], "max": [10, 38]}}]}}],
+            "supports": [{"part": "plate", "at": )" +
+                                      std::string(corner) + R"(, "fix": ["y"]},
+                {"part": "plate", "rigid": {"translation": [0, null], "rotation": null}},
+                {"on": {"part": "bolt", "facing": [-1, 0]}, "symmetry": true}],
+            "loads": [{"on": {"part": "bolt", "near": [7, 38]}, "force": [0, -500]},
+                      {"on": {"part": "bolt", "near": [7, -8]}, "force": [0, 500]}], "accuracy": {"level": "draft"}})");
+        ASSERT_EQ(r.status, "ok") << corner << ": " << r.message;
+        EXPECT_LT(r.reactions.at(0).force.norm(), 1e-6) << corner;
+        EXPECT_GT(r.contacts.at(0).force.norm(), 200) << corner;
+        EXPECT_NEAR(r.contacts.at(0).force.norm(), r.contacts.at(1).force.norm(), 1e-6) << corner;
+    }
 }
 
 }  // namespace

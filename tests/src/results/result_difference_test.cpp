@@ -100,6 +100,22 @@ TEST(ResultDifference, WhatOnlyOneHasIsTold) {
     EXPECT_NE(table.find("only in B"), std::string::npos);
 }
 
+TEST(ResultDifference, OtherUnitsAreRefused) {
+    ModelFacts mm, m;
+    mm.analysis = m.analysis = "plane_stress";
+    mm.length_unit = "mm";
+    m.length_unit = "m";
+    const auto text = [](const ModelFacts& model) { return result_json(some_result(), model); };
+    EXPECT_NO_THROW(compare_results(text(mm), "a.json", text(mm), "b.json"));
+    EXPECT_NO_THROW(compare_results(text(mm), "a.json", result_json(some_result()), "b.json"));
+    try {
+        compare_results(text(mm), "a.json", text(m), "b.json");
+        FAIL() << "compared";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("in other units, m, than a.json, mm"), std::string::npos) << error.what();
+    }
+}
+
 TEST(ResultDifference, OtherFilesAreRefused) {
     for (const std::string text : {"", "{}", "[1]", R"({"verdict": 5})"})
         EXPECT_THROW(compare_results(result_json(some_result()), "a.json", text, "b.json"), InputError) << text;
