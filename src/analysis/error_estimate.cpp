@@ -26,6 +26,9 @@ constexpr double most_fall = 0.25;
 /// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved, or by all of a tail
 /// that the pressure's error could take away.
 constexpr double ends_in_peak = 0.3, ends_in_length = 1;
+/// A peak's change tells its error to within this factor (tests/verification/estimate_test.cpp): as far as that, theory is
+/// believed where it says more.
+constexpr double most_too_low = 2;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
 
@@ -118,7 +121,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
         const double distance = std::hypot(away.inside / away.norm, e.force, theory->doubt);
         const double of_theory = std::abs(away.peak - away.peak_before) / away.peak;
         e.inside = std::min(e.inside, distance);
-        e.peak = std::min(e.peak, std::max({of_theory, distance, ends_in_peak * e.ends}));
+        e.peak = std::min(most_too_low * e.peak, std::max({of_theory, distance, ends_in_peak * e.ends}));
     }
     e.peak = std::max(e.peak, e.inside);  // no place is known better than the mean
     e.pressure = std::hypot(e.ends, e.inside);
