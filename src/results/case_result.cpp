@@ -2,6 +2,9 @@
 #include "src/results/case_result.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "geometry/brep/part.hpp"
 
 namespace abut {
 
@@ -25,6 +28,23 @@ ContactEnvelope& envelope_for(const ContactResult& contact, int which, std::vect
     return all.back();
 }
 
+/// The largest displacement from where a part is drawn: of one that was analysed elsewhere that of its boundary, its way there
+/// included, so that cases can be compared.
+ValueAt displacement_from_drawn(const Result& result, std::size_t i) {
+    const PartResult& part = result.parts[i];
+    if (!part.placement || i >= result.fields.size() || result.fields[i].boundary.empty()) return part.max_displacement;
+    const Vec2 there = geometry::centroid(result.geometry[i]), &by = part.placement->translation;
+    const double c = std::cos(part.placement->rotation), s = std::sin(part.placement->rotation);
+    ValueAt largest;
+    for (const std::vector<FieldSample>& loop : result.fields[i].boundary)
+        for (const FieldSample& sample : loop) {
+            const Vec2 arm = sample.at - there, drawn_arm(c * arm.x() + s * arm.y(), c * arm.y() - s * arm.x());
+            const double distance = (arm - drawn_arm + by + sample.displacement).norm();
+            if (distance > largest.value) largest = {distance, sample.at};
+        }
+    return largest;
+}
+
 void add(const Result& result, std::size_t in_case, Envelope& all) {
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const ContactResult& contact = result.contacts[k];
@@ -42,7 +62,8 @@ void add(const Result& result, std::size_t in_case, Envelope& all) {
         const PartResult& part = result.parts[i];
         PartEnvelope& e = all.parts[i];
         raise(e.max_von_mises, part.max_von_mises.value, part.max_von_mises.at, in_case);
-        raise(e.max_displacement, part.max_displacement.value, part.max_displacement.at, in_case);
+        const ValueAt displacement = displacement_from_drawn(result, i);
+        raise(e.max_displacement, displacement.value, displacement.at, in_case);
         if (!part.utilisation) continue;
         if (!e.utilisation) e.utilisation = CaseValue{*part.utilisation, part.max_von_mises.at, in_case};
         raise(*e.utilisation, *part.utilisation, part.max_von_mises.at, in_case);
