@@ -111,7 +111,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
     if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) > elastic) return std::nullopt;
-    return with_way_left(drawn, conditions, std::move(loose.placements));
+    return with_way_left(drawn, led_parts(drawn, conditions), std::move(loose.placements));
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -155,7 +155,7 @@ void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
-    std::vector<Placement> placements = with_way_left(drawn, conditions, settling.placements);
+    std::vector<Placement> placements = with_way_left(drawn, led_parts(drawn, conditions), settling.placements);
     return Rest{placed(drawn, conditions, placements), std::move(placements)};
 }
 
@@ -165,7 +165,7 @@ std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedC
     if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions);
     if (loose.end != Settling::End::rests) return std::nullopt;
-    return with_way_left(drawn, conditions, std::move(loose.placements));
+    return with_way_left(drawn, led_parts(drawn, conditions), std::move(loose.placements));
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -175,8 +175,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
-            solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
-                     rest);
+            solve_at(drawn, conditions, with_way_left(drawn, led_parts(drawn, conditions), std::move(beside.placements)),
+                     options, seconds, out, rest);
     }
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
@@ -189,8 +189,13 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
-        for (std::size_t i = 0; i < placements.size(); ++i) placements[i] = followed_by(placements[i], (*more)[i]);
-        if (!solve_at(drawn, conditions, std::move(placements), options, seconds, out, rest)) break;
+        std::vector<char> slide = led_parts(drawn, conditions);
+        for (std::size_t i = 0; i < placements.size(); ++i) {
+            placements[i] = followed_by(placements[i], (*more)[i]);
+            slide[i] = slide[i] || (*more)[i].angle != 0 || (*more)[i].shift != Vec2(0, 0);
+        }
+        if (!solve_at(drawn, conditions, with_way_left(drawn, slide, std::move(placements)), options, seconds, out, rest))
+            break;
     }
 }
 

@@ -70,6 +70,26 @@ TEST(FollowMotion, FrictionSlidesWhereAPartIsLedFar) {
     }
 }
 
+/// A cam that turns under a flat follower slides all the way: the shear is mu W, wherever solutions move the follower first.
+TEST(FollowMotion, FrictionSlidesUnderACamThatLiftsAPart) {
+    const double load = 1000, mu = 0.1, off = 5;
+    for (const double degrees : {3.0, 20.0, 30.0, -30.0}) {
+        const double a = degrees * std::numbers::pi / 180;  // about the axis, beside which the disc is drawn
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "cam", "material": "m", "geometry": {"circle": {"center": [5, 0], "radius": 20}}},
+            {"name": "follower", "material": "m", "geometry": {"rectangle": {"min": [-25, 20], "max": [25, 50]}}}],
+            "supports": [{"part": "cam", "rigid": {"translation": )" +
+                                      test::pair_text(off * (std::cos(a) - 1), off * std::sin(a)) + R"(, "rotation": )" +
+                                      test::number(degrees) + R"(}},
+                         {"part": "follower", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "loads": [{"part": "follower", "force": [0, )" +
+                                      test::number(-load) + R"(]}], "contacts": {"friction": )" + test::number(mu) +
+                                      R"(}, "accuracy": {"level": "draft"}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_NEAR(r.contacts.at(0).force.x(), (degrees > 0 ? 1 : -1) * mu * load, 1e-3 * mu * load) << degrees;
+    }
+}
+
 /// A lever in mid-air, held by its pin alone, falls on its stop with or without friction, which acts on it there.
 TEST(FollowMotion, FrictionThatHoldsNothingLetsPartsGo) {
     const auto falls = [](const std::string& friction) {
