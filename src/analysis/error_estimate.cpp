@@ -109,8 +109,9 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
-    if (before && has_corner(now)) e.inside = std::max(e.inside, most_fall * before->inside);
-    if (before && c.peak_stayed) e.peak = std::max(e.peak, (c.stayed ? 1 : most_fall) * before->peak_inside);
+    const double least_kept = c.stayed ? 1 : most_fall;
+    if (before && has_corner(now)) e.inside = std::max(e.inside, least_kept * before->inside);
+    if (before && c.peak_stayed) e.peak = std::max(e.peak, least_kept * before->peak_inside);
     e.peak_inside = e.peak;
     e.peak = std::max(e.peak, missing_of_peak * c.at_ends / c.peak);
     e.force = missing * c.force_change;

@@ -221,13 +221,20 @@ std::optional<double> end_beyond_joint(const std::vector<ContactJoint>& joints, 
     return nearest->s + outward * beyond;
 }
 
+/// Fillets of less than the knots' spacing seem to be pressed as far as they are looked at.
 void move_to_fillets(const std::vector<ContactJoint>& joints, const PlaneContact& plane, PressedStretch& stretch) {
-    const PressedStretch found = stretch;
-    if (!stretch.from_start)
-        stretch.begin =
-            end_beyond_joint(joints, plane, found.begin, -1, near_joint * plane.begin_spacing).value_or(found.begin);
-    if (!stretch.to_end)
-        stretch.end = end_beyond_joint(joints, plane, found.end, 1, near_joint * plane.end_spacing).value_or(found.end);
+    const auto begin = end_beyond_joint(joints, plane, stretch.begin, -1, near_joint * plane.begin_spacing),
+               end = end_beyond_joint(joints, plane, stretch.end, 1, near_joint * plane.end_spacing);
+    if (begin) {
+        stretch.from_start = stretch.from_start && *begin <= stretch.begin;
+        if (!stretch.from_start) stretch.at_begin.kind = StretchEnd::Kind::free;
+        stretch.begin = *begin;
+    }
+    if (end) {
+        stretch.to_end = stretch.to_end && *end >= stretch.end;
+        if (!stretch.to_end) stretch.at_end.kind = StretchEnd::Kind::free;
+        stretch.end = *end;
+    }
 }
 
 /// Half width over the parts' hydraulic diameter, the largest.
@@ -262,10 +269,11 @@ std::optional<PlanePressure> place_stretches(const Scene& scene, const SolvedAss
     PlanePressure pressure{contact.s1, contact.s, {}};
     for (std::size_t r = 0; r < stretches.size(); ++r) {
         PressedStretch& stretch = stretches[r];
-        if ((stretch.from_start && stretch.to_end) || is_at_axis(scene, contact, stretch)) continue;
+        if (is_at_axis(scene, contact, stretch)) continue;
+        const bool is_whole = stretch.from_start && stretch.to_end;
         const PlaneContact plane = plane_contact(contact, pressure_of(solved, k), compliance, solved.stretches[k], r);
         if (!(plane.force > 0)) continue;
-        if (knots_in(contact, stretch) < knots) {
+        if (!is_whole && knots_in(contact, stretch) < knots) {
             if (std::optional<PlaneStretch> known = move_by_galin(scene, contact, joints, plane, stretch))
                 pressure.stretches.push_back(std::move(*known));
         } else {

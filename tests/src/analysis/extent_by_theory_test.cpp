@@ -9,6 +9,7 @@
 #include "src/analysis/adaptive.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/src/io/temporary_folder.hpp"
+#include "tests/verification/scene_answers.hpp"
 #include "tests/verification/true_errors.hpp"
 
 namespace abut::extent_by_theory_test {
@@ -156,6 +157,29 @@ TEST(ExtentByTheory, LeavesWhatItDoesNotApplyTo) {
                 EXPECT_EQ(moved[k][r].end, out.solved.stretches[k][r].end);
             }
     }
+}
+
+/// Fillets of a thousandth of a punch: the first solution has it pressed as far as the fillets are looked at. Turned as drawn.
+TEST(ExtentByTheory, FilletsBelowTheFirstCellsAreSeen) {
+    const auto peak = [](double degrees) {
+        const double a = degrees * std::numbers::pi / 180;
+        const std::string place = R"(, "place": {"rotate": )" + test::number(degrees) + "}}";
+        const Result r =
+            test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "thickness": 10, "parts": [
+            {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [-40, -20], "max": [40, 0]}})" +
+                         place + R"(, {"name": "punch", "material": "m", "geometry": {"union": [
+                {"polygon": [[-9.98, 0], [9.98, 0], [9.98, 15], [-9.98, 15]]},
+                {"polygon": [[-10, 0.02], [10, 0.02], [10, 15], [-10, 15]]},
+                {"circle": {"center": [-9.98, 0.02], "radius": 0.02}}, {"circle": {"center": [9.98, 0.02], "radius": 0.02}}]})" +
+                         place + R"(], "supports": [{"on": "base/bottom", "fix": ["x", "y"]}],
+            "loads": [{"part": "punch", "force": )" +
+                         test::pair_text(8000 * std::sin(a), -8000 * std::cos(a)) + R"(}], "accuracy": {"level": "draft"}})");
+        EXPECT_EQ(r.status, "ok") << r.message;
+        return r.contacts.at(0).max_pressure.value;
+    };
+    const double drawn = peak(0);
+    EXPECT_GT(drawn, 1000);
+    for (double degrees : {8.0, 13.0, 17.0, 61.0, 83.0}) EXPECT_NEAR(peak(degrees), drawn, 0.05 * drawn) << degrees;
 }
 
 }  // namespace abut::extent_by_theory_test
