@@ -21,13 +21,15 @@ constexpr double missing_of_peak = 0.75;
 /// Beside corners an error inside that seems to fall by more than this in one pass does so by chance (case_a: the change fell
 /// to a ninth, the error not at all), and so does that of a peak whose cells are no finer.
 constexpr double most_fall = 0.25;
+/// Nor does it fall faster than splines of degree 2 approach a smooth function, by the spacing of their knots.
+constexpr double order = 3;
 /// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
 /// 0.1 to 1 (generated assemblies, and those of data/ at draft): of use where the change from the grid before is small by
 /// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved, or by all of a tail
 /// that the pressure's error could take away.
 constexpr double ends_in_peak = 0.3, ends_in_length = 1;
-/// A peak's change tells its error to within this factor (tests/verification/estimate_test.cpp): as far as that, theory is
-/// believed where it says more.
+/// A change tells an error to within this factor (tests/verification/estimate_test.cpp): as far as that, theory is believed
+/// where it says more of a peak; and beside corners an error is believed to fall faster.
 constexpr double most_too_low = 2;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
@@ -106,11 +108,15 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     e.change = c.inside / c.norm;
     e.whole_change = c.difference / c.norm;
     fill_local(now, c, missing_share(c, e.change, before), e);
+    e.kept = e.inside;
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
-    const double least_kept = c.stayed ? 1 : most_fall;
-    if (before && has_corner(now)) e.inside = std::max(e.inside, least_kept * before->inside);
+    const double least_kept = std::clamp(std::pow(c.refinement, order), most_fall, 1.0);
+    if (before && has_corner(now)) {
+        e.kept = std::max(e.inside, least_kept * before->kept);
+        e.inside = std::max(e.inside, e.kept / most_too_low);
+    }
     if (before && c.peak_stayed) e.peak = std::max(e.peak, least_kept * before->peak_inside);
     e.peak_inside = e.peak;
     e.peak = std::max(e.peak, missing_of_peak * c.at_ends / c.peak);

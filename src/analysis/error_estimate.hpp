@@ -21,6 +21,7 @@ struct ContactError {
     double pressure = 0;  ///< L2 over the contact, the larger of the pressure's and of friction's traction over its bound:
     double ends = 0, inside = 0;  ///<   of its free ends, to which the borders of slip belong, and of the rest
     double change = 0;            ///< of the rest, from the grids before
+    double kept = 0;              ///< of the rest, by changes before and how fast errors fall
     double peak = 0, force = 0, length = 0;
     double peak_inside = 0;    ///< the peak's by all but a change beside a free end, where it stands when that end still moves
     double stick_length = 0;   ///< of what sticks, absolute

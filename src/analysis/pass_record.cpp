@@ -199,7 +199,6 @@ PressureChange pressure_change(const ContactRecord& now, const Before& before, c
     change.difference = std::sqrt(change.difference);
     change.inside = std::sqrt(change.inside);
     change.refinement = length > 0 ? std::exp(ratios / length) : 1;
-    change.stayed = change.refinement > same_cells;
     change.norm = std::sqrt(change.norm);
     return change;
 }

@@ -66,7 +66,6 @@ struct PressureChange {
     double ends_left = 0;            ///< what its free ends still have to move, of the contact's length
     std::vector<LocalChange> local;  ///< by interval
     bool peak_stayed = false;        ///< the knots there stand no closer than before
-    bool stayed = false;             ///< nor do they in the mean
 };
 /// error_before: by interval of `before`, its squared error over length; empty: unknown.
 PressureChange change_of(const ContactRecord& now, const ContactRecord& before, const std::vector<double>& error_before = {});

@@ -148,7 +148,7 @@ TEST(ErrorEstimate, BesideCornersASmallChangeMayBeByChance) {
     ContactRecord now = scaled(40, 1);
     ErrorEstimate before;
     before.contacts = {ContactError{}};
-    before.contacts[0]->inside = 0.1;
+    before.contacts[0]->inside = before.contacts[0]->kept = 0.1;
     EXPECT_EQ(*estimate_errors(std::vector<PassRecord>{pass({now}), pass({now})}, {}).contact_pressure, 0);
     const PassRecord coarser = pass({scaled(20, 1)});
     EXPECT_LT(*estimate_errors(std::vector<PassRecord>{coarser, pass({now})}, before).contact_pressure, 0.01);
