@@ -14,6 +14,7 @@
 #include "src/base/index.hpp"
 #include "src/contact/candidates.hpp"
 #include "src/io/number_text.hpp"
+#include "src/motion/leads.hpp"
 #include "src/results/findings.hpp"
 
 namespace abut {
@@ -96,11 +97,21 @@ bool is_explained_by(const Scene& drawn, const std::vector<Placement>& placement
     return share_not_explained(drawn, motions_of(drawn, solved), placements) <= 0.5;
 }
 
+/// Do supports lead a part farther than pairs as drawn are good for?
+bool are_led_far(const Scene& drawn, const ResolvedConditions& conditions) {
+    const Leads leads = leads_of(drawn, conditions);
+    for (std::size_t i = 0; i < drawn.parts.size(); ++i)
+        if (is_far(leads.of[i].to.head<2>(), leads.of[i].to[2], bounding_box(drawn.parts[i].part).diagonal())) return true;
+    return false;
+}
+
 /// Where parts rest without friction, if that is where a solution has them but for what is elastic in it: bodies that just
-/// touch, while the solution has them pressed into each other. Nothing where none goes farther than its pairs are good for.
+/// touch, while the solution has them pressed into each other. Where parts are led far, whatever friction does, the solution
+/// tells of the others only whether they go along. Nothing where none goes farther than its pairs are good for.
 std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
                                                   const SolvedAssembly& solved) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
+    constexpr double along = 0.5;     // likewise
     constexpr double noted = 1e-3;    // of a part's size: nearer by, pairs and lines of force are as drawn
     const std::vector<Placement> motions = motions_of(drawn, solved);
     bool any_goes = false;
@@ -110,7 +121,9 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     }
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
-    if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) > elastic) return std::nullopt;
+    if (loose.placements.empty() ||
+        share_not_explained(drawn, motions, loose.placements) > (are_led_far(drawn, conditions) ? along : elastic))
+        return std::nullopt;
     return with_way_left(drawn, led_parts(drawn, conditions), std::move(loose.placements));
 }
 

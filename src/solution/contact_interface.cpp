@@ -23,6 +23,7 @@ using geometry::FacingZone;
 
 constexpr int points_per_piece = 3;
 constexpr int min_intervals = 4;
+constexpr double most_in_piece = 2;  // intervals of the pressure
 
 struct Piece {
     double begin1, end1;
@@ -89,6 +90,9 @@ std::vector<Piece> measure(const Scene& scene, const ContactInterface& c, const 
             const bool halved = first.cells.grid.tree || second.cells.grid.tree;
             piece.size = (halved ? multiplier_spacing_of_halved : multiplier_spacing) * sizes / (c1 + c2);
         }
+        // cells are as long as a piece at least, but where their boundaries are not seen: beside places at which pairs hardly
+        // move
+        piece.size = std::max(piece.size, piece.length / most_in_piece);
         if (piece.length > 0 && piece.size > 0) pieces.push_back(piece);
     }
     return pieces;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "src/results/verdict.hpp"
 #include "src/scene/read_scene.hpp"
@@ -67,6 +68,32 @@ TEST(FollowMotion, FrictionSlidesWhereAPartIsLedFar) {
         const Result far = braked(degrees);
         ASSERT_EQ(far.status, "ok") << far.message;
         EXPECT_NEAR(far.reactions.at(0).moment, degrees > 0 ? near : -near, 0.01 * std::abs(near)) << degrees;
+    }
+}
+
+/// A ball is led along a flat and up a ramp, or only along the flat: F = W tan(slope + atan mu).
+TEST(FollowMotion, FrictionSlidesUpARampThatAPartIsLedTo) {
+    const double load = 200, mu = 0.2, radius = 4;
+    for (const auto& [degrees, way, climbs] :
+         {std::tuple(30.0, 8.0, true), {10.0, 8.0, true}, {30.0, 5.0, true}, {30.0, 2.0, false}}) {
+        SCOPED_TRACE(way);
+        const double slope = degrees * std::numbers::pi / 180, begin = 5, end = 15;
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "bed", "material": "m", "geometry": {"polygon": [[-40, -10], [60, -10], )" +
+                                      test::pair_text(60, (end - begin) * std::tan(slope)) + ", " +
+                                      test::pair_text(end, (end - begin) * std::tan(slope)) + ", " + test::pair_text(begin, 0) +
+                                      R"(, [-40, 0]]}},
+            {"name": "ball", "material": "m", "geometry": {"circle": {"center": [0, 4], "radius": )" +
+                                      test::number(radius) +
+                                      R"(}}}], "supports": [{"on": "bed/e0", "fix": ["x", "y"]},
+            {"part": "ball", "rigid": {"translation": [)" +
+                                      test::number(way) + R"(, null], "rotation": 0}}],
+            "loads": [{"part": "ball", "force": [0, )" +
+                                      test::number(-load) + R"(]}], "contacts": {"friction": )" + test::number(mu) +
+                                      R"(}, "accuracy": {"level": "draft"}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        const double force = load * std::tan((climbs ? slope : 0) + std::atan(mu));
+        EXPECT_NEAR(r.reactions.at(1).force.x(), force, 2e-3 * force);
     }
 }
 
