@@ -21,9 +21,7 @@ struct ContactError {
     double pressure = 0;  ///< L2 over the contact, the larger of the pressure's and of friction's traction over its bound:
     double ends = 0, inside = 0;  ///<   of its free ends, to which the borders of slip belong, and of the rest
     double change = 0;            ///< of the rest, from the grids before
-    double kept = 0;              ///< of the rest, by changes before and how fast errors fall
     double peak = 0, force = 0, length = 0;
-    double peak_inside = 0;    ///< the peak's by all but a change beside a free end, where it stands when that end still moves
     double stick_length = 0;   ///< of what sticks, absolute
     double of_integral = 1;    ///< the resultant's size over the pressure's integral: rounding where a fit presses all round
     double share = 1;          ///< of the strongest contact's pressure (L2)
@@ -33,6 +31,8 @@ struct ContactError {
     std::vector<double> local_of_shear{};  ///< the same of friction's traction, relative to its bound
     bool at_corner = false;                ///< the largest pressure stands at a corner, where it may have no limit
     double whole_change = 0;               ///< of the pressure, from the grids before
+    double kept = 0;                       ///< `inside` by changes before and how fast errors fall
+    double peak_inside = 0;  ///< `peak` but for what a change beside a free end adds, where it stands while that end moves
 };
 
 /// The estimated errors of a solution; unset: nothing to compare with.
