@@ -285,7 +285,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     result.support_marks = support_marks(scene, conditions);
     result.load_marks = load_marks(scene, conditions);
     fill_parts(scene, out.solved, result);
-    tell_motion(drawn, rest, begun.settling, out, result);
+    tell_motion(drawn, conditions, rest, begun.settling, out, result);
     result.as_drawn = mobility_as_drawn(scene, conditions, out.candidates);
     result.multipliers = out.solved.solution.n_multipliers;
     result.solver = {static_cast<int>(out.passes.size()),

@@ -22,7 +22,7 @@ constexpr double missing_of_peak = 0.75;
 /// to a ninth, the error not at all), and so does that of a peak whose cells are no finer.
 constexpr double most_fall = 0.25;
 /// Nor does it fall faster than splines of degree 2 approach a smooth function, by the spacing of their knots.
-constexpr double order = 3;
+constexpr double order_of_fall = 3;
 /// An error at the ends of contact shifts its force, the largest pressure by 0.01 to 0.3 of it, and the contact's length by
 /// 0.1 to 1 (generated assemblies, and those of data/ at draft): of use where the change from the grid before is small by
 /// chance. Ends of light tails move by more than the pressure there can tell: by what they still moved, or by all of a tail
@@ -112,7 +112,7 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
-    const double least_kept = std::clamp(std::pow(c.refinement, order), most_fall, 1.0);
+    const double least_kept = std::clamp(std::pow(c.refinement, order_of_fall), most_fall, 1.0);
     if (before && has_corner(now)) {
         e.kept = std::max(e.inside, least_kept * before->kept);
         e.inside = std::max(e.inside, e.kept / most_too_low);

@@ -16,6 +16,9 @@
 #include "src/io/number_text.hpp"
 #include "src/motion/leads.hpp"
 #include "src/results/findings.hpp"
+#include "src/results/result_units.hpp"
+#include "src/solution/contact_measures.hpp"
+#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
@@ -163,6 +166,44 @@ void tell_tipping(const Scene& drawn, const Rest& rest, Result& result) {
     tell(std::move(tipped), "displacement", result);
 }
 
+/// The point of a part that a placement has brought to x.
+Vec2 from_where(const Placement& p, const Vec2& x) {
+    return Placement{-p.angle, {0, 0}}.turned(x - p.shift);
+}
+
+/// Where a part is led along another for longer than the solution has it slide, friction is at its limit; that of soft bodies
+/// may not have come there over what was left of the way.
+void tell_friction_short_of_its_limit(const Scene& drawn, const std::vector<char>& led, const Rest& rest,
+                                      const SolvedAssembly& solved, Result& result) {
+    constexpr double slid = 0.01;      // of the smaller part's size: ten times what is left of the way
+    constexpr double at_limit = 0.98;  // a rim may stick
+    std::vector<Finding> findings;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const double friction = friction_of(solved, k);
+        if (friction == 0 || !std::isfinite(friction) || solved.stretches[k].empty()) continue;
+        const FrictionSums sums = friction_sums(solved, k);
+        if (std::abs(sums.shear) >= at_limit * friction * sums.normal) continue;
+        const std::array<int, 2>& part = solved.contacts[k].part;
+        if (!led[at(part[0])] && !led[at(part[1])]) continue;
+        const PressedStretch& stretch = solved.stretches[k].front();
+        const geometry::FacingPair pair = pair_at(rest.scene, solved.contacts[k], 0.5 * (stretch.begin + stretch.end));
+        const Vec2 by =
+            from_where(rest.placements[at(part[0])], pair.on1.x) - from_where(rest.placements[at(part[1])], pair.on1.x);
+        const double along = std::abs(geometry::left_of(pair.normal).dot(by)),
+                     size = std::min(bounding_box(drawn.parts[at(part[0])].part).diagonal(),
+                                     bounding_box(drawn.parts[at(part[1])].part).diagonal());
+        if (along <= slid * size) continue;
+        const std::string who = drawn.parts[at(part[0])].name + " and " + drawn.parts[at(part[1])].name;
+        findings.push_back({along, who,
+                            who + " slide along each other by " + with_unit(along, 3, drawn.length_unit) +
+                                ", but over the last of it, which the solution has, friction has come to " +
+                                percent_text(std::abs(sums.shear) / (friction * sums.normal)) +
+                                " of its limit only: draw them nearer to where they come to rest, or take \"motion\": \"off\"",
+                            "friction between " + who + " is not at its limit though they slide"});
+    }
+    tell(std::move(findings), "displacement", result);
+}
+
 }  // namespace
 
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
@@ -212,7 +253,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     }
 }
 
-void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Settling& settling, Outcome& out, Result& result) {
+void tell_motion(const Scene& drawn, const ResolvedConditions& conditions, const std::optional<Rest>& rest,
+                 const Settling& settling, Outcome& out, Result& result) {
     if (settling.end == Settling::End::never && has_answer(out))
         out.solved.failure = "the loads move parts that nothing holds: " + settling.why +
                              ". Add a support, or a part that it can rest on, or draw it where it comes to rest";
@@ -242,6 +284,7 @@ void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Sett
                                   " from where it was drawn: places and displacements are those from there" +
                                   (has_friction(drawn.contacts) ? ", and friction acts from there on" : ""));
         tell_tipping(drawn, *rest, result);
+        if (has_answer(out)) tell_friction_short_of_its_limit(drawn, led_parts(drawn, conditions), *rest, out.solved, result);
     }
     result.effects.push_back(std::move(row));
 }

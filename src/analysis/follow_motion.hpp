@@ -23,6 +23,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
 
 /// Says who was moved how far, and what is in doubt about it: an answer where the parts are drawn, which nothing holds there,
 /// is none.
-void tell_motion(const Scene& drawn, const std::optional<Rest>& rest, const Settling& settling, Outcome& out, Result& result);
+void tell_motion(const Scene& drawn, const ResolvedConditions& conditions, const std::optional<Rest>& rest,
+                 const Settling& settling, Outcome& out, Result& result);
 
 }  // namespace abut

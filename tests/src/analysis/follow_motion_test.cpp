@@ -97,6 +97,29 @@ TEST(FollowMotion, FrictionSlidesUpARampThatAPartIsLedTo) {
     }
 }
 
+/// A block of rubber that is dragged far: what it slides in the solution is less than what it shears by.
+TEST(FollowMotion, FrictionOfSoftBodiesThatIsShortOfItsLimitIsTold) {
+    const auto dragged = [](double modulus) {
+        return test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}, "b": {"E": )" +
+                            test::number(modulus) + R"(, "nu": 0.4}}, "parts": [
+            {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [-60, -20], "max": [60, 0]}}},
+            {"name": "block", "material": "b", "geometry": {"rectangle": {"min": [-20, 0], "max": [20, 20]}}}],
+            "supports": [{"on": "base/bottom", "fix": ["x", "y"]},
+                         {"part": "block", "rigid": {"translation": [20, null], "rotation": 0}}],
+            "loads": [{"part": "block", "force": [0, -100]}], "contacts": {"friction": 0.2}, "accuracy": {"level": "draft"}})");
+    };
+    const auto tells = [](const Result& r) {
+        return std::any_of(r.reasons.begin(), r.reasons.end(), [](const auto& reason) {
+            return reason.text == "friction between base and block is not at its limit though they slide";
+        });
+    };
+    const Result steel = dragged(210000), rubber = dragged(5);
+    EXPECT_NEAR(steel.reactions.at(1).force.x(), 20, 0.02);
+    EXPECT_FALSE(tells(steel));
+    EXPECT_LT(rubber.reactions.at(1).force.x(), 19);
+    EXPECT_TRUE(tells(rubber));
+}
+
 /// A cam that turns under a flat follower slides all the way: the shear is mu W, wherever solutions move the follower first.
 TEST(FollowMotion, FrictionSlidesUnderACamThatLiftsAPart) {
     const double load = 1000, mu = 0.1, off = 5;
