@@ -105,8 +105,19 @@ std::vector<Vec2> Callouts::ends_of(const LooseEntities& loose) const {
     return ends;
 }
 
+namespace {
+
+/// Is it an outline that stands open by a little? No line to a text ends where it began.
+bool nearly_closes(const LooseEntities& loose) {
+    const std::vector<Vec2>& ends = loose.free_ends;
+    return ends.size() == 2 && (ends[0] - ends[1]).norm() <= nearly_closed_fraction * loose.length;
+}
+
+}  // namespace
+
 void Callouts::find_leaders() {
     for (const LooseEntities& loose : found_.closed.loose) {
+        if (nearly_closes(loose)) continue;
         const std::vector<Vec2> ends = ends_of(loose);
         if (std::any_of(ends.begin(), ends.end(), [&](const Vec2& end) { return is_at_annotation(end); })) {
             found_.leave(given(loose), drafting_kinds.leader);

@@ -99,6 +99,17 @@ TEST(SketchDrafting, OutlinesThatNearlyCloseAreFaults) {
 }
 
 /// Nearer to each other than ends are joined at, but no repetition: a larger tolerance would not help.
+/// A text beside a corner of an outline that does not close makes no leader of it.
+TEST(SketchDrafting, AnOpenOutlineBesideATextIsNoLeader) {
+    const Entities open{drawn_line({0, 0}, {40, 0}, "a"), drawn_line({40, 0}, {40, 20}, "b"),
+                        drawn_line({40, 20}, {0, 20}, "c"), drawn_line({0, 20}, {0, 0.05}, "d")};
+    const SketchParts sketch = parts_with(open, {{"BASE", {38, 18}, 4}});
+    EXPECT_FALSE(tells(sketch, "leader"));
+    ASSERT_EQ(sketch.problems.size(), 1u);
+    EXPECT_TRUE(says(sketch.problems[0].what, "open outline on layer 0: the ends of a, d are 0.05 apart"))
+        << sketch.problems[0].what;
+}
+
 TEST(SketchDrafting, LinesBesideEachOtherAreNoGapToClose) {
     const Entities base = drawn_polygon({{-30, -20}, {30, -19.9997}, {30, 0}, {-30, 0}}, "a");
     const SketchParts sketch =
