@@ -112,12 +112,12 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     // of a pressure that is even but for ripples the largest one is the peak, here or there
     const double of_peak = std::max(std::abs(c.peak - c.peak_before), c.around_peak);
     e.peak = std::max(missing_of_peak * of_peak / c.peak, ends_in_peak * e.ends);
-    const double least_kept = std::clamp(std::pow(c.refinement, order_of_fall), most_fall, 1.0);
+    const double fall = std::min(1.0, std::pow(c.refinement, order_of_fall));
     if (before && has_corner(now)) {
-        e.kept = std::max(e.inside, least_kept * before->kept);
-        e.inside = std::max(e.inside, e.kept / most_too_low);
+        e.kept = std::max(e.inside, fall * before->kept);
+        e.inside = std::max({e.inside, e.kept / most_too_low, most_fall * before->inside});
     }
-    if (before && c.peak_stayed) e.peak = std::max(e.peak, least_kept * before->peak_inside);
+    if (before && c.peak_stayed) e.peak = std::max(e.peak, std::max(fall, most_fall) * before->peak_inside);
     e.peak_inside = e.peak;
     e.peak = std::max(e.peak, missing_of_peak * c.at_ends / c.peak);
     e.force = missing * c.force_change;
