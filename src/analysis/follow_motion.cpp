@@ -127,7 +127,7 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     if (loose.placements.empty() ||
         share_not_explained(drawn, motions, loose.placements) > (are_led_far(drawn, conditions) ? along : elastic))
         return std::nullopt;
-    return with_way_left(drawn, led_parts(drawn, conditions), std::move(loose.placements));
+    return with_way_left(drawn, conditions, std::move(loose.placements));
 }
 
 /// Do all points of the outer boundary lie at one distance from the centroid, so that turning it changes nothing?
@@ -173,18 +173,18 @@ Vec2 from_where(const Placement& p, const Vec2& x) {
 
 /// Where a part is led along another for longer than the solution has it slide, friction is at its limit; that of soft bodies
 /// may not have come there over what was left of the way.
-void tell_friction_short_of_its_limit(const Scene& drawn, const std::vector<char>& led, const Rest& rest,
-                                      const SolvedAssembly& solved, Result& result) {
+void tell_friction_short_of_its_limit(const Scene& drawn, const Leads& leads, const Rest& rest, const SolvedAssembly& solved,
+                                      Result& result) {
     constexpr double slid = 0.01;      // of the smaller part's size: ten times what is left of the way
     constexpr double at_limit = 0.98;  // a rim may stick
     std::vector<Finding> findings;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const double friction = friction_of(solved, k);
         if (friction == 0 || !std::isfinite(friction) || solved.stretches[k].empty()) continue;
-        const FrictionSums sums = friction_sums(solved, k);
-        if (std::abs(sums.shear) >= at_limit * friction * sums.normal) continue;
+        const double share = friction_sums(solved, k).share_of_limit(friction);
+        if (share >= at_limit) continue;
         const std::array<int, 2>& part = solved.contacts[k].part;
-        if (!led[at(part[0])] && !led[at(part[1])]) continue;
+        if (!leads.of[at(part[0])].goes_anywhere() && !leads.of[at(part[1])].goes_anywhere()) continue;
         const PressedStretch& stretch = solved.stretches[k].front();
         const geometry::FacingPair pair = pair_at(rest.scene, solved.contacts[k], 0.5 * (stretch.begin + stretch.end));
         const Vec2 by =
@@ -197,7 +197,7 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const std::vector<char
         findings.push_back({along, who,
                             who + " slide along each other by " + with_unit(along, 3, drawn.length_unit) +
                                 ", but over the last of it, which the solution has, friction has come to " +
-                                percent_text(std::abs(sums.shear) / (friction * sums.normal)) +
+                                percent_text(share) +
                                 " of its limit only: draw them nearer to where they come to rest, or take \"motion\": \"off\"",
                             "friction between " + who + " is not at its limit though they slide"});
     }
@@ -209,7 +209,7 @@ void tell_friction_short_of_its_limit(const Scene& drawn, const std::vector<char
 std::optional<Rest> rest_of(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling) {
     if (settling.end != Settling::End::rests) return std::nullopt;
     find_candidates(drawn, 1);  // for overlaps that the scene does not allow: where parts rest some are their own
-    std::vector<Placement> placements = with_way_left(drawn, led_parts(drawn, conditions), settling.placements);
+    std::vector<Placement> placements = with_way_left(drawn, conditions, settling.placements);
     return Rest{placed(drawn, conditions, placements), std::move(placements)};
 }
 
@@ -219,7 +219,7 @@ std::optional<std::vector<Placement>> let_go(const Scene& drawn, const ResolvedC
     if (has_answer(out) && !(drawn.in_steps && far_placements_of(drawn, out.solved))) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions);
     if (loose.end != Settling::End::rests) return std::nullopt;
-    return with_way_left(drawn, led_parts(drawn, conditions), std::move(loose.placements));
+    return with_way_left(drawn, conditions, std::move(loose.placements));
 }
 
 void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, const Settling& settling,
@@ -229,8 +229,8 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
         if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
-            solve_at(drawn, conditions, with_way_left(drawn, led_parts(drawn, conditions), std::move(beside.placements)),
-                     options, seconds, out, rest);
+            solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
+                     rest);
     }
     if (!drawn.in_steps)
         if (std::optional<std::vector<Placement>> there = let_go(drawn, conditions, out))
@@ -243,12 +243,13 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());
-        std::vector<char> slide = led_parts(drawn, conditions);
+        std::vector<char> slide;
         for (std::size_t i = 0; i < placements.size(); ++i) {
             placements[i] = followed_by(placements[i], (*more)[i]);
-            slide[i] = slide[i] || (*more)[i].angle != 0 || (*more)[i].shift != Vec2(0, 0);
+            slide.push_back((*more)[i].angle != 0 || (*more)[i].shift != Vec2(0, 0));
         }
-        if (!solve_at(drawn, conditions, with_way_left(drawn, slide, std::move(placements)), options, seconds, out, rest))
+        if (!solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(placements), slide), options, seconds, out,
+                      rest))
             break;
     }
 }
@@ -284,7 +285,7 @@ void tell_motion(const Scene& drawn, const ResolvedConditions& conditions, const
                                   " from where it was drawn: places and displacements are those from there" +
                                   (has_friction(drawn.contacts) ? ", and friction acts from there on" : ""));
         tell_tipping(drawn, *rest, result);
-        if (has_answer(out)) tell_friction_short_of_its_limit(drawn, led_parts(drawn, conditions), *rest, out.solved, result);
+        if (has_answer(out)) tell_friction_short_of_its_limit(drawn, leads_of(drawn, conditions), *rest, out.solved, result);
     }
     result.effects.push_back(std::move(row));
 }

@@ -12,23 +12,25 @@ namespace abut {
 
 namespace {
 
+std::vector<LoadEnd>::iterator end_at(const Vec2& place, double merge, std::vector<LoadEnd>& ends) {
+    return std::find_if(ends.begin(), ends.end(), [&](const LoadEnd& end) { return (end.at - place).norm() <= merge; });
+}
+
 /// Where a contact presses up to a place the load may have ended only because the pressure goes on for it.
 void subtract_pressures(const Scene& scene, const SolvedAssembly& solved, int part, double merge, std::vector<LoadEnd>& ends) {
     for (std::size_t k = 0; k < solved.stretches.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
         for (int side : {0, 1}) {
             if (contact.part[at(side)] != part) continue;
-            for (const PressedStretch& stretch : solved.stretches[k])
-                for (double s : {stretch.begin, stretch.end}) {
-                    const geometry::FacingPair pair = pair_at(scene, contact, s);
-                    const Vec2 place = side == 0 ? pair.on1.x : pair.on2.x;
-                    const auto here = std::find_if(ends.begin(), ends.end(),
-                                                   [&](const LoadEnd& e) { return (e.at - place).norm() <= merge; });
-                    if (here == ends.end()) continue;
-                    const Vec2 traction = solver::pressure_at(contact.face.pressure, pressure_of(solved, k), s) * pair.normal;
-                    for (const Vec2& other : {Vec2(here->jump + traction), Vec2(here->jump - traction)})
-                        if (other.norm() < here->jump.norm()) here->jump = other;
-                }
+            for (const PressedEnd& pressed : pressed_ends(scene, solved, k)) {
+                const Vec2 place = side == 0 ? pressed.pair.on1.x : pressed.pair.on2.x;
+                const auto here = end_at(place, merge, ends);
+                if (here == ends.end()) continue;
+                const double pressure = solver::pressure_at(contact.face.pressure, pressure_of(solved, k), pressed.s);
+                const Vec2 traction = pressure * pressed.pair.normal;
+                for (const Vec2& other : {Vec2(here->jump + traction), Vec2(here->jump - traction)})
+                    if (other.norm() < here->jump.norm()) here->jump = other;
+            }
         }
     }
 }
@@ -54,8 +56,7 @@ std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& con
             for (const auto& [t, sign] : {std::pair(portion.t0, 1), std::pair(portion.t1, -1)}) {
                 const Vec2 place = point(curve, t), traction = traction_at(load, spread, place, outward_normal(curve, t));
                 largest = std::max(largest, traction.norm());
-                const auto known = std::find_if(ends.begin(), ends.end(),
-                                                [&](const LoadEnd& end) { return (end.at - place).norm() <= merge; });
+                const auto known = end_at(place, merge, ends);
                 if (known == ends.end())
                     ends.push_back({place, sign * traction});
                 else
@@ -63,7 +64,7 @@ std::vector<LoadEnd> load_ends(const Scene& scene, const ResolvedConditions& con
             }
         }
     }
-    subtract_pressures(scene, solved, part, merge, ends);
+    if (!ends.empty()) subtract_pressures(scene, solved, part, merge, ends);
     std::erase_if(ends, [&](const LoadEnd& end) {
         return end.jump.norm() <= rounding * largest || std::abs(turn_at(shape, end.at)) > sharp_turn;
     });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "solver/linear_algebra/parallel_for.hpp"
@@ -112,25 +113,13 @@ MissedContact missed_between(double begin, double end, double depth) {
     return m;
 }
 
-/// Where pressures begin and end.
-struct PressedEnd {
-    std::array<int, 2> part;
-    Vec2 at;
-};
-
-std::vector<PressedEnd> pressed_ends(const Scene& scene, const SolvedAssembly& solved) {
-    std::vector<PressedEnd> ends;
-    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
-        for (const PressedStretch& stretch : solved.stretches[k])
-            for (const double s : {stretch.begin, stretch.end})
-                ends.push_back({solved.contacts[k].part, pair_at(scene, solved.contacts[k], s).on1.x});
-    return ends;
-}
+/// By two parts the places, on the first of them, where pressures begin and end.
+using PressedPlaces = std::map<std::array<int, 2>, std::vector<Vec2>>;
 
 /// The gaps at a zone's ends and points; 0 under pressure. An end up to which the same parts press on each other in another
 /// zone, round a corner, is part of that contact's end.
 std::vector<GapAt> gaps_along(const Scene& scene, const DeformedZone& zone, const ContactInterface& c,
-                              const std::vector<PressedEnd>& pressed) {
+                              const std::vector<Vec2>& pressed) {
     std::vector<GapAt> gaps;
     const auto append = [&](double s, std::optional<double> gap) {
         if (gap) gaps.push_back({s, zone.is_pressed(s) ? 0 : *gap});
@@ -138,7 +127,7 @@ std::vector<GapAt> gaps_along(const Scene& scene, const DeformedZone& zone, cons
     const double merge = std::max(merge_length(part_of(scene, c.part[0])), merge_length(part_of(scene, c.part[1])));
     const auto append_end = [&](double s) {
         const Vec2 place = pair_at(scene, c, s).on1.x;
-        const auto is_here = [&](const PressedEnd& e) { return e.part == c.part && (e.at - place).norm() <= merge; };
+        const auto is_here = [&](const Vec2& end) { return (end - place).norm() <= merge; };
         if (std::none_of(pressed.begin(), pressed.end(), is_here)) append(s, zone.gap(s));
     };
     append_end(c.s.front());
@@ -160,8 +149,7 @@ double least_of(const DeformedZone& zone, const std::vector<GapAt>& gaps) {
 /// Overlapping stretches of one contact: points where the gap is negative, and places between points where it is. What goes on
 /// from a stretch under pressure is no contact of its own: bodies overlap there by what the pressure's end lacks, which has an
 /// estimate, and by motions that nothing holds, which tilt the gap.
-SeenContact look_at(const Scene& scene, const DeformedZone& zone, const ContactInterface& c,
-                    const std::vector<PressedEnd>& pressed) {
+SeenContact look_at(const Scene& scene, const DeformedZone& zone, const ContactInterface& c, const std::vector<Vec2>& pressed) {
     SeenContact seen;
     const std::vector<GapAt> gaps = gaps_along(scene, zone, c, pressed);
     seen.least_gap = least_of(zone, gaps);
@@ -280,10 +268,15 @@ private:
 
 std::vector<SeenContact> look_at_contacts(const Scene& scene, const SolvedAssembly& solved, int threads) {
     std::vector<SeenContact> seen(solved.contacts.size());
-    const std::vector<PressedEnd> pressed = pressed_ends(scene, solved);
+    PressedPlaces pressed;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        std::vector<Vec2>& places = pressed[solved.contacts[k].part];
+        for (const PressedEnd& end : pressed_ends(scene, solved, k)) places.push_back(end.pair.on1.x);
+    }
     solver::parallel_for(static_cast<int>(seen.size()), threads, [&](int k) {
         if (is_searched(solved, at(k)))
-            seen[at(k)] = look_at(scene, DeformedZone(scene, solved, at(k)), solved.contacts[at(k)], pressed);
+            seen[at(k)] = look_at(scene, DeformedZone(scene, solved, at(k)), solved.contacts[at(k)],
+                                  pressed.at(solved.contacts[at(k)].part));
     });
     return seen;
 }

@@ -175,13 +175,9 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
         const ContactInterface& contact = solved.contacts[k];
         for (int side : {0, 1}) {
             if (contact.part[at(side)] != part) continue;
-            for (const PressedStretch& stretch : solved.stretches[k])
-                for (const auto& [end, s] :
-                     {std::pair(stretch.at_begin, stretch.begin), std::pair(stretch.at_end, stretch.end)}) {
-                    if (end.kind != StretchEnd::Kind::corner) continue;
-                    const geometry::FacingPair pair = pair_at(scene, contact, s);
-                    places.push_back({side == 0 ? pair.on1.x : pair.on2.x, missed_at_contact, true});
-                }
+            for (const PressedEnd& end : pressed_ends(scene, solved, k))
+                if (end.kind == StretchEnd::Kind::corner)
+                    places.push_back({side == 0 ? end.pair.on1.x : end.pair.on2.x, missed_at_contact, true});
             if (friction_of(solved, k) == 0) continue;
             for (const PressedStretch& stretch : solved.stretches[k])
                 for (const double s : reversals_in(solved, k, stretch)) {

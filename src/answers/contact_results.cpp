@@ -97,7 +97,7 @@ FrictionResult friction_result(const SolvedAssembly& solved, std::size_t k) {
     const FrictionSums sums = friction_sums(solved, k);
     friction.shear_force = sums.shear;
     friction.normal_force = sums.normal;
-    friction.utilisation = std::abs(sums.shear) / (friction.coefficient * sums.normal);
+    friction.utilisation = sums.share_of_limit(friction.coefficient);
     const FrictionLengths lengths = friction_lengths(solved, k, stick_borders(solved, k));
     friction.stick_length = lengths.stick;
     friction.slip_length = lengths.slip;
@@ -192,8 +192,7 @@ ContactResult contact_result(const Scene& scene, const SolvedAssembly& solved, c
     }
     result.status = contact_status(c, solved.stretches[contact]);
     result.contact_length = length_of(solved.stretches[contact]);
-    for (const PressedStretch& stretch : solved.stretches[contact])
-        for (double s : {stretch.begin, stretch.end}) result.ends.push_back(pair_at(scene, c, s).on1.x);
+    for (const PressedEnd& end : pressed_ends(scene, solved, contact)) result.ends.push_back(end.pair.on1.x);
     if (c.face.bilateral) result.kind = "bonded";
     if (friction_of(solved, contact) > 0) result.friction = friction_result(solved, contact);
     fill_profile(scene, solved, contact, candidate, result);

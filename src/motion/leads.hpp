@@ -21,6 +21,7 @@ struct Lead {
     Vec2 axis{1, 0};              ///< the way, where it is given as a whole: what stops a part leaves it on its line
     int way = -1;                 ///< the component of the translation that is not zero; -1: none
 
+    bool goes_anywhere() const { return to.norm() > 0; }
     /// A translation, and a turn, by these coordinates.
     Eigen::Vector3d of(const Vec2& translation, double turn) const {
         return {axis.dot(translation), geometry::left_of(axis).dot(translation), turn};

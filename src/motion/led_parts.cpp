@@ -12,7 +12,6 @@ namespace abut {
 
 namespace {
 
-
 bool leads_at_all(const Lead& lead) {
     return lead.is_given[0] || lead.is_given[1] || lead.is_given[2];
 }
@@ -30,7 +29,7 @@ LedParts::LedParts(std::vector<Lead> leads, std::vector<Vec2> centers, std::vect
 }
 
 bool LedParts::any() const {
-    return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.to.norm() > 0; });
+    return std::any_of(leads_.begin(), leads_.end(), [](const Lead& lead) { return lead.goes_anywhere(); });
 }
 
 bool LedParts::is_led(std::size_t part) const {

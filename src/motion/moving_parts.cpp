@@ -266,7 +266,7 @@ std::vector<double> stiffness_across(const std::vector<ClosingRow>& gaps, const 
 
 bool is_led(const MovingParts& moving, const std::vector<Lead>& leads) {
     return std::any_of(moving.list.begin(), moving.list.end(),
-                       [&](const MovingPart& p) { return leads[at(p.part)].to.norm() > 0; });
+                       [&](const MovingPart& p) { return leads[at(p.part)].goes_anywhere(); });
 }
 
 /// Adds to `turns` what the forces along these gaps resist each part's turning by: the sum of force times the distance that it

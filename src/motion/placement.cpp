@@ -161,18 +161,14 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
     return scene;
 }
 
-std::vector<char> led_parts(const Scene& drawn, const ResolvedConditions& conditions) {
-    std::vector<char> led;
-    for (const Lead& lead : leads_of(drawn, conditions).of) led.push_back(lead.to.norm() > 0);
-    return led;
-}
-
-std::vector<Placement> with_way_left(const Scene& drawn, const std::vector<char>& slide, std::vector<Placement> placements) {
+std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
+                                     std::vector<Placement> placements, const std::vector<char>& slide) {
     constexpr double slides_on = 1e-3;  // of a part's size: some ten times what steel is strained by
     if (!has_friction(drawn.contacts) || placements.empty()) return placements;
     const std::vector<Placement> ends = placements;
+    const Leads leads = leads_of(drawn, conditions);
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (!slide[i]) continue;
+        if (!leads.of[i].goes_anywhere() && (slide.empty() || !slide[i])) continue;
         const geometry::Part& part = drawn.parts[i].part;
         const Vec2 center = centroid(part), by = ends[i].of(center) - center;
         const double size = bounding_box(part).diagonal(), way = std::max(by.norm(), 0.5 * size * std::abs(ends[i].angle));

@@ -55,12 +55,12 @@ std::string why_not_followed(const Scene& scene, const ResolvedConditions& condi
 /// parameters, so that conditions resolved before hold. Parts may overlap a little: contact presses them apart.
 Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std::vector<Placement>& placements);
 
-/// The parts that supports lead.
-std::vector<char> led_parts(const Scene& drawn, const ResolvedConditions& conditions);
-/// Placements are the same but for parts that slide on contacts with friction: those are short of the end by a thousandth of
-/// their size, or all of a shorter way. They go that last bit in the solution, as far as it takes friction to come to its limit
-/// beside bodies that are stiff; over what was gone before it remembers nothing. slide: by part.
-std::vector<Placement> with_way_left(const Scene& drawn, const std::vector<char>& slide, std::vector<Placement> placements);
+/// With friction, placements are the same but for parts that slide: those that supports lead, and others that `slide` says, by
+/// part. They are short of the end by a thousandth of their size, or all of a shorter way, and go that last bit in the
+/// solution, as far as it takes friction to come to its limit beside bodies that are stiff; what was gone before it does not
+/// remember.
+std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedConditions& conditions,
+                                     std::vector<Placement> placements, const std::vector<char>& slide = {});
 
 /// Where parts come to rest: the scene with its parts there, and how they go there from where they are drawn, by part.
 struct Rest {

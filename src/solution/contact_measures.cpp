@@ -52,6 +52,14 @@ double pressing_force(const SolvedAssembly& s, std::size_t contact) {
     return sum;
 }
 
+std::vector<PressedEnd> pressed_ends(const Scene& scene, const SolvedAssembly& solved, std::size_t contact) {
+    std::vector<PressedEnd> ends;
+    for (const PressedStretch& stretch : solved.stretches[contact])
+        for (const auto& [s, end] : {std::pair(stretch.begin, stretch.at_begin), std::pair(stretch.end, stretch.at_end)})
+            ends.push_back({s, end.kind, pair_at(scene, solved.contacts[contact], s)});
+    return ends;
+}
+
 std::vector<Vec2> points_that_carry(const Scene& scene, const SolvedAssembly& s, std::size_t part) {
     std::set<int> carrying;  // supports
     const double least = std::max(solver::neutral_work_fraction * s.problem.load_scale,

@@ -32,6 +32,14 @@ Eigen::Matrix3Xd forces_of_pressure(const PartOnGrid& first, const solver::Inter
 /// The integral of a contact's pressure: a press fit presses all round without a resultant.
 double pressing_force(const SolvedAssembly& solved, std::size_t contact);
 
+/// Where a contact's pressure begins or ends.
+struct PressedEnd {
+    double s;  ///< of the middle curve
+    StretchEnd::Kind kind;
+    geometry::FacingPair pair;
+};
+std::vector<PressedEnd> pressed_ends(const Scene& scene, const SolvedAssembly& solved, std::size_t contact);
+
 /// The points that hold a solved part by a force; of points that only keep it in place (what acts on it balances) there is
 /// none.
 std::vector<Vec2> points_that_carry(const Scene& scene, const SolvedAssembly& solved, std::size_t part);

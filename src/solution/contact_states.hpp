@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a contact with friction sticks, slips and is open.
 #pragma once
+#include <cmath>
+
 #include "src/solution/solved_assembly.hpp"
 
 namespace abut {
@@ -41,6 +43,8 @@ FrictionLengths friction_lengths(const SolvedAssembly& solved, std::size_t conta
 /// Integrals of the pressure and of the traction on the second part (force).
 struct FrictionSums {
     double normal = 0, shear = 0;
+    /// The share that the shear is of what a coefficient of friction bears.
+    double share_of_limit(double friction) const { return std::abs(shear) / (friction * normal); }
 };
 FrictionSums friction_sums(const SolvedAssembly& solved, std::size_t contact);
 
