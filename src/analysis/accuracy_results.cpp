@@ -17,6 +17,16 @@ namespace abut {
 
 namespace {
 
+/// The entry of a vector that may be too short.
+double at_or_zero(const std::vector<double>& values, std::size_t k) {
+    return k < values.size() ? values[k] : 0;
+}
+
+/// What a contact's force errs by for other reasons than the grid.
+double force_error_of(const ModelErrors& of_model, std::size_t contact) {
+    return std::hypot(at_or_zero(of_model.of_turns, contact), at_or_zero(of_model.of_points, contact));
+}
+
 /// A force that statics alone give errs by what its change from grid to grid shows, which the energy bounds: a cylinder on a
 /// block 2 to 12 times what the change says, 2e-6 of the force. Others err like the energy, in absolute terms of the largest on
 /// the same parts, half of it: those that share the loads with much larger ones by more, however little they change (over
@@ -84,13 +94,12 @@ double increments_share(const SolvedAssembly& solved, std::size_t contact) {
 }
 
 /// With errors of the pressure that no grid shows: a penalty's penetration, friction's increments, pairs of where parts were
-/// drawn. A peak that is too
-/// low under the same force has its pressure over too long a contact, which in L2 is twice as much: it ends like the root of
-/// the distance (Hertz: 1.9 to 2.2 times for peaks off by 2 to 0.5 %).
+/// drawn. A peak that is too low under the same force has its pressure over too long a contact, which in L2 is twice as much:
+/// it ends like the root of the distance (Hertz: 1.9 to 2.2 times for peaks off by 2 to 0.5 %).
 ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved, const std::vector<double>& of_pairs) {
     for (std::size_t k = 0; k < e.contacts.size(); ++k) {
         const double penetration = k < solved.contacts.size() ? penetration_share(solved, k) : 0,
-                     pairs = k < of_pairs.size() ? of_pairs[k] : 0, increments = increments_share(solved, k);
+                     pairs = at_or_zero(of_pairs, k), increments = increments_share(solved, k);
         if (!e.contacts[k] || (penetration == 0 && pairs == 0 && increments == 0)) continue;
         ContactError& c = *e.contacts[k];
         c.pressure = std::hypot(std::hypot(c.pressure, penetration, 2 * pairs), increments);
@@ -102,13 +111,14 @@ ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved
     return e;
 }
 
-/// What largest pressures of contacts err by since parts move: by their pairs, and by half of what their forces do (as in
-/// Hertz').
-std::vector<double> peaks_of_motion(const Outcome& out, const MotionErrors& of_motion) {
+/// What largest pressures of contacts err by: by their pairs, and by half of what their forces do (as in Hertz').
+std::vector<double> peaks_of_model(const Outcome& out, const ModelErrors& of_model) {
     const std::vector<std::optional<ContactError>>& of_grids = out.errors.back().contacts;
-    std::vector<double> of_peaks = of_motion.of_pairs;
-    for (std::size_t k = 0; k < of_peaks.size() && k < of_motion.of_forces.size() && k < of_grids.size(); ++k)
-        if (of_grids[k]) of_peaks[k] = std::hypot(of_peaks[k], 0.5 * of_grids[k]->of_integral * of_motion.of_forces[k]);
+    std::vector<double> of_peaks(std::max(of_model.of_pairs.size(), of_grids.size()));
+    for (std::size_t k = 0; k < of_peaks.size(); ++k) {
+        const double integral = k < of_grids.size() && of_grids[k] ? of_grids[k]->of_integral : 0;
+        of_peaks[k] = std::hypot(at_or_zero(of_model.of_pairs, k), 0.5 * integral * force_error_of(of_model, k));
+    }
     return of_peaks;
 }
 
@@ -119,7 +129,8 @@ std::string moved_text(std::size_t k, const Result& result) {
 }
 
 /// Why the error is above the target, where that of the grids is not.
-std::string why_by_model(const Outcome& out, const std::vector<double>& of_pairs, const Result& result) {
+std::string why_by_model(const Outcome& out, const std::vector<double>& of_pairs, const std::vector<double>& of_points,
+                         const Result& result) {
     for (std::size_t k = 0; k < out.solved.contacts.size(); ++k)
         if (penetration_share(out.solved, k) > 0)
             return "the penalty lets the bodies penetrate by a notable share of what they yield elastically; take a larger "
@@ -136,6 +147,9 @@ std::string why_by_model(const Outcome& out, const std::vector<double>& of_pairs
         worst = k;
         most = e->share_of_peak * of_pairs[k];
     }
+    if (at_or_zero(of_points, worst) > of_pairs[worst])  // a peak errs by half as much as the force
+        return "contact " + contact_number(worst) +
+               " shares its load with points that are held, which bear the less the smaller the cells are there; hold edges";
     return moved_text(worst, result);
 }
 
@@ -152,7 +166,8 @@ void tell_moved_pairs(const ErrorEstimate& error, const std::vector<double>& of_
     tell(std::move(findings), "moved_pairs", result);
 }
 
-void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vector<double>& of_pairs, Result& result) {
+void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vector<double>& of_pairs,
+                 const std::vector<double>& of_points, Result& result) {
     result.accuracy.of = error.contact_pressure                ? "contact pressure"
                          : error.largest_stress > error.stress ? "largest stress"
                                                                : "stress in the energy norm";
@@ -162,7 +177,7 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
     const std::optional<double> of_grids = steering(out.errors.back());
     const bool is_by_model = of_grids && *of_grids <= out.target && !result.accuracy.reached;
     if (result.accuracy.reached || (!is_by_model && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
-    result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, result) : why_it_ended(out);
+    result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, of_points, result) : why_it_ended(out);
     const double known_to = result.accuracy.estimate.value_or(1);
     const std::string target = percent_text(out.target), estimate = percent_beside(known_to, out.target);
     tell({{0, "",
@@ -174,13 +189,13 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
 
 }  // namespace
 
-void fill_errors(const Outcome& out, const MotionErrors& of_motion, Result& result) {
+void fill_errors(const Outcome& out, const ModelErrors& of_model, Result& result) {
     for (std::size_t k = 0; k < out.passes.size(); ++k)
         result.passes.push_back(
             {out.passes[k].unknowns, out.passes[k].multipliers, out.passes[k].seconds, steering(out.errors[k])});
-    const std::vector<double> of_peaks = peaks_of_motion(out, of_motion);
+    const std::vector<double> of_peaks = peaks_of_model(out, of_model);
     const ErrorEstimate error = with_errors_of_model(out.errors.back(), out.solved, of_peaks);
-    fill_target(out, error, of_peaks, result);
+    fill_target(out, error, of_peaks, of_model.of_points, result);
     tell_moved_pairs(error, of_peaks, out.target, result);
     if (!error.energy && !error.contact_pressure) {
         result.error_estimate.method = "none: nothing is strained";
@@ -199,9 +214,8 @@ void fill_errors(const Outcome& out, const MotionErrors& of_motion, Result& resu
     const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
         if (const std::optional<ContactError>& e = error.contacts[k]) {
-            const double of_force = force_error(error, result, k, k < is_static.size() && is_static[k]),
-                         of_turn = k < of_motion.of_forces.size() ? of_motion.of_forces[k] : 0;
-            fill_contact(*e, std::max(of_force, of_turn), out.target, k, result.contacts[k], peaks);
+            const double of_force = force_error(error, result, k, k < is_static.size() && is_static[k]);
+            fill_contact(*e, std::max(of_force, force_error_of(of_model, k)), out.target, k, result.contacts[k], peaks);
         }
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();

@@ -6,15 +6,17 @@
 
 namespace abut {
 
-/// What small displacements leave out of each contact, since parts move from where they are drawn; or none.
-struct MotionErrors {
-    std::vector<double> of_pairs;   ///< of the largest pressure (moved_pair_errors)
-    std::vector<double> of_forces;  ///< (turned_shares)
+/// What no grid shows of each contact: what small displacements leave out, since parts move from where they are drawn, and what
+/// held points leave open. Each may be empty.
+struct ModelErrors {
+    std::vector<double> of_pairs;     ///< of the largest pressure (moved_pair_errors)
+    std::vector<double> of_turns;     ///< of forces (turned_shares)
+    std::vector<double> of_points{};  ///< of forces (shares_of_points)
 };
 
 /// Fills in the estimated errors of the contacts (parallel to the candidates) and of the whole, and the passes; warns where the
 /// target was missed or a pressure may have no limit.
-void fill_errors(const Outcome& out, const MotionErrors& of_motion, Result& result);
+void fill_errors(const Outcome& out, const ModelErrors& of_model, Result& result);
 
 /// Warns of contacts that the last grids did not resolve: the accuracy is not reached. Call after fill_errors.
 void fill_missed(const Outcome& out, Result& result);

@@ -21,6 +21,7 @@
 #include "src/analysis/motions_at_limit.hpp"
 #include "src/analysis/moved_pairs.hpp"
 #include "src/analysis/needed_friction.hpp"
+#include "src/analysis/point_shares.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/static_forces.hpp"
@@ -197,7 +198,8 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
     tell_contact_residual(solved, result);
-    fill_errors(out, {moved_pair_errors(scene, solved), turned_shares(scene, solved)}, result);
+    fill_errors(out, {moved_pair_errors(scene, solved), turned_shares(scene, solved), shares_of_points(scene, solved, threads)},
+                result);
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;

@@ -95,6 +95,21 @@ Eigen::MatrixXd balance_of(const SolvedAssembly& solved, const std::vector<Line>
     return balance;
 }
 
+/// Contacts' lines of action may go as far as half their length.
+void append_turns(const SolvedAssembly& solved, std::vector<Line>& lines) {
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k)
+        if (solved.interface_of[k] >= 0 && !solved.stretches[k].empty())
+            lines.push_back({k, {Vec2(0, 0), 0.5 * (solved.stretches[k].back().end - solved.stretches[k].front().begin)}});
+}
+
+/// The combinations of forces that balance by themselves, orthonormal columns: what statics does not know.
+Eigen::MatrixXd left_open(const Eigen::MatrixXd& balance) {
+    if (balance.rows() == 0 || balance.cols() == 0) return Eigen::MatrixXd::Identity(balance.cols(), balance.cols());
+    const auto [values, vectors] = solver::right_singular_vectors(balance);
+    const Index rank = (values.array() > rounding * values[0]).count();
+    return vectors.rightCols(balance.cols() - rank);
+}
+
 }  // namespace
 
 std::vector<char> given_by_statics(const SolvedAssembly& solved) {
@@ -102,14 +117,22 @@ std::vector<char> given_by_statics(const SolvedAssembly& solved) {
     const Eigen::MatrixXd balance = balance_of(solved, lines);
     std::vector<char> given(solved.contacts.size(), 0);
     if (balance.rows() == 0 || lines.empty()) return given;
-    const auto [values, vectors] = solver::right_singular_vectors(balance);
-    Index rank = 0;
-    while (rank < values.size() && values[rank] > rounding * values[0]) ++rank;
-    const auto null = vectors.rightCols(balance.cols() - rank);
+    const Eigen::MatrixXd open = left_open(balance);
     for (const Line& line : lines) given[line.contact] = 1;
     for (std::size_t j = 0; j < lines.size(); ++j)
-        if (null.cols() > 0 && null.row(static_cast<Index>(j)).norm() >= rounding) given[lines[j].contact] = 0;
+        if (open.row(static_cast<Index>(j)).norm() >= rounding) given[lines[j].contact] = 0;
     return given;
+}
+
+std::vector<double> shared_with_contacts(const SolvedAssembly& solved) {
+    std::vector<Line> lines = lines_of(solved);
+    append_turns(solved, lines);
+    const Eigen::MatrixXd open = left_open(balance_of(solved, lines));
+    const auto n = static_cast<Index>(lines.size());
+    const Eigen::MatrixXd shared = open.bottomRows(open.rows() - n) * open.topRows(n).transpose();
+    std::vector<double> most;
+    for (Index k = 0; k < shared.rows(); ++k) most.push_back(n == 0 ? 0 : shared.row(k).cwiseAbs().maxCoeff());
+    return most;
 }
 
 Eigen::MatrixXd combinations_let_go(const SolvedAssembly& solved, std::size_t grid, bool are_led_free) {
