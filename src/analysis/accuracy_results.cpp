@@ -52,20 +52,21 @@ struct DoubtfulPeaks {
 /// target: of the accuracy. Peaks of contacts that carry next to nothing are told, but speak against nothing. A pressure is
 /// known no better than the force that it adds up to (Cauchy and Schwarz: Hertz' by 0.96 of it at least), the largest one and
 /// the length of Hertz' by half of it; but a resultant's error, where pressures balance each other, is a small one of theirs.
-void fill_contact(const ContactError& e, double of_force, double target, std::size_t k, ContactResult& c,
+void fill_contact(const ContactError& e, bool at_corner, double of_force, double target, std::size_t k, ContactResult& c,
                   DoubtfulPeaks& peaks) {
-    const bool counts = e.share_of_peak * (e.at_corner ? 1 : e.peak) > target;
+    const bool counts = e.share_of_peak * (at_corner ? 1 : e.peak) > target;
     const double of_level = e.of_integral * of_force, pressure = std::max(e.pressure, of_level);
     c.error_estimate = pressure;
     c.errors =
-        ContactErrors{pressure, std::max(e.peak, 0.5 * of_level), of_force, std::max(e.length, 0.5 * of_level), e.at_corner};
+        ContactErrors{pressure, std::max(e.peak, 0.5 * of_level), of_force, std::max(e.length, 0.5 * of_level), at_corner};
     if (c.friction) c.friction->stick_length_error = e.stick_length;
-    const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name;
-    if (e.at_corner)
+    const std::string name = "contact " + contact_number(k), largest = "the largest pressure of " + name,
+                      corner = c.kind == "bonded" ? "the end of the bond" : "a sharp corner";
+    if (at_corner)
         peaks.at_corner.push_back({c.max_pressure.value, name,
-                                   largest + " stands at a sharp corner, where it grows with every finer grid (by " +
+                                   largest + " stands at " + corner + ", where it grows with every finer grid (by " +
                                        percent_text(e.peak) + " yet, or more); error estimates leave out what is beside it",
-                                   counts ? largest + " stands at a sharp corner, where it has no limit" : ""});
+                                   counts ? largest + " stands at " + corner + ", where it has no limit" : ""});
     else if (e.peak > doubtful && c.max_pressure.value > 0)
         peaks.uncertain.push_back(
             {e.peak, name,
@@ -215,7 +216,8 @@ void fill_errors(const Outcome& out, const ModelErrors& of_model, Result& result
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
         if (const std::optional<ContactError>& e = error.contacts[k]) {
             const double of_force = force_error(error, result, k, k < is_static.size() && is_static[k]);
-            fill_contact(*e, std::max(of_force, force_error_of(of_model, k)), out.target, k, result.contacts[k], peaks);
+            fill_contact(*e, e->at_corner || (k < of_model.at_ends.size() && of_model.at_ends[k]),
+                         std::max(of_force, force_error_of(of_model, k)), out.target, k, result.contacts[k], peaks);
         }
     if (!result.accuracy.why.empty())  // the verdict has a worse word already
         for (Finding& f : peaks.uncertain) f.reason.clear();
@@ -292,12 +294,12 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
 
 namespace {
 
-/// The stress at a corner of the part that goes beyond its largest one.
-const ValueAt* corner_of(const Outcome& out, const Result& result, const PartResult& part) {
-    for (std::size_t k = 0; k < out.largest.size(); ++k)
-        if (&result.parts[static_cast<std::size_t>(out.solved.grids[k].part)] == &part && out.largest[k].corner)
-            return &*out.largest[k].corner;
-    return nullptr;
+/// The largest stress whose part has a corner where it goes beyond `most` on smaller cells, the farthest of all; or nullptr.
+const LargestStress* corner_beyond(const Outcome& out, double most) {
+    const LargestStress* farthest = nullptr;
+    for (const LargestStress& s : out.largest)
+        if (s.corner && s.on_smaller_cells > (farthest ? farthest->on_smaller_cells : most)) farthest = &s;
+    return farthest;
 }
 
 }  // namespace
@@ -316,15 +318,18 @@ void warn_of_largest_stress(const Outcome& out, Result& result) {
                        "where its friction turns round): it grows with every finer grid",
                is_aimed_at ? "the largest stress, in " + most->name + ", stands where it has no limit" : ""}},
              "corner", result);
-    else if (const ValueAt* corner = corner_of(out, result, *most))
-        tell(
-            {{0, most->name,
-              which + " is the largest on this grid: that at the sharp corner at " +
-                  place_text(corner->at, model_size(result)) + ", " + with_unit(corner->value, 4, result_units(result).stress) +
-                  " here, has no limit and exceeds it on finer ones; round the corner to know the stress there",
-              is_aimed_at ? "the stress at a sharp corner of " + most->name + " has no limit" : ""}},
-            "corner", result);
-    else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
+    else if (const LargestStress* beyond = corner_beyond(out, most->max_von_mises.value)) {
+        const std::size_t grid = static_cast<std::size_t>(beyond - out.largest.data());
+        const std::string& where = result.parts[static_cast<std::size_t>(out.solved.grids[grid].part)].name;
+        tell({{0, most->name,
+               which + " is the largest on this grid: that at the sharp corner " +
+                   (where == most->name ? "" : "of " + where + " ") + "at " +
+                   place_text(beyond->corner->at, model_size(result)) + ", " +
+                   with_unit(beyond->corner->value, 4, result_units(result).stress) +
+                   " here, has no limit and exceeds it on finer ones; round the corner to know the stress there",
+               is_aimed_at ? "the stress at a sharp corner of " + where + " has no limit" : ""}},
+             "corner", result);
+    } else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
         tell({{0, most->name,
                which + " is uncertain by " + percent_text(std::min(*most->max_von_mises_error, 1.0)) +
                    ": the grid is too coarse for it",

@@ -12,6 +12,7 @@ struct ModelErrors {
     std::vector<double> of_pairs;     ///< of the largest pressure (moved_pair_errors)
     std::vector<double> of_turns;     ///< of forces (turned_shares)
     std::vector<double> of_points{};  ///< of forces (shares_of_points)
+    std::vector<char> at_ends{};      ///< of bonds: their largest pressures have no limit (peaks_at_bond_ends)
 };
 
 /// Fills in the estimated errors of the contacts (parallel to the candidates) and of the whole, and the passes; warns where the

@@ -23,6 +23,7 @@
 #include "src/analysis/needed_friction.hpp"
 #include "src/analysis/point_shares.hpp"
 #include "src/analysis/self_contact.hpp"
+#include "src/analysis/singular_places.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/analysis/turned_contacts.hpp"
@@ -198,7 +199,11 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
     tell_contact_residual(solved, result);
-    fill_errors(out, {moved_pair_errors(scene, solved), turned_shares(scene, solved), shares_of_points(scene, solved, threads)},
+    std::vector<Vec2> peaks;
+    for (const ContactResult& c : result.contacts) peaks.push_back(c.max_pressure.at);
+    fill_errors(out,
+                {moved_pair_errors(scene, solved), turned_shares(scene, solved), shares_of_points(scene, solved, threads),
+                 peaks_at_bond_ends(scene, solved, peaks)},
                 result);
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();

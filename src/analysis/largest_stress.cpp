@@ -94,22 +94,21 @@ bool falls_away(const PartOnGrid& grid, const Eigen::VectorXd& displacement, con
     return around > 0 && at_corner > around * std::pow(cells_away, 0.5 * growth);
 }
 
-/// The stress at a re-entrant corner that is above `largest` on smaller cells; of several the highest there.
-std::optional<ValueAt> corner_beyond(const PartOnGrid& grid, const Eigen::VectorXd& displacement,
-                                     const solver::StressField& stress, const std::vector<SingularPlace>& places,
-                                     double largest) {
-    std::optional<ValueAt> corner;
+/// Notes the stress at a re-entrant corner that is above the largest one on smaller cells; of several the highest there.
+void note_corner(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
+                 const std::vector<SingularPlace>& places, LargestStress& largest) {
+    largest.on_smaller_cells = largest.von_mises.value;
     for (const SingularPlace& p : places) {
         if (p.growth == 0) continue;
         const Vec2 local = grid.frame.to_local(p.at);
         const int element = element_at(grid.local, grid.cells, grid.elements, local);
         const double now = von_mises(sample_field(grid, displacement, stress, element, local).stress),
                      then = now * std::pow(smaller_cells, p.growth);
-        if (then <= largest || !falls_away(grid, displacement, stress, local, element, now, p.growth)) continue;
-        largest = then;
-        corner = ValueAt{now, p.at};
+        if (then <= largest.on_smaller_cells || !falls_away(grid, displacement, stress, local, element, now, p.growth))
+            continue;
+        largest.on_smaller_cells = then;
+        largest.corner = ValueAt{now, p.at};
     }
-    return corner;
 }
 
 /// Is the stress at this place that of one of these, where it has no limit?
@@ -147,8 +146,8 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     const auto places = singular_places(scene, conditions, solved, grid.part);
     result.at_corner = is_corners(places, result.von_mises.at, result.cell);
     result.smoothing = smoothing_around(grid, displacement, stress, found.von_mises.element, found.von_mises.local);
+    note_corner(grid, displacement, stress, places, result);
     if (result.at_corner) return result;
-    result.corner = corner_beyond(grid, displacement, stress, places, result.von_mises.value);
     const double hidden = hidden_share(grid.local, found.von_mises.local, result.cell);
     result.error = std::max(result.smoothing / result.von_mises.value, hidden);
     return result;

@@ -30,6 +30,7 @@ struct LargestStress {
     double smoothing = 0;           ///< von Mises stress of what smoothed stresses and the others differ by in that cell
     bool at_corner = false;         ///< there is no limit there
     std::optional<ValueAt> corner;  ///< stress at a re-entrant corner, which finer grids take above the largest one
+    double on_smaller_cells = 0;    ///< stress at that corner on cells ten times smaller
     std::optional<double> error;    ///< of the stress, relative; unset at corners, and where nothing is strained
 };
 

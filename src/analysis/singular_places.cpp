@@ -20,6 +20,9 @@ namespace {
 /// corner 0.006 to 0.016; where contact ends at a corner 0.03 (blocks on blocks) to 0.6 (punches).
 constexpr double missed_at_slit = 1.5, missed_at_support = 0.6, missed_at_clamp = 0.012, missed_at_contact = 0.1;
 
+/// Moduli of bonded bodies that differ by less, of their sum, are those of one body.
+constexpr double least_mismatch = 1e-6;
+
 /// A vertex of a part: where an edge ends and the next one begins.
 struct Vertex {
     int edge, next;
@@ -101,32 +104,14 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
         if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn)});
 }
 
-/// A bond makes one body of two. Where it ends, their boundaries meet in a corner, which is re-entrant where both together fill
-/// more than half a turn; where another bond of theirs goes on there is none.
-void append_bond_ends(const Scene& scene, const SolvedAssembly& solved, int part, std::vector<SingularPlace>& places) {
-    struct End {
-        std::array<int, 2> parts;
-        std::array<Vec2, 2> at;
-    };
-    std::vector<End> ends;
-    for (const ContactInterface& contact : solved.contacts) {
-        if (!contact.face.bilateral || contact.face.periodic || contact.face.points.empty()) continue;
-        for (double s : {contact.face.pressure.breakpoints.front(), contact.face.pressure.breakpoints.back()}) {
-            const geometry::FacingPair pair = pair_at(scene, contact, s);
-            ends.push_back({contact.part, {pair.on1.x, pair.on2.x}});
-        }
-    }
-    for (const End& end : ends) {
-        if (end.parts[0] != part && end.parts[1] != part) continue;
-        const std::array<const geometry::Part*, 2> shapes{&part_of(scene, end.parts[0]), &part_of(scene, end.parts[1])};
-        const auto goes_on = [&](const End& other) {
-            return other.parts == end.parts && (other.at[0] - end.at[0]).norm() <= merge_length(*shapes[0]);
-        };
-        if (std::count_if(ends.begin(), ends.end(), goes_on) > 1) continue;
-        // both fill half a turn less what their boundaries turn by
-        const double excess = std::numbers::pi - turn_at(*shapes[0], end.at[0]) - turn_at(*shapes[1], end.at[1]);
-        if (excess > sharp_turn) places.push_back({end.at[end.parts[0] == part ? 0 : 1], at_corner(excess)});
-    }
+/// Has a butt joint that a straight boundary passes square, of these materials, stresses without a limit there (Bogy, J. Appl.
+/// Mech. 35, 1968)? alpha, beta: Dundurs' constants.
+bool is_singular_butt(const solver::Elasticity& a, const solver::Elasticity& b) {
+    const auto modulus = [](const solver::Elasticity& d) { return d.d11 - d.d12 * d.d12 / d.d11; };
+    const auto kappa = [](const solver::Elasticity& d) { return (d.d11 + d.d33) / (d.d11 - d.d33); };
+    const double alpha = (modulus(a) - modulus(b)) / (modulus(a) + modulus(b)),
+                 beta = (a.d33 * (kappa(b) - 1) - b.d33 * (kappa(a) - 1)) / (a.d33 * (kappa(b) + 1) + b.d33 * (kappa(a) + 1));
+    return std::abs(alpha) > least_mismatch && alpha * (alpha - 2 * beta) > 0;
 }
 
 /// Places of a contact's middle curve where friction turns from its bound one way to that the other, within so little that
@@ -163,13 +148,51 @@ double turn_at(const geometry::Part& part, const Vec2& place) {
     return 0;
 }
 
+std::vector<BondEnd> singular_bond_ends(const Scene& scene, const SolvedAssembly& solved) {
+    std::vector<BondEnd> ends;
+    for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
+        const ContactInterface& contact = solved.contacts[k];
+        if (!contact.face.bilateral || contact.face.periodic || contact.face.points.empty()) continue;
+        for (double s : {contact.face.pressure.breakpoints.front(), contact.face.pressure.breakpoints.back()}) {
+            const geometry::FacingPair pair = pair_at(scene, contact, s);
+            // both fill half a turn less what their boundaries turn by
+            const double excess = std::numbers::pi - turn_at(part_of(scene, contact.part[0]), pair.on1.x) -
+                                  turn_at(part_of(scene, contact.part[1]), pair.on2.x);
+            ends.push_back({k, contact.part, {pair.on1.x, pair.on2.x}, excess});
+        }
+    }
+    const std::vector<BondEnd> all = ends;
+    std::erase_if(ends, [&](const BondEnd& end) {
+        const auto goes_on = [&](const BondEnd& other) {
+            return other.parts == end.parts && (other.at[0] - end.at[0]).norm() <= merge_length(part_of(scene, end.parts[0]));
+        };
+        if (std::count_if(all.begin(), all.end(), goes_on) > 1) return true;
+        const auto& of_face = solved.contacts[end.contact].face.part;
+        const bool is_butt = std::abs(end.excess) <= sharp_turn;
+        return end.excess < -sharp_turn || (is_butt && !is_singular_butt(solved.grids[at(of_face[0])].input.elasticity,
+                                                                         solved.grids[at(of_face[1])].input.elasticity));
+    });
+    return ends;
+}
+
+std::vector<char> peaks_at_bond_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Vec2>& peaks) {
+    std::vector<char> stands(peaks.size(), 0);
+    for (const BondEnd& end : singular_bond_ends(scene, solved))
+        for (const std::size_t side : {0U, 1U})
+            if ((end.at[side] - peaks[end.contact]).norm() <= merge_length(part_of(scene, end.parts[side])))
+                stands[end.contact] = 1;
+    return stands;
+}
+
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved, int part) {
     std::vector<SingularPlace> places;
     for (const Vertex& v : vertices(scene.parts[at(part)].part))
         if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn), false, growth_at_corner(v.turn)});
     append_support_ends(scene, conditions, part, places);
-    append_bond_ends(scene, solved, part, places);
+    for (const BondEnd& end : singular_bond_ends(scene, solved))
+        for (const std::size_t side : {0U, 1U})
+            if (end.parts[side] == part) places.push_back({end.at[side], end.excess > sharp_turn ? at_corner(end.excess) : 0});
     for (const Vec2& held : points_that_carry(scene, solved, at(solved.solver_part[at(part)]))) places.push_back({held, 0});
     for (std::size_t k = 0; k < solved.stretches.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];

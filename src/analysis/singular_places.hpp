@@ -2,6 +2,7 @@
 // Where the stress of a part has no limit: re-entrant corners, ends of supports and of bonds, held points, ends of contact at
 // corners, places where friction that slips turns round.
 #pragma once
+#include <array>
 #include <vector>
 
 #include "src/solution/assembly_model.hpp"
@@ -15,6 +16,20 @@ struct SingularPlace {
     bool is_of_contact = false;
     double growth = 0;  ///< stress grows like distance^-growth towards a re-entrant corner of the part; 0 at other places
 };
+
+/// An end of a bond at which tractions have no limit. A bond makes one body of two: their boundaries meet there in a corner,
+/// which is re-entrant where both together fill more than half a turn; where no other bond of theirs goes on. Where they fill
+/// half a turn it goes by their materials.
+struct BondEnd {
+    std::size_t contact;
+    std::array<int, 2> parts;  ///< of the scene
+    std::array<Vec2, 2> at;    ///< on each, assembly coordinates
+    double excess;             ///< what they fill more than half a turn, radians
+};
+std::vector<BondEnd> singular_bond_ends(const Scene& scene, const SolvedAssembly& solved);
+
+/// Does the largest pressure of a contact (peaks: by contact, where) stand at such an end?
+std::vector<char> peaks_at_bond_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Vec2>& peaks);
 
 /// The places of one part of the scene.
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,

@@ -11,8 +11,8 @@ namespace abut {
 /// action as they were found? False where there is no force.
 std::vector<char> given_by_statics(const SolvedAssembly& solved);
 
-/// How far statics leaves it open what a constraint bears and what contacts do (by constraint): 0, they are independent, to 1/2.
-/// Lines of action may go as far as contacts reach.
+/// How far statics leaves it open what a constraint bears and what contacts do (by constraint): 0, they are independent, to
+/// 1/2. Lines of action may go as far as contacts reach.
 std::vector<double> shared_with_contacts(const SolvedAssembly& solved);
 
 /// The combinations of a solved part's free motions, orthonormal columns by motion, that supports of means and of points let

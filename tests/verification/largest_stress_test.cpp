@@ -115,6 +115,25 @@ TEST(LargestStress, ThatASharpCornerExceedsOnFinerGridsIsSaid) {
     EXPECT_FALSE(warns(warnings, "corner"));
 }
 
+/// A saddle on a nose with sharp corners at its root: the saddle's stress is the largest on the first grids.
+TEST(LargestStress, ThatASharpCornerOfAnotherPartExceedsIsSaidToo) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+        "materials": {"steel": {"E": 210000, "nu": 0.3}, "alu": {"E": 70000, "nu": 0.33}}, "parts": [
+        {"name": "base", "material": "steel", "geometry": {"union": [{"rectangle": {"min": [-50, -12], "max": [50, 0]}},
+            {"slot": {"from": [0, -4], "to": [0, 6], "radius": 8}}]}},
+        {"name": "saddle", "material": "alu", "thickness": 6, "geometry": {"difference": [
+            {"rectangle": {"min": [-20, 6], "max": [20, 32]}}, {"slot": {"from": [0, -5], "to": [0, 5.95], "radius": 8.05}}]}}],
+        "supports": [{"on": {"part": "base", "near": [0, -12]},
+            "spring": {"normal": 2000, "tangential": 300}}, {"part": "saddle", "rigid": {"rotation": 0}}],
+        "loads": [{"on": {"part": "saddle", "near": [0, 32]}, "force": [100, -1000]}]})",
+                                             "scene.json"),
+                             {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_GT(r.parts[1].max_von_mises.value, r.parts[0].max_von_mises.value);
+    EXPECT_FALSE(r.parts[1].max_von_mises_at_corner);
+    EXPECT_TRUE(warns(r.warnings, "that at the sharp corner of base at (8, 0)"));
+}
+
 TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
     const std::string coarse = as_ellipse(0.02);
     Scene scene = read_scene_text(coarse, "scene.json");

@@ -176,4 +176,24 @@ TEST(Bonded, UnderADiscALayerIsPartOfTheBlock) {
     }
 }
 
+/// What is said of the peak of a block that is glued on a base of the same size or a larger one, and pressed.
+ContactErrors peak_of_glued(const std::string& base, double modulus) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3}, "top": {"E": )" +
+                                                 std::to_string(modulus) + R"(, "nu": 0.3}}, "parts": [)" + base +
+                                                 R"(, {"name": "block", "material": "top", "geometry": {"rectangle": {"min":
+        [0, 0], "max": [4, 3]}}}], "contacts": {"pairs": [{"between": ["base/top", "block/bottom"], "kind": "bonded"}]},
+        "supports": [{"on": "base/bottom", "fix": ["x", "y"]}], "loads": [{"on": "block/top", "traction": [-2, -6]}]})",
+                                             "scene.json"),
+                             {});
+    EXPECT_EQ(r.status, "ok") << r.message;
+    return r.contacts.at(0).errors.value();
+}
+
+TEST(Bonded, PressuresHaveNoLimitWhereTheBondEndsInAReentrantCornerOrBetweenUnlikeMaterials) {
+    const std::string wide = block("base", "[-3, -3]", "[7, 0]"), flush = block("base", "[0, -3]", "[4, 0]");
+    EXPECT_TRUE(peak_of_glued(wide, 1000).at_corner);
+    EXPECT_FALSE(peak_of_glued(flush, 1000).at_corner);
+    EXPECT_TRUE(peak_of_glued(flush, 10000).at_corner);
+}
+
 }  // namespace abut::bonded_test
