@@ -50,7 +50,9 @@ Spaces spaces_of(const MatrixXd& m) {
 
 MatrixXd columns(const std::vector<Screw>& screws, Screw (*local)(const Screw&, const ScrewScale&), const ScrewScale& scale) {
     MatrixXd m(3, static_cast<Eigen::Index>(screws.size()));
-    for (std::size_t k = 0; k < screws.size(); ++k) m.col(static_cast<Eigen::Index>(k)) = local(screws[k], scale);
+    // of unit size: a couple of one is small beside a force where lengths are large numbers, and no less a wrench
+    for (std::size_t k = 0; k < screws.size(); ++k)
+        m.col(static_cast<Eigen::Index>(k)) = local(screws[k], scale).stableNormalized();
     return m;
 }
 
@@ -147,7 +149,7 @@ Mobility mobility(int n_bodies, const std::vector<Connection>& connections, cons
     MatrixXd m = MatrixXd::Zero(3 * n_bodies, static_cast<Eigen::Index>(connections.size()));
     for (std::size_t k = 0; k < connections.size(); ++k) {
         const Connection& c = connections[k];
-        const Screw w = local_wrench(c.wrench, scale);
+        const Screw w = local_wrench(c.wrench, scale).stableNormalized();
         m.col(static_cast<Eigen::Index>(k)).segment<3>(3 * c.body) += w;
         if (c.other >= 0) m.col(static_cast<Eigen::Index>(k)).segment<3>(3 * c.other) -= w;
     }

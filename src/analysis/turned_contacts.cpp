@@ -34,6 +34,7 @@
 #include "src/answers/motion_text.hpp"
 #include "src/base/index.hpp"
 #include "src/io/number_text.hpp"
+#include "src/motion/leads.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
 #include "src/solution/contact_measures.hpp"
@@ -353,7 +354,6 @@ struct Turned {
 
 Turned turned_of(const Scene& scene, const SolvedAssembly& solved) {
     Turned turned{balance_of(solved), {}, {}};
-    if (turned.balance.part.empty()) return turned;
     for (std::size_t i = 0; i < solved.grids.size(); ++i) turned.motions.push_back(rigid_motion_of(solved, i));
     turned.lines = moved_forces(scene, solved, turned.motions);
     return turned;
@@ -420,6 +420,36 @@ Eigen::VectorXd unstable_motion(const Scene& scene, const SolvedAssembly& solved
     return rolling * eigen.eigenvectors().col(most);
 }
 
+/// The share by which the moment of contacts' forces about a part changes as supports lead parts, where its supports keep it
+/// from turning and bear that moment. 0 also for what is no more than how well the places of forces are known, and for moments
+/// that are next to nothing, but on parts that supports turn.
+double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turned& turned, std::size_t grid) {
+    constexpr double next_to_nothing = 0.01;  // of forces times the part's size
+    const auto turns = [&](const Support& s) {
+        return s.part == scene.parts[at(solved.grids[grid].part)].name && s.rigid_rotation.value_or(0) != 0;
+    };
+    const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
+    if (std::none_of(scene.supports.begin(), scene.supports.end(), prescribes_motion) ||
+        std::any_of(free.begin(), free.end(), [](const solver::RigidMotion& m) { return m.rotation != 0; }))
+        return 0;
+    const solver::RigidMotion& motion = turned.motions[grid];
+    const Vec2 center = motion.center, moved_center = center + motion.translation;
+    double drawn = 0, moved = 0, forces = 0;
+    for (const MovedForce& l : turned.lines)
+        for (const int side : {0, 1}) {
+            if (at(solved.contacts[l.contact].face.part[at(side)]) != grid) continue;
+            const double sign = side == 0 ? 1 : -1;
+            drawn += sign * cross(l.drawn - center, l.force);
+            moved += sign * cross(l.moved - moved_center, l.turned);
+            forces += l.force.norm();
+        }
+    const double change = std::abs(moved - drawn), all = forces * solved.grids[grid].size;
+    const bool is_small = std::max(change, std::abs(drawn)) <= next_to_nothing * all,
+               is_turned = std::any_of(scene.supports.begin(), scene.supports.end(), turns);
+    if (change <= known_places * all || (is_small && !is_turned)) return 0;
+    return std::min(1.0, change / std::abs(drawn));
+}
+
 }  // namespace
 
 void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, Result& result) {
@@ -446,8 +476,12 @@ void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, 
 }
 
 bool are_forces_turned(const Scene& scene, const Outcome& out) {
-    const auto [balance, motions, lines] = turned_of(scene, out.solved);
+    const Turned turned = turned_of(scene, out.solved);
+    const auto& [balance, motions, lines] = turned;
     if (lines.empty()) return false;
+    for (std::size_t i = 0; i < out.solved.grids.size(); ++i)
+        if (lever_share(scene, out.solved, turned, i) > noted_turn * out.target) return true;
+    if (balance.part.empty()) return false;
     const Rebalanced moved = rebalanced(out.solved, balance, lines, motions);
     double largest = 0, most = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -460,7 +494,7 @@ bool are_forces_turned(const Scene& scene, const Outcome& out) {
 std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solved) {
     std::vector<double> shares(solved.contacts.size(), 0);
     const auto [balance, motions, lines] = turned_of(scene, solved);
-    if (lines.empty()) return shares;
+    if (lines.empty() || balance.part.empty()) return shares;
     const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         double& share = shares[lines[k].contact];
@@ -472,13 +506,23 @@ std::vector<double> turned_shares(const Scene& scene, const SolvedAssembly& solv
 
 void warn_of_turned_contacts(const Scene& scene, const Outcome& out, Result& result) {
     const SolvedAssembly& solved = out.solved;
-    const auto [balance, motions, lines] = turned_of(scene, solved);
+    const Turned turned = turned_of(scene, solved);
+    const auto& [balance, motions, lines] = turned;
     if (!has_resultants(solved, lines)) return;
-    const double largest = largest_force(lines);
-    const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     const double noted = noted_turn * out.target;
     const std::string advice = "; draw the parts nearer to where they come to rest";
-    std::vector<Finding> forces, frictions, motions_left;
+    std::vector<Finding> forces, frictions, motions_left, levers;
+    for (std::size_t i = 0; i < solved.grids.size(); ++i)
+        if (const double share = lever_share(scene, solved, turned, i); share > noted) {
+            const std::string &name = scene.parts[at(solved.grids[i].part)].name,
+                              text = "the moment of the contacts' forces on " + name + " changes by " + percent_text(share) +
+                                     " as parts move";
+            levers.push_back({share, name, text + ", which the answer leaves out", text});
+        }
+    tell(std::move(levers), "turned_lever", result);
+    if (balance.part.empty()) return;
+    const double largest = largest_force(lines);
+    const Rebalanced moved = rebalanced(solved, balance, lines, motions);
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const std::string number = contact_number(lines[k].contact);
         if (const double share = moved.change[k].norm() / largest; share > noted) {

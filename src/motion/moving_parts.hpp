@@ -31,6 +31,8 @@ struct MovingPart {
 
     Eigen::Index n() const { return motions.cols(); }
     Eigen::VectorXd own(const Eigen::VectorXd& amplitudes) const { return amplitudes.segment(first, n()); }
+    /// Is the middle held on a line, while the part may turn about it?
+    bool turns_on_a_line() const { return n() == 2 && motions.row(2).squaredNorm() > 1 - 1e-9; }
     /// Translation of the middle, and turn.
     Eigen::Vector3d motion(const Eigen::VectorXd& amplitudes) const;
 };

@@ -180,7 +180,7 @@ private:
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
             if (is_near && far * step_fraction <= arrived_fraction) {
-                if (is_placed() || closing_.deepest > overlap_at_rest) touch();
+                if (is_placed() || led_.any() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
@@ -382,7 +382,8 @@ private:
         for (const MovingPart& b : moving_.list) {
             const Eigen::Vector3d motion = b.motion(a);
             Placement& p = placements_[at(b.part)];
-            p = followed_by(p, along_screw(b.center, motion.head<2>(), motion[2]));
+            p = followed_by(p, b.turns_on_a_line() ? about_center(b.center, motion.head<2>(), motion[2])
+                                                   : along_screw(b.center, motion.head<2>(), motion[2]));
         }
         put();
         if (closing_.deepest <= std::max(step_overlap, closing.deepest)) return true;

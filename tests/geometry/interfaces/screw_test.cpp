@@ -110,6 +110,18 @@ TEST(Screw, CountsStayUnderMotionAndChangeOfUnit) {
             }
 }
 
+TEST(Screw, ACoupleCountsWhateverTheUnitOfLength) {
+    for (const double size : {1e-9, 1.0, 1e9}) {
+        SCOPED_TRACE(size);
+        const ScrewScale scale{{0, 0}, size};
+        const std::vector<Screw> held = together({pin({0, 0}), {{0, 0, 1}}});
+        EXPECT_TRUE(twist_space(held, scale).empty());
+        EXPECT_EQ(wrench_space(held, scale).size(), 3U);
+        EXPECT_EQ(span_of_twists({{1, 0, 0}, {0, 0, 1}}, scale).size(), 2U);
+        EXPECT_EQ(mobility(1, to_ground(held), scale).degrees_of_freedom, 0);
+    }
+}
+
 TEST(Screw, TwistsAndWrenchesAreReciprocal) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(-1, 1);

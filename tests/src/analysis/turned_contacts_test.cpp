@@ -322,4 +322,26 @@ TEST(UnstableBalance, ABlockInACornerRests) {
     EXPECT_FALSE(has_reason(r, "turned_balance"));
 }
 
+/// A cam that a support turns by half a degree under a flat follower, less than its pairs are good for: its lever goes by a
+/// third of itself. Of an ellipse the touching point of a level tangent is known.
+TEST(TurnedContacts, ThePlaceOfAForceOnAPartThatASupportTurnsIsThatWhereItEnds) {
+    constexpr double a = 20, b = 12, drawn = 87, force = 2000;
+    const auto at = [&](double degrees) {  // of the highest point: x and y
+        const double w = degrees * std::numbers::pi / 180, y = std::hypot(a * std::sin(w), b * std::cos(w));
+        return Vec2((a * a - b * b) * std::sin(w) * std::cos(w) / y, y);
+    };
+    const double top = at(drawn).y();
+    const Result r = test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+        "materials": {"steel": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "cam", "material": "steel", "geometry": {"ellipse": {"center": [0, 0], "radii": [20, 12], "angle": 87}}},
+        {"name": "follower", "material": "steel", "geometry": {"rectangle": {"min": )" +
+                                  test::pair_text(-25, top) + R"(, "max": )" + test::pair_text(25, top + 10) + R"(}}}],
+        "supports": [{"part": "cam", "rigid": {"translation": [0, 0], "rotation": 0.5}},
+            {"part": "follower", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "follower", "force": [0, -2000]}]})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_TRUE(r.accuracy.reached);
+    EXPECT_NEAR(r.reactions.at(0).moment, force * at(drawn + 0.5).x(), 0.005 * force * at(drawn).x());
+}
+
 }  // namespace abut::turned_contacts_test

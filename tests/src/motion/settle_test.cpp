@@ -488,6 +488,21 @@ TEST(Settle, AGuidedPartKeepsToItsGuide) {
     EXPECT_EQ(settling.placements.at(1).angle, 0);
 }
 
+TEST(Settle, APartWhoseMiddleIsGuidedFallsStraightHoweverItTurns) {
+    const std::string disc = R"({"circle": {"radius": 5, "center": )";
+    const Scene scene = scene_of(floor_part + ", " + part("l", disc + "[-30, 5]}}") + ", " + part("r", disc + "[30, 5]}}") +
+                                     ", " + part("beam", R"({"rectangle": {"min": [-40, 30], "max": [45, 38]}})"),
+                                 held_floor +
+                                     R"(, {"part": "l", "rigid": {"translation": [0, null], "rotation": 0}},
+            {"part": "r", "rigid": {"translation": [0, null], "rotation": 0}},
+            {"part": "beam", "rigid": {"translation": [0, null]}})",
+                                 R"({"part": "beam", "force": [0, -30]}, {"on": "beam/right", "force": [0, -5]})");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_LT((way(scene, settling, 3) - Vec2(0, -20)).norm(), 85 * of_size);
+    EXPECT_LT(std::abs(way(scene, settling, 3).x()), 1e-9);
+}
+
 TEST(Settle, IsNotAskedWhereSomethingElseHolds) {
     const std::string two = hole_and_pin(6, {0, 0}), held = R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                       load = R"({"part": "pin", "force": [0, -1]})";
