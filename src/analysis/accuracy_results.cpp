@@ -7,6 +7,7 @@
 #include "src/analysis/largest_stress.hpp"
 #include "src/analysis/missed_contacts.hpp"
 #include "src/analysis/static_forces.hpp"
+#include "src/analysis/stress_error.hpp"
 #include "src/io/number_text.hpp"
 #include "src/results/findings.hpp"
 #include "src/results/result_units.hpp"
@@ -306,7 +307,7 @@ const LargestStress* corner_beyond(const Outcome& out, double most) {
 
 void warn_of_largest_stress(const Outcome& out, Result& result) {
     const PartResult* most = most_stressed(result);
-    if (!most) return;
+    if (!most || !is_strained(out.solved)) return;
     const std::string which = "the largest von Mises stress, " +
                               with_unit(most->max_von_mises.value, 4, result_units(result).stress) + " in " + most->name +
                               " at " + place_text(most->max_von_mises.at, model_size(result)) + ",";

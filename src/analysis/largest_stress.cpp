@@ -76,22 +76,24 @@ double hidden_share(const geometry::Part& local, const Vec2& place, double cell)
     return radius < cell ? 1 - 1 / (1 + 2 * std::sqrt(cell / radius)) : 0;
 }
 
-/// Does the stress fall away from a corner, by half at least of what one without limit falls by? Fields that loads on both of
-/// its edges make even do not.
+/// Does the stress fall away from a corner, in the mean by half at least of what one without limit falls by? Fields that loads
+/// on both of its edges make even do not.
 bool falls_away(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                 const Vec2& corner, int element, double at_corner, double growth) {
     constexpr double cells_away = 4;
     constexpr int directions = 12;
     const double away = cells_away * grid.cells.grid.box(grid.elements.cell_of(element)).size().maxCoeff();
     double around = 0;
+    int inside = 0;
     for (int k = 0; k < directions; ++k) {
         const double angle = 2 * std::numbers::pi * k / directions;
         const Vec2 x = corner + away * Vec2(std::cos(angle), std::sin(angle));
         if (!contains(grid.local, x)) continue;
         const int there = element_at(grid.local, grid.cells, grid.elements, x);
-        around = std::max(around, von_mises(sample_field(grid, displacement, stress, there, x).stress));
+        around += von_mises(sample_field(grid, displacement, stress, there, x).stress);
+        ++inside;
     }
-    return around > 0 && at_corner > around * std::pow(cells_away, 0.5 * growth);
+    return around > 0 && at_corner > around / inside * std::pow(cells_away, 0.5 * growth);
 }
 
 /// Notes the stress at a re-entrant corner that is above the largest one on smaller cells; of several the highest there.

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "geometry/brep/outline.hpp"
 #include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 #include "src/plan/support_components.hpp"
@@ -68,6 +69,25 @@ std::vector<std::vector<Screw>> support_wrenches(const Scene& scene, const Resol
             wrenches = wrench_space(wrenches, scale);
         }
     return by_part;
+}
+
+std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part) {
+    ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
+    const geometry::Part& shape = scene.parts[at(part)].part;
+    const int n = count_pieces(shape);
+    if (n < 2) return std::nullopt;
+    const std::vector<int> piece_of = pieces_of_edges(shape);
+    std::vector<std::vector<Screw>> wrenches(at(n));
+    for (std::size_t s = 0; s < conditions.supports.size(); ++s)
+        for (const EdgePortion& portion : conditions.supports[s])
+            if (portion.part == part && piece_of[at(portion.edge)] >= 0)
+                append_along(scene, scene.supports[s], portion, wrenches[at(piece_of[at(portion.edge)])]);
+    for (int k = 0; k < n; ++k) {
+        if (scene.analysis == Analysis::axisymmetric)
+            wrenches[at(k)].insert(wrenches[at(k)].end(), {Screw(1, 0, 0), Screw(0, 0, 1)});
+        if (!twist_space(wrenches[at(k)], screw_scale(scene)).empty()) return k;
+    }
+    return std::nullopt;
 }
 
 }  // namespace abut

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the supports of a scene hold of its parts as rigid bodies [Grishin10, section 2.2].
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "geometry/interfaces/screw.hpp"
@@ -13,5 +14,9 @@ geometry::ScrewScale screw_scale(const Scene& scene);
 
 /// The wrenches, by part, of each support that holds it, springs among them, reduced to a basis; about the origin.
 std::vector<std::vector<geometry::Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions);
+
+/// Of a part of several separate pieces, the first that supports of its own edges leave free to move, as pieces_of_edges
+/// numbers them.
+std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part);
 
 }  // namespace abut

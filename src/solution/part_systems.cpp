@@ -14,6 +14,7 @@
 #include "src/discretization/support_sets.hpp"
 #include "src/io/number_text.hpp"
 #include "src/plan/support_components.hpp"
+#include "src/plan/support_wrenches.hpp"
 
 namespace abut {
 
@@ -65,19 +66,27 @@ void require_aligned(const Scene& scene, const PartOnGrid& g, const solver::Part
                              "set accuracy.dirichlet to \"auto\" or \"nitsche\"");
 }
 
+std::string at_place(const Vec2& x) {
+    return "(" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
+}
+
 /// Part, place and meaning of a system that cannot be solved.
 std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::PartSystem& system) {
-    std::string where;
-    if (system.failed_at) {
-        const Vec2 x = g.frame.to_global(system.failed_at->at);
-        where = ", near (" + number_text(x.x(), 6) + ", " + number_text(x.y(), 6) + ")";
-    }
-    const ScenePart& part = scene.parts[at(g.part)];
-    if (const int pieces = count_pieces(part.part); pieces > 1 && system.failed_at)
-        return "part " + part.name + " consists of " + std::to_string(pieces) +
-               " separate pieces, and its own supports do not hold " + "each of them" + where +
-               "; make every piece a part, or support it";
-    return "part " + part.name + where + ": " + system.failure;
+    const std::string where = system.failed_at ? ", near " + at_place(g.frame.to_global(system.failed_at->at)) : "";
+    return "part " + scene.parts[at(g.part)].name + where + ": " + system.failure;
+}
+
+/// Pieces that are less than a cell apart would hold each other in the splines. Empty: the part is one body, or rigid, or each
+/// piece is held.
+std::string loose_piece(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
+    const std::optional<int> loose = g.is_rigid ? std::nullopt : piece_not_held(scene, conditions, g.part);
+    if (!loose) return "";
+    const geometry::Part& part = scene.parts[at(g.part)].part;
+    const std::vector<int> piece = pieces_of_edges(part);
+    const std::size_t first = at(std::find(piece.begin(), piece.end(), *loose) - piece.begin());
+    return "part " + scene.parts[at(g.part)].name + " consists of " + std::to_string(count_pieces(part)) +
+           " separate pieces, and supports of its own edges do not hold each of them; that at " +
+           at_place(point(part.edges[first].curve, 0)) + " is free: make every piece a part, or support it";
 }
 
 /// What the system's own code spent on its effects.
@@ -159,6 +168,7 @@ void take_systems(const Scene& scene, const ResolvedConditions& conditions, std:
         g.input.dilatation = system.input.dilatation;
         require_aligned(scene, g, system);
         if (!system.failure.empty()) solved.failure = failure_of(scene, g, system);
+        if (std::string loose = loose_piece(scene, conditions, g); !loose.empty()) solved.failure = std::move(loose);
         if (known)
             append_known_constraints(scene, *known, i, solved);
         else
