@@ -16,6 +16,7 @@
 #include "geometry/sketch/sketch_arcs.hpp"
 #include "geometry/sketch/sketch_names.hpp"
 #include "geometry/sketch/sketch_open.hpp"
+#include "geometry/sketch/sketch_splits.hpp"
 #include "src/base/index.hpp"
 
 namespace abut::geometry {
@@ -47,12 +48,15 @@ void report_joints(MendedLines& lines) {
     }
 }
 
-SketchProblem crossing_lines(const std::vector<SketchPiece>& entities, const std::vector<int>& block) {
-    const SketchPiece& first = entities[at(block.front())];
+SketchProblem crossing_lines(const std::vector<SketchPiece>& entities, const std::vector<int>& block, double coincidence) {
+    const std::optional<CrossingPair> pair = first_crossing(entities, block, coincidence);
+    const SketchPiece& first = entities[at(pair ? pair->entity : block.front())];
     const auto of_insertion = std::find_if(block.begin(), block.end(), [&](int e) { return entities[at(e)].insertion >= 0; });
     const std::string hint = of_insertion == block.end() ? "" : block_hint(entities[at(*of_insertion)]);
-    return {"lines that share areas on layer " + first.layer + " cross each other, near " + first.name, point(first.curve, 0.5),
-            first.name, first.line, "put each part on a layer of its own, or mend it in CAD" + hint};
+    return {"lines that share areas on layer " + first.layer + " cross each other, " +
+                (pair ? first.name + " and " + entities[at(pair->other)].name : "near " + first.name),
+            pair ? pair->at : point(first.curve, 0.5), first.name, first.line,
+            "put each part on a layer of its own, or mend it in CAD" + hint};
 }
 
 }  // namespace
@@ -78,7 +82,7 @@ ClosedOutlines close_outlines(MendedLines lines, const SketchOptions& options) {
         if (is_plane(divided, lines.joints, block))
             found.outlines.divided.push_back(std::move(divided));
         else
-            found.problems.push_back(crossing_lines(lines.entities, block));
+            found.problems.push_back(crossing_lines(lines.entities, block, near.coincidence));
     }
     found.outlines.entities = std::move(lines.entities);
     put_back(found.outlines, lines);

@@ -177,6 +177,26 @@ int axis_of(const Curve& curve) {
     return line->from.y() == line->to.y() ? 0 : line->from.x() == line->to.x() ? 1 : -1;
 }
 
+/// Visits, of the given entities, each that another one crosses, touches or ends on, away from its own ends.
+template <class Visit>
+void for_all_crossings(const std::vector<SketchPiece>& entities, const std::vector<int>& among, CrossingLines which,
+                       double coincidence, const Visit& visit) {
+    std::vector<bool> is_asked(entities.size(), false);
+    for (const int e : among) is_asked[at(e)] = which == CrossingLines::all || axis_of(entities[at(e)].curve) >= 0;
+    const AskedEntities asked = asked_entities(entities, is_asked);
+    for (const std::size_t i : asked.entity)
+        for (const int near : asked.tree.near(bounding_box(entities[i].curve), coincidence)) {
+            const std::size_t j = asked.entity[at(near)];
+            const Curve &a = entities[i].curve, &b = entities[j].curve;
+            if (j <= i || (which == CrossingLines::upright && axis_of(a) == axis_of(b)) || !may_meet(a, b, coincidence))
+                continue;
+            for (const Vec2& p : meeting_points(a, b, coincidence))
+                for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)})
+                    if (const std::optional<double> t = place_inside(entities[own], p, coincidence, coincidence))
+                        visit(own, other, *t, p);
+        }
+}
+
 }  // namespace
 
 bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, const std::vector<bool>& troubled,
@@ -190,26 +210,24 @@ bool split_at_ends(std::vector<SketchPiece>& entities, const Joints& joints, con
 
 bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, CrossingLines which,
                         double coincidence, std::vector<Repair>& repairs) {
-    std::vector<bool> is_asked(entities.size(), false);
-    for (const int e : among) is_asked[at(e)] = which == CrossingLines::all || axis_of(entities[at(e)].curve) >= 0;
-    const AskedEntities asked = asked_entities(entities, is_asked);
     Cuts cuts;
-    for (const std::size_t i : asked.entity)
-        for (const int near : asked.tree.near(bounding_box(entities[i].curve), coincidence)) {
-            const std::size_t j = asked.entity[at(near)];
-            const Curve &a = entities[i].curve, &b = entities[j].curve;
-            if (j <= i || (which == CrossingLines::upright && axis_of(a) == axis_of(b)) || !may_meet(a, b, coincidence))
-                continue;
-            for (const Vec2& p : meeting_points(a, b, coincidence))
-                for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)}) {
-                    const std::optional<double> t = place_inside(entities[own], p, coincidence, coincidence);
-                    if (t && note(cuts, entities[own], own, *t, coincidence))
-                        repairs.push_back({entities[own].name + " cut where " + entities[other].name + " crosses it", p, 0});
-                }
-        }
+    for_all_crossings(entities, among, which, coincidence, [&](std::size_t own, std::size_t other, double t, const Vec2& p) {
+        if (note(cuts, entities[own], own, t, coincidence))
+            repairs.push_back({entities[own].name + " cut where " + entities[other].name + " crosses it", p, 0});
+    });
     if (cuts.empty()) return false;
     cut(entities, cuts);
     return true;
+}
+
+std::optional<CrossingPair> first_crossing(const std::vector<SketchPiece>& entities, const std::vector<int>& among,
+                                           double coincidence) {
+    std::optional<CrossingPair> first;
+    for_all_crossings(entities, among, CrossingLines::all, coincidence,
+                      [&](std::size_t own, std::size_t other, double, const Vec2& p) {
+                          if (!first) first = {static_cast<int>(own), static_cast<int>(other), p};
+                      });
+    return first;
 }
 
 }  // namespace abut::geometry

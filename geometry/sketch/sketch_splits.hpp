@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Entities cut where ends of others lie on them.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "geometry/sketch/sketch_joints.hpp"
@@ -22,5 +23,14 @@ enum class CrossingLines { none, upright, all };
 /// table do, or all (`which`). Returns whether any did.
 bool split_at_crossings(std::vector<SketchPiece>& entities, const std::vector<int>& among, CrossingLines which,
                         double coincidence, std::vector<Repair>& repairs);
+
+/// Two entities that cross, or of which one touches or ends on the other away from the other's ends.
+struct CrossingPair {
+    int entity, other;
+    Vec2 at;
+};
+/// The first pair among the given entities.
+std::optional<CrossingPair> first_crossing(const std::vector<SketchPiece>& entities, const std::vector<int>& among,
+                                           double coincidence);
 
 }  // namespace abut::geometry

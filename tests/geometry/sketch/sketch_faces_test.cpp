@@ -230,6 +230,16 @@ void check_subdivisions(int n_cases, unsigned seed) {
     }
 }
 
+TEST(SketchFaces, LinesThatCrossAreNamedWhereTheyDo) {
+    const SketchParts sketch = parts_by(
+        drawn_rectangle({0, 0}, {10, 6}, "s") + Entities{drawn_line({3, 0}, {3, 6}, "up"), drawn_line({0, 2}, {10, 4}, "over")},
+        PartsBy::loop);
+    ASSERT_EQ(sketch.problems.size(), 1u);
+    EXPECT_TRUE(says(sketch.problems[0].what, "lines that share areas on layer 0 cross each other, up and over"))
+        << sketch.problems[0].what;
+    EXPECT_LT((sketch.problems[0].at - Vec2(3, 2.6)).norm(), 1e-9);
+}
+
 TEST(SketchFaces, FindsTheCellsOfSubdivisions) {
     check_subdivisions(150, 1);
 }
