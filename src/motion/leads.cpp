@@ -103,7 +103,10 @@ Leads leads_of(const Scene& scene, const ResolvedConditions& conditions) {
     if (part) leads.why_not = "what supports prescribe deforms " + scene.parts[at(*part)].name + ", or may turn it";
     for (Lead& lead : leads.of) {
         const Vec2 way = lead.to.head<2>();
-        if (way == Vec2(0, 0)) continue;
+        if (way == Vec2(0, 0)) {
+            if (lead.to[2] != 0) lead.way = 2;
+            continue;
+        }
         lead.way = way.x() != 0 ? 0 : 1;
         if (!lead.is_given[0] || !lead.is_given[1]) continue;
         lead.axis = way.normalized();

@@ -19,7 +19,8 @@ struct Lead {
     std::array<bool, 3> is_given{false, false, false};
     Eigen::Vector3d to{0, 0, 0};  ///< radians for the turn
     Vec2 axis{1, 0};              ///< the way, where it is given as a whole: what stops a part leaves it on its line
-    int way = -1;                 ///< the component of the translation that is not zero; -1: none
+    /// The component of the translation that is not zero; the turn, where there is no translation; -1: none.
+    int way = -1;
 
     bool goes_anywhere() const { return to.norm() > 0; }
     /// A translation, and a turn, by these coordinates.

@@ -23,7 +23,7 @@ LedParts::LedParts(std::vector<Lead> leads, std::vector<Vec2> centers, std::vect
       centers_(std::move(centers)),
       sizes_(std::move(sizes)),
       bodies_(std::move(bodies)),
-      pushes_(leads_.size(), Vec2(0, 0)) {
+      pushes_(leads_.size(), Eigen::Vector3d::Zero()) {
     ENSURE(centers_.size() == leads_.size() && sizes_.size() == leads_.size() && bodies_.size() == leads_.size(),
            "every part has a place, a size and a body");
 }
@@ -96,10 +96,13 @@ bool LedParts::push_where_blocked(const MovingParts& moving, const Eigen::Vector
     for (const MovingPart& b : moving.list) {
         Lead& lead = leads_[at(b.part)];
         if (lead.way < 0 || !lead.is_given[at(lead.way)]) continue;
-        const double way = asked[at(b.part)].to[lead.way], goes = lead.of(b.motion(step).head<2>(), 0)[lead.way];
-        if (std::abs(way) <= arrived_fraction * b.size || goes * way >= gets_there * way * way) continue;
+        const double way = asked[at(b.part)].to[lead.way],
+                     goes = lead.of(b.motion(step).head<2>(), b.motion(step)[2])[lead.way], arm = lead.way == 2 ? b.arm : 1;
+        if (arm * std::abs(way) <= arrived_fraction * b.size || goes * way >= gets_there * way * way) continue;
         lead.is_given[at(lead.way)] = false;
-        pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * lead.translation(Vec2::Unit(lead.way) * (way > 0 ? 1 : -1));
+        const Eigen::Vector3d along = Eigen::Vector3d::Unit(lead.way) * (way > 0 ? 1 : -1);
+        const Vec2 force = lead.translation(along.head<2>());
+        pushes_[at(b.part)] = strength * (loads > 0 ? loads : 1) * Eigen::Vector3d(force.x(), force.y(), arm * along[2]);
         any = true;
     }
     return any;
@@ -109,9 +112,9 @@ bool LedParts::end_pushes(const std::vector<Placement>& placements) {
     bool any = false;
     for (std::size_t i = 0; i < pushes_.size(); ++i) {
         Lead& lead = leads_[i];
-        if (pushes_[i] == Vec2(0, 0) || gone(i, placements[i])[lead.way] / lead.to[lead.way] < 1) continue;
+        if (pushes_[i].isZero(0) || gone(i, placements[i])[lead.way] / lead.to[lead.way] < 1) continue;
         lead.is_given[at(lead.way)] = true;
-        pushes_[i] = Vec2(0, 0);
+        pushes_[i].setZero();
         any = true;
     }
     return any;
@@ -119,10 +122,11 @@ bool LedParts::end_pushes(const std::vector<Placement>& placements) {
 
 void LedParts::act_on(MovingParts& moving) const {
     for (MovingPart& b : moving.list) {
-        const Vec2& push = pushes_[at(b.part)];
-        if (push == Vec2(0, 0)) continue;
-        b.load.force += push;
-        b.pull = std::max(b.pull, push.norm());
+        const Eigen::Vector3d& push = pushes_[at(b.part)];
+        if (push.isZero(0)) continue;
+        b.load.force += push.head<2>();
+        b.load.moment += push[2];
+        b.pull = std::max({b.pull, push.head<2>().norm(), std::abs(push[2]) / b.arm});
         moving.pull = std::max(moving.pull, b.pull);
     }
 }

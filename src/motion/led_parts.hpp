@@ -45,7 +45,7 @@ private:
     std::vector<Vec2> centers_;
     std::vector<double> sizes_;
     std::vector<int> bodies_;
-    std::vector<Vec2> pushes_;  // by part: forces in place of leads that something stops
+    std::vector<Eigen::Vector3d> pushes_;  // by part: forces and moments in place of leads that something stops
 };
 
 }  // namespace abut

@@ -503,6 +503,23 @@ TEST(Settle, APartWhoseMiddleIsGuidedFallsStraightHoweverItTurns) {
     EXPECT_LT(std::abs(way(scene, settling, 3).x()), 1e-9);
 }
 
+/// A bar that a support turns lifts a disc to a lid, which stops it: the rest of the turn is for the bodies.
+TEST(Settle, ATurnThatSomethingStopsEndsThere) {
+    constexpr double gap = 0.5, x = 40, y = 13 + gap;
+    const Scene scene = scene_of(part("bar", R"({"rectangle": {"min": [-50, -5], "max": [50, 5]}})") + ", " +
+                                     part("disc", R"({"circle": {"center": [40, 13], "radius": 8}})") + ", " +
+                                     part("lid", R"({"rectangle": {"min": [20, 21.5], "max": [60, 35]}})"),
+                                 R"({"part": "bar", "rigid": {"translation": [0, 0], "rotation": 5}},
+            {"part": "disc", "rigid": {"translation": [0, null]}}, {"on": "lid/top", "fix": ["x", "y"]})",
+                                 "");
+    const Settling settling = settling_of(scene);
+    ASSERT_EQ(settling.end, Settling::End::rests) << settling.why;
+    EXPECT_LT((way(scene, settling, 1) - Vec2(0, gap)).norm(), 16 * of_size);
+    // the disc's middle is 13 off the bar's line: y cos(angle) - x sin(angle) = 13
+    const double angle = std::atan2(y, x) - std::asin(13 / std::hypot(x, y));
+    EXPECT_NEAR(settling.placements.at(0).angle, angle, of_size);
+}
+
 TEST(Settle, IsNotAskedWhereSomethingElseHolds) {
     const std::string two = hole_and_pin(6, {0, 0}), held = R"({"on": "plate/p/bottom", "fix": ["x", "y"]})",
                       load = R"({"part": "pin", "force": [0, -1]})";
