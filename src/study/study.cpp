@@ -187,6 +187,10 @@ void Course::add_notes() {
         study_.notes.push_back(
             "No closed form is known for this scene. Errors are differences from the reference run: those of runs that are as "
             "fine come out wrong, and an error that all runs share is not seen.");
+    const std::string doubts = study_.reference_run ? study_.runs[static_cast<std::size_t>(*study_.reference_run)].reasons : "";
+    if (!doubts.empty())
+        study_.notes.push_back("The reference run is solved, but: " + doubts +
+                               ". What has no limit differs from it by any amount, on finer grids, too.");
     if (options_.threads != 1 && threads_ == 1)
         study_.notes.push_back(
             "No runs with threads: there is one processor, or the linear algebra library may not be called from several "

@@ -45,7 +45,7 @@ bool is_shown(const StudySetting& s) {
 
 std::string study_table(const Study& study) {
     const std::optional<std::size_t> measure = main_measure(study);
-    std::string text = "What accuracy costs in time: " + study.title + "\n";
+    std::string text = "What accuracy costs in time: " + (study.title.empty() ? study.file : study.title) + "\n";
     if (measure) text += "error: " + study.measures[*measure].what + ", against " + study.reference + "\n";
     std::vector<TextRow> rows{{"setting", "unknowns", "error", "solver", "whole run", "memory"}};
     for (const StudyRun& run : study.runs)
