@@ -84,15 +84,18 @@ Root increasing_root(Function value_and_slope, double start, double low, double 
     const double longest_step = (high - low) / 8;
     const double resolution = 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
     bool below = false, above = false;  // has a point with F < 0 (F > 0) been seen at low (high)?
-    double s = std::clamp(start, low, high);
+    double s = std::clamp(start, low, high), before = 0, longer = 1;
     const double lowest = low, highest = high;
     for (int k = 0; k < most_steps; ++k) {
         const auto [F, slope] = value_and_slope(s);
         if (std::abs(F) <= noise) return {s, true};
         (F < 0 ? low : high) = s;
         (F < 0 ? below : above) = true;
-        double step =
-            slope > flat ? std::clamp(-F / slope, -longest_step, longest_step) : (F < 0 ? longest_step : -longest_step);
+        // far from the centre of its circle a point stays as it is over many steps, and then jumps by more than the noise
+        longer = F == before ? 2 * longer : 1;
+        before = F;
+        double step = slope > flat ? std::clamp(-longer * F / slope, -longest_step, longest_step)
+                                   : (F < 0 ? longest_step : -longest_step);
         if ((F < 0 && s == highest) || (F > 0 && s == lowest)) return {s, slope > flat && std::abs(F / slope) <= slack};
         double next = s + step;
         if (below && above && (next <= low || next >= high)) next = 0.5 * (low + high);

@@ -454,8 +454,8 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
 
 void warn_of_unstable_balance(const Scene& scene, const SolvedAssembly& solved, Result& result) {
     const Turned turned = turned_of(scene, solved);
-    if (std::none_of(turned.lines.begin(), turned.lines.end(),
-                     [&](const MovedForce& l) { return friction_of(solved, l.contact) > 0; }))
+    if (turned.balance.part.empty() || std::none_of(turned.lines.begin(), turned.lines.end(),
+                                                    [&](const MovedForce& l) { return friction_of(solved, l.contact) > 0; }))
         return;  // what slides freely was pushed where it was put
     const Eigen::VectorXd motion = unstable_motion(scene, solved, turned);
     std::vector<Finding> findings;

@@ -145,6 +145,30 @@ TEST(Facing, TinyDistanceOnLongEdges) {
     EXPECT_NEAR(zones[0].end1 - zones[0].begin1, 2 * std::sqrt(2e-4), 1e-5);
 }
 
+/// Where the centre is far off, the points of an arc are numbers apart that are coarse beside those of the face.
+TEST(Facing, NearlyFlatArcsPairAllAlong) {
+    for (const double radius : {1e3, 2e4, 1e6, 1e8}) {
+        SCOPED_TRACE(radius);
+        const double half = std::asin(20 / radius), sag = radius * (1 - std::cos(half));
+        Part crown;
+        add_loop(crown, {Arc{{0, radius}, radius, -pi / 2 - half, 2 * half}, Segment{{20, sag}, {20, 20}},
+                         Segment{{20, 20}, {-20, 20}}, Segment{{-20, 20}, {-20, sag}}});
+        const Part base = block(-50, -30, 50, 0);
+        const auto zones = find_facing_zones(base, crown, 1);
+        ASSERT_EQ(zones.size(), 1u);
+        const FacingZone& zone = zones[0];
+        const double length1 = zone.end1 - zone.begin1, rate = (zone.end2 - zone.begin2) / length1;
+        for (int k = 1; k < 1000; ++k) {
+            const double along = k / 1000.0 * length1;
+            const FacingPair pair =
+                pair_from_first(base, crown, zone, zone.begin1 + along, zone.begin2 + along * rate + 0.3 * std::sin(k));
+            ASSERT_TRUE(pair.found) << k;
+            const double x = pair.on1.x.x(), first = x * x / (2 * radius);
+            ASSERT_NEAR(pair.gap, first, first * x * x / (radius * radius) + 1e-15 * radius + 1e-12) << k;
+        }
+    }
+}
+
 TEST(Facing, PinTouchingTheBottomOfItsHole) {
     const Part pin = disc({0, -0.05}, 10), plate = plate_with_hole(20, {0, 0}, 10.05);
     const auto zones = find_facing_zones(pin, plate, 1);

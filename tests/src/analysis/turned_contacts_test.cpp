@@ -344,4 +344,15 @@ TEST(TurnedContacts, ThePlaceOfAForceOnAPartThatASupportTurnsIsThatWhereItEnds) 
     EXPECT_NEAR(r.reactions.at(0).moment, force * at(drawn + 0.5).x(), 0.005 * force * at(drawn).x());
 }
 
+/// Nothing moves as a rigid body, and there is friction.
+TEST(TurnedContacts, PartsThatSupportsHoldHaveNoBalanceToLose) {
+    const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "a", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [60, 10]}}},
+        {"name": "b", "material": "m", "geometry": {"rectangle": {"min": [0, 10], "max": [60, 20]}}}],
+        "supports": [{"on": ["a/left", "b/left"], "fix": ["x", "y"]}], "loads": [{"on": "b/top", "pressure": 1}],
+        "contacts": {"friction": 0.2}, "accuracy": {"level": "draft"}})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_GT(r.contacts.at(0).max_pressure.value, 0.4);
+}
+
 }  // namespace abut::turned_contacts_test
