@@ -263,6 +263,22 @@ bool closes_more(const SketchParts& sketch, const SketchParts& other) {
     return sketch.open_length < (1 - same) * other.open_length;
 }
 
+/// Tells which layers' outlines are taken as holes of the largest part's.
+void warn_of_holes(const SketchParts& by_layer, SketchParts& by_loop) {
+    std::size_t largest = 0;
+    for (std::size_t k = 1; k < by_layer.parts.size(); ++k)
+        if (area(by_layer.parts[k]) > area(by_layer.parts[largest])) largest = k;
+    std::set<std::string> others(by_layer.layers.begin(), by_layer.layers.end());
+    others.erase(by_layer.layers[largest]);
+    std::string names;
+    for (const std::string& layer : others) names += (names.empty() ? "" : ", ") + layer;
+    by_loop.warnings.push_back({"outlines on " + std::string(others.size() > 1 ? "layers " : "layer ") + names +
+                                    " lie in the material of what is on layer " + by_layer.layers[largest] +
+                                    ", and are taken as its holes",
+                                bounding_box(by_layer.parts[largest == 0 ? by_layer.parts.size() - 1 : 0]).center(), "", 0,
+                                "where they are parts, say so: --parts-by layer (in a scene \"parts_by\": \"layer\")"});
+}
+
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the
 /// holes of one of them.
 SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, SketchParts by_layer, const std::string& why) {
@@ -279,8 +295,10 @@ SketchParts by_layers(const DrawnLines& lines, const SketchOptions& options, Ske
     const std::string reason = are_holes ? why + ", but all others lie in the material of one, as holes do"
                                          : why + ", but not all close without what is on other layers";
     const bool is_cut_only = !are_holes && are_divided(by_layer.parts, by_loop.parts);
-    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only)
+    if (are_holes ? by_loop.problems.empty() || !by_layer.problems.empty() : closes_more(by_loop, by_layer) && !is_cut_only) {
+        if (are_holes) warn_of_holes(by_layer, by_loop);
         return with_reason(std::move(by_loop), reason);
+    }
     return with_reason(std::move(by_layer), why);
 }
 

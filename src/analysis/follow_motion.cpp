@@ -76,6 +76,11 @@ std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solv
     return placements;
 }
 
+bool goes_nowhere(const std::vector<Placement>& placements) {
+    return std::all_of(placements.begin(), placements.end(),
+                       [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
+}
+
 /// How far a part is at one place from another, turns measured at its half diagonal.
 double distance_between(const geometry::Part& part, const Placement& a, const Placement& b) {
     const Vec2 center = centroid(part);
@@ -228,7 +233,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
     if (settling.end == Settling::End::stays &&
         (!has_answer(out) || is_paired_astray(drawn, out) || are_forces_turned(drawn, out))) {
         Settling beside = settle(drawn, conditions, settling.placements, true);
-        if (!beside.placements.empty() && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
+        if (!goes_nowhere(beside.placements) && (!has_answer(out) || is_explained_by(drawn, beside.placements, out.solved)))
             solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(beside.placements)), options, seconds, out,
                      rest);
     }

@@ -420,16 +420,25 @@ Eigen::VectorXd unstable_motion(const Scene& scene, const SolvedAssembly& solved
     return rolling * eigen.eigenvectors().col(most);
 }
 
-/// The share by which the moment of contacts' forces about a part changes as supports lead parts, where its supports keep it
-/// from turning and bear that moment. 0 also for what is no more than how well the places of forces are known, and for moments
-/// that are next to nothing, but on parts that supports turn.
+/// Is a part half of one, whose other half bears such moments?
+bool is_half(const Scene& scene, const SolvedAssembly& solved, std::size_t grid) {
+    const std::vector<solver::SupportRecord>& supports = solved.problem.parts[grid].supports;
+    return std::any_of(supports.begin(), supports.end(), [&](const solver::SupportRecord& record) {
+        return scene.supports[at(record.set.tag)].kind == Support::Kind::symmetry;
+    });
+}
+
+/// The share by which the moment of contacts' forces about a part changes as supports lead parts as a whole, where its supports
+/// keep it from turning and bear that moment. 0 also for what is no more than how well the places of forces are known, and for
+/// moments that are next to nothing, but on parts that supports turn.
 double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turned& turned, std::size_t grid) {
     constexpr double next_to_nothing = 0.01;  // of forces times the part's size
+    const auto leads = [&](const Support& s) { return s.kind == Support::Kind::rigid && prescribes_motion(s); };
     const auto turns = [&](const Support& s) {
         return s.part == scene.parts[at(solved.grids[grid].part)].name && s.rigid_rotation.value_or(0) != 0;
     };
     const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
-    if (std::none_of(scene.supports.begin(), scene.supports.end(), prescribes_motion) ||
+    if (std::none_of(scene.supports.begin(), scene.supports.end(), leads) || is_half(scene, solved, grid) ||
         std::any_of(free.begin(), free.end(), [](const solver::RigidMotion& m) { return m.rotation != 0; }))
         return 0;
     const solver::RigidMotion& motion = turned.motions[grid];

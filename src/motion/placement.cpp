@@ -182,8 +182,11 @@ std::vector<Placement> with_way_left(const Scene& drawn, const ResolvedCondition
 }
 
 std::string placement_text(const std::string& part, const Placement& placement, const Vec2& center, double size) {
-    constexpr double told = 1e-3;  // of its size, by what a turn moves the part's rim
-    const Vec2 by = placement.of(center) - center;
+    constexpr double told = 1e-3;       // of its size, by what a turn moves the part's rim
+    constexpr double rounding = 1e-12;  // likewise
+    Vec2 by = placement.of(center) - center;
+    for (double& b : by)
+        if (std::abs(b) <= rounding * size) b = 0;
     std::string text = part + " by (" + number_text(by.x(), 3) + ", " + number_text(by.y(), 3) + ")";
     if (std::abs(placement.angle) * size > told * size)
         text += " and " + number_text(placement.angle * 180 / std::numbers::pi, 2) + " degrees";

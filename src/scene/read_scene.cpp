@@ -4,6 +4,7 @@
 #include "src/scene/read_scene.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "src/io/json_document.hpp"
@@ -12,6 +13,7 @@
 #include "src/scene/read_accuracy.hpp"
 #include "src/scene/read_cases.hpp"
 #include "src/scene/read_contacts.hpp"
+#include "src/scene/read_drawing.hpp"
 #include "src/scene/read_materials.hpp"
 #include "src/scene/read_output.hpp"
 #include "src/scene/read_parts.hpp"
@@ -246,22 +248,29 @@ Scene scene_of(JsonDocument document, const std::map<std::string, double>& repla
     return scene;
 }
 
+JsonDocument read_document(const std::string& path) {
+    if (is_importable(path) && std::filesystem::exists(path))
+        throw InputError(path, "this is a drawing or a solid, not a scene: it says nothing of materials, supports and loads",
+                         "abut init FILE > scene.json begins a scene with it; abut inspect FILE shows what is in it");
+    return read_json(path);
+}
+
 }  // namespace
 
 Scene read_scene(const std::string& path) {
-    return scene_of(read_json(path), {});
+    return scene_of(read_document(path), {});
 }
 
 Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters) {
-    return scene_of(read_json(path), parameters);
+    return scene_of(read_document(path), parameters);
 }
 
 Scene read_scene(const std::string& path, const std::map<std::string, double>& parameters, const std::string& file) {
-    return scene_of(read_json(path), parameters, file);
+    return scene_of(read_document(path), parameters, file);
 }
 
 std::vector<ParameterRange> parameter_ranges(const std::string& path) {
-    JsonDocument document = read_json(path);
+    JsonDocument document = read_document(path);
     SceneReading reading{document.file, std::move(document.root), {}, std::move(document.problems), {}};
     Scene named;
     if (const JsonValue* units = find_member(reading.root, "units")) read_units(reading, *units, named);

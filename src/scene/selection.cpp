@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "src/io/nearest_name.hpp"
+#include "src/io/number_text.hpp"
 
 namespace abut {
 
@@ -148,7 +149,13 @@ Intervals facing(const Curve& curve, const Vec2& direction, double within) {
 
 // --- one selector
 
-int closest_edge(const Part& part, const Vec2& p) {
+/// An edge, and how far it is from a place.
+struct NearEdge {
+    int edge = -1;
+    double distance = 0;
+};
+
+NearEdge nearest_edge(const Part& part, const Vec2& p) {
     int closest = -1;
     double smallest = 0;
     for (std::size_t e = 0; e < part.edges.size(); ++e) {
@@ -158,7 +165,13 @@ int closest_edge(const Part& part, const Vec2& p) {
         closest = static_cast<int>(e);
         smallest = distance;
     }
-    return closest;
+    return {closest, smallest};
+}
+
+/// A place that is farther from a part than this part is large is none of it: in another unit, or with another sign.
+int closest_edge(const Part& part, const Vec2& p) {
+    const NearEdge nearest = nearest_edge(part, p);
+    return nearest.distance <= geometry::bounding_box(part).diagonal() ? nearest.edge : -1;
 }
 
 /// What a selector takes of one edge of a part that it names.
@@ -222,6 +235,17 @@ Problem nothing_matches(const Scene& scene, const Selector& selector) {
     if (by_name) {
         return {selector.where, "no edge matches '" + shortened(selector.pattern) + "'",
                 "did you mean '" + nearest_edge_name(selector.pattern, edges) + "'? the edges are " + listed(edges)};
+    }
+    if (selector.near) {
+        const auto named =
+            std::find_if(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& p) { return p.name == part; });
+        const geometry::Box2 box = geometry::bounding_box(named->part);
+        return {selector.where,
+                "the place is " + number_text(nearest_edge(named->part, *selector.near).distance, 4) + " away from '" +
+                    shortened(part) + "', which is " + number_text(box.diagonal(), 4) + " across",
+                "give a place beside one of its edges: it goes from (" + number_text(box.min.x(), 4) + ", " +
+                    number_text(box.min.y(), 4) + ") to (" + number_text(box.max.x(), 4) + ", " + number_text(box.max.y(), 4) +
+                    ")"};
     }
     const std::string what = selector.box ? "inside the box" : "facing this way";
     return {selector.where, "no edge of '" + shortened(part) + "' lies " + what, "its edges are " + listed(edges)};

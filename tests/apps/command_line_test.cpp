@@ -93,6 +93,9 @@ TEST_F(CommandLine, RefusesFilesThatAreNotThereOrOfAnotherKind) {
     expect_refused(abut({"contacts", "part.step"}), 1);
     write("empty.dxf", "");
     expect_refused(abut({"contacts", "empty.dxf"}), 1);
+    const Outcome drawing = abut({"analyze", "empty.dxf"});
+    expect_refused(drawing, 1);
+    expect_words(joined(drawing.errors), {"empty.dxf", "not a scene", "abut init FILE > scene.json", "abut inspect FILE"});
 }
 
 TEST_F(CommandLine, RefusesAnOutputFolderThatIsAFile) {

@@ -2,6 +2,7 @@
 // What belongs to one part, and what parts and edges are called.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/geometry/sketch/drawings.hpp"
@@ -68,6 +69,9 @@ TEST(SketchGrouping, ByLoopWhereALayerOnlyHoldsHoles) {
     EXPECT_EQ(sketch.parts_by, PartsBy::loop);
     EXPECT_EQ(part_names(sketch), (Names{"A"}));
     EXPECT_NEAR(total_area(sketch), 100 - 4 * pi, 1e-12);
+    EXPECT_TRUE(std::any_of(sketch.warnings.begin(), sketch.warnings.end(), [](const SketchProblem& w) {
+        return says(w.what, "outlines on layer HOLES lie in the material of what is on layer A, and are taken as its holes");
+    }));
     // a pin in a hole lies in no material, and what covers a hole is drawn in front of it
     for (const double radius : {2.0, 1.9, 3.0}) {
         const SketchParts pin = parts_by(

@@ -280,6 +280,10 @@ TEST(Selection, says_what_there_is_where_nothing_matches) {
                          "no edge of 'pin' lies inside the box; its edges are pin/circle"));
     EXPECT_TRUE(contains(fault(scene, {facing("jaw", {1, 1}, 5)}), "no edge of 'jaw' lies facing this way"));
     EXPECT_TRUE(contains(fault(scene, {of_part("axle")}), "there is no part 'axle'"));
+    Selector elsewhere = of_part("jaw");
+    elsewhere.near = Vec2(900, 450);
+    EXPECT_TRUE(contains(fault(scene, {elsewhere}), "the place is 1005 away from 'jaw', which is 1.414 across; give a place"))
+        << fault(scene, {elsewhere});
 }
 
 TEST(Selection, reports_every_selector_that_matches_nothing) {
