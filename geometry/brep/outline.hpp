@@ -11,7 +11,7 @@ Part outer_outline(const Part& part);
 /// The number of separate pieces that a part consists of: its outer loops.
 int count_pieces(const Part& part);
 
-/// By edge, the number of the piece that it bounds from outside or within. Pieces are numbered in the order of outer loops.
+/// Gives each edge the number of the piece that it bounds, from outside or within, in the order of outer loops.
 std::vector<int> pieces_of_edges(const Part& part);
 
 /// Lies the part inside the other's outer outline, in its material, in its holes, or partly in both? Corners and middles of its

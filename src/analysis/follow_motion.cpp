@@ -113,9 +113,15 @@ bool are_led_far(const Scene& drawn, const ResolvedConditions& conditions) {
     return false;
 }
 
+bool has_springs(const Scene& scene) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(),
+                       [](const Support& s) { return s.kind == Support::Kind::spring; });
+}
+
 /// Where parts rest without friction, if that is where a solution has them but for what is elastic in it: bodies that just
-/// touch, while the solution has them pressed into each other. Where parts are led far, whatever friction does, the solution
-/// tells of the others only whether they go along. Nothing where none goes farther than its pairs are good for.
+/// touch, while the solution has them pressed into each other. Where parts are led far, whatever friction does, or pressed on
+/// others that springs hold, which give way, the solution tells of them only whether they go along. Nothing where none goes
+/// farther than its pairs are good for.
 std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const ResolvedConditions& conditions,
                                                   const SolvedAssembly& solved) {
     constexpr double elastic = 0.02;  // of how far they go, which is far beside what they are strained by
@@ -129,8 +135,8 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     }
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
-    if (loose.placements.empty() ||
-        share_not_explained(drawn, motions, loose.placements) > (are_led_far(drawn, conditions) ? along : elastic))
+    if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) >
+                                        (are_led_far(drawn, conditions) || has_springs(drawn) ? along : elastic))
         return std::nullopt;
     return with_way_left(drawn, conditions, std::move(loose.placements));
 }
@@ -244,7 +250,9 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         why_not_followed(drawn, conditions).empty())
         if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out.solved))
             solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
-    for (int k = 0; k < most_placements && has_answer(out); ++k) {
+    // With friction parts would begin anew where they have gone, beside springs that begin where they are drawn.
+    const bool begins_anew = has_friction(drawn.contacts) && has_springs(drawn);
+    for (int k = 0; k < most_placements && has_answer(out) && !begins_anew; ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
         std::vector<Placement> placements = rest ? rest->placements : std::vector<Placement>(drawn.parts.size());

@@ -443,7 +443,7 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
         return 0;
     const solver::RigidMotion& motion = turned.motions[grid];
     const Vec2 center = motion.center, moved_center = center + motion.translation;
-    double drawn = 0, moved = 0, forces = 0;
+    double drawn = 0, moved = 0, forces = 0, known = 0;
     for (const MovedForce& l : turned.lines)
         for (const int side : {0, 1}) {
             if (at(solved.contacts[l.contact].face.part[at(side)]) != grid) continue;
@@ -451,11 +451,12 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
             drawn += sign * cross(l.drawn - center, l.force);
             moved += sign * cross(l.moved - moved_center, l.turned);
             forces += l.force.norm();
+            known += known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) * l.force.norm();
         }
     const double change = std::abs(moved - drawn), all = forces * solved.grids[grid].size;
-    const bool is_small = std::max(change, std::abs(drawn)) <= next_to_nothing * all,
+    const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all,
                is_turned = std::any_of(scene.supports.begin(), scene.supports.end(), turns);
-    if (change <= known_places * all || (is_small && !is_turned)) return 0;
+    if (change <= known || (is_small && !is_turned)) return 0;
     return std::min(1.0, change / std::abs(drawn));
 }
 

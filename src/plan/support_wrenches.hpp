@@ -15,8 +15,8 @@ geometry::ScrewScale screw_scale(const Scene& scene);
 /// The wrenches, by part, of each support that holds it, springs among them, reduced to a basis; about the origin.
 std::vector<std::vector<geometry::Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions);
 
-/// Of a part of several separate pieces, the first that supports of its own edges leave free to move, as pieces_of_edges
-/// numbers them.
+/// Finds the first piece, of a part of several, that supports of its own edges leave free to move; numbered as by
+/// pieces_of_edges.
 std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part);
 
 }  // namespace abut

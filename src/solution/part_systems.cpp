@@ -79,7 +79,8 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
 /// Pieces that are less than a cell apart would hold each other in the splines. Empty: the part is one body, or rigid, or each
 /// piece is held.
 std::string loose_piece(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
-    const std::optional<int> loose = g.is_rigid ? std::nullopt : piece_not_held(scene, conditions, g.part);
+    // a structure of the solution holds points, too
+    const std::optional<int> loose = g.is_rigid || g.input.structure ? std::nullopt : piece_not_held(scene, conditions, g.part);
     if (!loose) return "";
     const geometry::Part& part = scene.parts[at(g.part)].part;
     const std::vector<int> piece = pieces_of_edges(part);

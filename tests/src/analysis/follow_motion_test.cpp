@@ -71,6 +71,30 @@ TEST(FollowMotion, FrictionSlidesWhereAPartIsLedFar) {
     }
 }
 
+/// A slider crosses a gap to a block on a spring of 10 over its height of 10, which gives way by (1000 - 0.3 2000) / 100 = 4: it
+/// goes so far once, whether it is followed over the gap or begins at the block.
+TEST(FollowMotion, WhatFrictionSlidesAgainstASpringGoesAsFarAsTheSpringGives) {
+    for (const double gap : {6.0, 0.0}) {
+        SCOPED_TRACE(gap);
+        const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 210000, "nu": 0.3}}, "thickness": 1, "parts": [
+            {"name": "base", "material": "m", "geometry": {"rectangle": {"min": [-50, -20], "max": [120, 0]}}},
+            {"name": "slider", "material": "m", "geometry": {"rectangle": {"min": [0, 0], "max": [40, 10]}}},
+            {"name": "block", "material": "m", "geometry": {"rectangle": {"min": )" +
+                                      test::pair_text(40 + gap, 0.5) + R"(, "max": )" + test::pair_text(60 + gap, 10.5) +
+                                      R"(}}}],
+            "supports": [{"on": "base/bottom", "fix": ["x", "y"]}, {"on": "block/right", "spring": {"normal": 10}},
+                {"part": "block", "rigid": {"translation": [null, 0], "rotation": 0}}],
+            "loads": [{"on": "slider/top", "force": [0, -2000]}, {"on": "slider/left", "force": [1000, 0]}],
+            "contacts": {"friction": 0.3, "pairs": [{"between": ["slider/*", "block/*"], "friction": 0}]},
+            "accuracy": {"level": "draft"}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        const PartResult& slider = r.parts.at(1);
+        const double placed = slider.placement ? slider.placement->translation.x() : 0;
+        EXPECT_NEAR(placed + slider.max_displacement.value, gap + 4, 0.05);
+        EXPECT_NEAR(placed, gap, 1e-3);
+    }
+}
+
 /// A ball is led along a flat and up a ramp, or only along the flat: F = W tan(slope + atan mu).
 TEST(FollowMotion, FrictionSlidesUpARampThatAPartIsLedTo) {
     const double load = 200, mu = 0.2, radius = 4;
