@@ -288,6 +288,8 @@ private:
         }
         coarsen_less(next_);
         wanted_ = first_sizes(scene_, out_.candidates, next_.next_coarseness());
+        if (has_bonds(now))  // whose ends no part's own stresses follow on both sides
+            add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target * out_.target, wanted_);
         add_raisers();
         if (exceeds_budget(now)) return end(std::move(now), PathEnd::out_of_budget);
         return false;

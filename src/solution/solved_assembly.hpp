@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -46,6 +47,12 @@ struct SolvedAssembly {
 inline bool has_factor_of_model(const SolvedAssembly& solved, std::size_t part) {
     const int model = solved.grids[part].model;
     return model >= 0 && solved.solver_part[static_cast<std::size_t>(model)] >= 0;
+}
+
+/// Are any faces bonded?
+inline bool has_bonds(const SolvedAssembly& solved) {
+    return std::any_of(solved.contacts.begin(), solved.contacts.end(),
+                       [](const ContactInterface& c) { return c.face.bilateral; });
 }
 
 /// The stretches under pressure of a contact that has an interface, if these were its coefficients. Bonded edges hold wherever
