@@ -37,12 +37,12 @@ CellRule full_cell(const geometry::Grid& grid, int cell, int n) {
 }
 
 /// Points and weights of all elements; along the boundary, too.
-std::vector<CellRule> rules_of(const PartOnGrid& g, int degree) {
+std::vector<CellRule> rules_of(const PartOnGrid& g, int order) {
     std::vector<CellRule> rules;
     for (int cell = 0; cell < g.input.space.n_cells(); ++cell)
         if (g.elements.fraction[static_cast<std::size_t>(cell)] == 1)
-            rules.push_back(full_cell(g.cells.grid, cell, degree + 1 + extra_points));
-    for (geometry::CellRule& rule : transformed_rules(g.local, g.cells, g.elements, degree, extra_points))
+            rules.push_back(full_cell(g.cells.grid, cell, order + 1 + extra_points));
+    for (geometry::CellRule& rule : transformed_rules(g.local, g.cells, g.elements, order, extra_points))
         rules.push_back({rule.element, std::move(rule.points), std::move(rule.weights)});
     for (int e = 0; e < static_cast<int>(g.local.edges.size()); ++e)
         for (const geometry::BoundaryPoint& p : boundary_rule(g.local, g.cells, g.elements, e, 0, 1, boundary_points_a_piece)) {
@@ -116,7 +116,7 @@ std::vector<At> look(const PartProblem& problem, const PartOnGrid& g, const Eige
 /// Takes the rigid motion off that fits the displacements' error best.
 void take_off_motion(std::vector<At>& all, const Vec2& center, double size) {
     Eigen::Matrix3d gram = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    Eigen::Vector3d work = Eigen::Vector3d::Zero();
     const auto motion = [&](const Vec2& x) {
         const Vec2 r = (x - center) / size;
         Eigen::Matrix<double, 2, 3> m;
@@ -125,9 +125,9 @@ void take_off_motion(std::vector<At>& all, const Vec2& center, double size) {
     };
     for (const At& a : all) {
         gram += a.weight * motion(a.x).transpose() * motion(a.x);
-        right += a.weight * motion(a.x).transpose() * (a.u - a.exact_u);
+        work += a.weight * motion(a.x).transpose() * (a.u - a.exact_u);
     }
-    const Eigen::Vector3d best = gram.ldlt().solve(right);
+    const Eigen::Vector3d best = gram.ldlt().solve(work);
     for (At& a : all) a.u -= motion(a.x) * best;
 }
 
