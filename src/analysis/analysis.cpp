@@ -203,7 +203,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     for (const ContactResult& c : result.contacts) peaks.push_back(c.max_pressure.at);
     fill_errors(out,
                 {moved_pair_errors(scene, solved), turned_shares(scene, solved), shares_of_points(scene, solved, threads),
-                 peaks_at_bond_ends(scene, solved, peaks)},
+                 peaks_at_bond_ends(scene, conditions, solved, peaks)},
                 result);
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();

@@ -139,6 +139,22 @@ std::vector<double> reversals_in(const SolvedAssembly& solved, std::size_t conta
     return places;
 }
 
+/// Does a support hold what a bond's end is cut off by, or the axis: a plane of symmetry, beyond which both go on?
+bool goes_on_in_mirror(const Scene& scene, const ResolvedConditions& conditions, const BondEnd& end) {
+    for (const std::size_t side : {0U, 1U}) {
+        const geometry::Part& part = part_of(scene, end.parts[side]);
+        const double merge = merge_length(part);
+        if (scene.analysis == Analysis::axisymmetric && end.at[side].x() <= merge) return true;
+        for (std::size_t s = 0; s < conditions.supports.size(); ++s)
+            for (const EdgePortion& portion : conditions.supports[s])
+                for (const double t : {portion.t0, portion.t1})
+                    if (portion.part == end.parts[side] && scene.supports[s].kind != Support::Kind::spring &&
+                        (point(part.edges[at(portion.edge)].curve, t) - end.at[side]).norm() <= merge)
+                        return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 double turn_at(const geometry::Part& part, const Vec2& place) {
@@ -148,7 +164,8 @@ double turn_at(const geometry::Part& part, const Vec2& place) {
     return 0;
 }
 
-std::vector<BondEnd> singular_bond_ends(const Scene& scene, const SolvedAssembly& solved) {
+std::vector<BondEnd> singular_bond_ends(const Scene& scene, const ResolvedConditions& conditions,
+                                        const SolvedAssembly& solved) {
     std::vector<BondEnd> ends;
     for (std::size_t k = 0; k < solved.contacts.size(); ++k) {
         const ContactInterface& contact = solved.contacts[k];
@@ -168,16 +185,19 @@ std::vector<BondEnd> singular_bond_ends(const Scene& scene, const SolvedAssembly
         };
         if (std::count_if(all.begin(), all.end(), goes_on) > 1) return true;
         const auto& of_face = solved.contacts[end.contact].face.part;
-        const bool is_butt = std::abs(end.excess) <= sharp_turn;
-        return end.excess < -sharp_turn || (is_butt && !is_singular_butt(solved.grids[at(of_face[0])].input.elasticity,
-                                                                         solved.grids[at(of_face[1])].input.elasticity));
+        if (end.excess > sharp_turn) return false;
+        return end.excess < -sharp_turn ||
+               !is_singular_butt(solved.grids[at(of_face[0])].input.elasticity,
+                                 solved.grids[at(of_face[1])].input.elasticity) ||
+               goes_on_in_mirror(scene, conditions, end);
     });
     return ends;
 }
 
-std::vector<char> peaks_at_bond_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Vec2>& peaks) {
+std::vector<char> peaks_at_bond_ends(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                                     const std::vector<Vec2>& peaks) {
     std::vector<char> stands(peaks.size(), 0);
-    for (const BondEnd& end : singular_bond_ends(scene, solved))
+    for (const BondEnd& end : singular_bond_ends(scene, conditions, solved))
         for (const std::size_t side : {0U, 1U})
             if ((end.at[side] - peaks[end.contact]).norm() <= merge_length(part_of(scene, end.parts[side])))
                 stands[end.contact] = 1;
@@ -190,7 +210,7 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
     for (const Vertex& v : vertices(scene.parts[at(part)].part))
         if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn), false, growth_at_corner(v.turn)});
     append_support_ends(scene, conditions, part, places);
-    for (const BondEnd& end : singular_bond_ends(scene, solved))
+    for (const BondEnd& end : singular_bond_ends(scene, conditions, solved))
         for (const std::size_t side : {0U, 1U})
             if (end.parts[side] == part) places.push_back({end.at[side], end.excess > sharp_turn ? at_corner(end.excess) : 0});
     for (const Vec2& held : points_that_carry(scene, solved, at(solved.solver_part[at(part)]))) places.push_back({held, 0});

@@ -19,17 +19,18 @@ struct SingularPlace {
 
 /// An end of a bond at which tractions have no limit. A bond makes one body of two: their boundaries meet there in a corner,
 /// which is re-entrant where both together fill more than half a turn; where no other bond of theirs goes on. Where they fill
-/// half a turn it goes by their materials.
+/// half a turn it goes by their materials, unless a plane of symmetry or the axis cuts it off.
 struct BondEnd {
     std::size_t contact;
     std::array<int, 2> parts;  ///< of the scene
     std::array<Vec2, 2> at;    ///< on each, assembly coordinates
     double excess;             ///< what they fill more than half a turn, radians
 };
-std::vector<BondEnd> singular_bond_ends(const Scene& scene, const SolvedAssembly& solved);
+std::vector<BondEnd> singular_bond_ends(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved);
 
 /// Does the largest pressure of a contact (peaks: by contact, where) stand at such an end?
-std::vector<char> peaks_at_bond_ends(const Scene& scene, const SolvedAssembly& solved, const std::vector<Vec2>& peaks);
+std::vector<char> peaks_at_bond_ends(const Scene& scene, const ResolvedConditions& conditions, const SolvedAssembly& solved,
+                                     const std::vector<Vec2>& peaks);
 
 /// The places of one part of the scene.
 std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedConditions& conditions,

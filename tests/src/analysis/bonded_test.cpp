@@ -196,4 +196,22 @@ TEST(Bonded, PressuresHaveNoLimitWhereTheBondEndsInAReentrantCornerOrBetweenUnli
     EXPECT_TRUE(peak_of_glued(flush, 10000).at_corner);
 }
 
+TEST(Bonded, EndsInNoCornerOnAPlaneOfSymmetry) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 1000, "nu": 0.3},
+        "hard": {"E": 10000, "nu": 0.3}}, "parts": [)" +
+                                                 block("base", "[0, -3]", "[4, 0]") +
+                                                 R"(, {"name": "block", "material": "hard", "geometry": {"rectangle": {"min":
+        [0, 0], "max": [4, 3]}}}], "contacts": {"pairs": [{"between": ["base/top", "block/bottom"], "kind": "bonded"}]},
+        "supports": [{"on": "base/bottom", "fix": ["y"]},
+            {"on": ["base/left", "block/left", "base/right", "block/right"], "symmetry": true}],
+        "loads": [{"on": "block/top", "traction": [0, -6]}]})",
+                                             "scene.json"),
+                             {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_FALSE(r.contacts.at(0).errors.value().at_corner);
+    EXPECT_NEAR(r.contacts.at(0).max_pressure.value, 6, 1e-9);
+    for (const PartResult& part : r.parts) EXPECT_FALSE(part.max_von_mises_at_corner) << part.name;
+    EXPECT_TRUE(r.accuracy.reached);
+}
+
 }  // namespace abut::bonded_test
