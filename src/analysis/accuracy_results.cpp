@@ -177,7 +177,10 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
     result.accuracy.estimate = steering(error);
     result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
     const std::optional<double> of_grids = steering(out.errors.back());
-    const bool is_by_model = of_grids && *of_grids <= out.target && !result.accuracy.reached;
+    double by_points = 0;
+    for (std::size_t k = 0; k < error.contacts.size(); ++k)
+        if (error.contacts[k]) by_points = std::max(by_points, error.contacts[k]->share * at_or_zero(of_points, k));
+    const bool is_by_model = of_grids && (*of_grids <= out.target || *of_grids <= by_points) && !result.accuracy.reached;
     if (result.accuracy.reached || (!is_by_model && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
     result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, of_points, result) : why_it_ended(out);
     const double known_to = result.accuracy.estimate.value_or(1);
