@@ -438,8 +438,10 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
         return s.part == scene.parts[at(solved.grids[grid].part)].name && s.rigid_rotation.value_or(0) != 0;
     };
     const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
+    const double size = solved.grids[grid].size;
     if (std::none_of(scene.supports.begin(), scene.supports.end(), leads) || is_half(scene, solved, grid) ||
-        std::any_of(free.begin(), free.end(), [](const solver::RigidMotion& m) { return m.rotation != 0; }))
+        std::any_of(free.begin(), free.end(),
+                    [&](const solver::RigidMotion& m) { return std::abs(m.rotation) * size > known_places; }))
         return 0;
     const solver::RigidMotion& motion = turned.motions[grid];
     const Vec2 center = motion.center, moved_center = center + motion.translation;
@@ -453,7 +455,7 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
             forces += l.force.norm();
             known += known_within_contact * 0.5 * length_of(solved.stretches[l.contact]) * l.force.norm();
         }
-    const double change = std::abs(moved - drawn), all = forces * solved.grids[grid].size;
+    const double change = std::abs(moved - drawn), all = forces * size;
     const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all,
                is_turned = std::any_of(scene.supports.begin(), scene.supports.end(), turns);
     if (change <= known || (is_small && !is_turned)) return 0;
