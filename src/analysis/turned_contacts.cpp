@@ -430,13 +430,11 @@ bool is_half(const Scene& scene, const SolvedAssembly& solved, std::size_t grid)
 
 /// The share by which the moment of contacts' forces about a part changes as supports lead parts as a whole, where its supports
 /// keep it from turning and bear that moment. 0 also for what is no more than how well the places of forces are known, and for
-/// moments that are next to nothing, but on parts that supports turn.
+/// moments that are next to nothing, but on parts that supports lead.
 double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turned& turned, std::size_t grid) {
     constexpr double next_to_nothing = 0.01;  // of forces times the part's size
     const auto leads = [&](const Support& s) { return s.kind == Support::Kind::rigid && prescribes_motion(s); };
-    const auto turns = [&](const Support& s) {
-        return s.part == scene.parts[at(solved.grids[grid].part)].name && s.rigid_rotation.value_or(0) != 0;
-    };
+    const auto leads_it = [&](const Support& s) { return leads(s) && s.part == scene.parts[at(solved.grids[grid].part)].name; };
     const std::vector<solver::RigidMotion> free = motions_left_to_contacts(solved, grid);
     const double size = solved.grids[grid].size;
     if (std::none_of(scene.supports.begin(), scene.supports.end(), leads) || is_half(scene, solved, grid) ||
@@ -457,8 +455,8 @@ double lever_share(const Scene& scene, const SolvedAssembly& solved, const Turne
         }
     const double change = std::abs(moved - drawn), all = forces * size;
     const bool is_small = change <= known_places * all || std::max(change, std::abs(drawn)) <= next_to_nothing * all,
-               is_turned = std::any_of(scene.supports.begin(), scene.supports.end(), turns);
-    if (change <= known || (is_small && !is_turned)) return 0;
+               is_led = std::any_of(scene.supports.begin(), scene.supports.end(), leads_it);
+    if (change <= known || (is_small && !is_led)) return 0;
     return std::min(1.0, change / std::abs(drawn));
 }
 

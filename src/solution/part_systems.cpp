@@ -86,7 +86,8 @@ std::string loose_piece(const Scene& scene, const ResolvedConditions& conditions
     const std::vector<int> piece = pieces_of_edges(part);
     const std::size_t first = at(std::find(piece.begin(), piece.end(), *loose) - piece.begin());
     return "part " + scene.parts[at(g.part)].name + " consists of " + std::to_string(count_pieces(part)) +
-           " separate pieces, and supports of its own edges do not hold each of them; that at " +
+           " separate pieces, and supports of its own edges do not hold each of them (points, bonds and contacts do not "
+           "count); that at " +
            at_place(point(part.edges[first].curve, 0)) + " is free: make every piece a part, or support it";
 }
 

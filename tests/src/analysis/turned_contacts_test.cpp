@@ -355,4 +355,22 @@ TEST(TurnedContacts, PartsThatSupportsHoldHaveNoBalanceToLose) {
     EXPECT_GT(r.contacts.at(0).max_pressure.value, 0.4);
 }
 
+/// A bar that a support leads by 0.4 over a knob, by less than pairs are good for: the knob's lever to its middle is 1 less
+/// 0.4.
+TEST(TurnedContacts, AndOnAPartThatOneLeadsAlong) {
+    const Result r = test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+        "materials": {"steel": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "knob", "material": "steel", "geometry": {"circle": {"center": [1, -10], "radius": 10}}},
+        {"name": "bar", "material": "steel", "geometry": {"rectangle": {"min": [-60, 0], "max": [60, 10]}}}],
+        "supports": [{"part": "knob", "rigid": {"translation": [0, 0], "rotation": 0}},
+            {"part": "bar", "rigid": {"translation": [0.4, null], "rotation": 0}}],
+        "loads": [{"part": "bar", "force": [0, -1000]}]})");
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_TRUE(r.accuracy.reached);
+    // the reaction's moment is about the origin, and the load goes along
+    ASSERT_TRUE(r.parts.at(1).placement);
+    EXPECT_NEAR(r.parts.at(1).placement->translation.x(), 0.4, 1e-6);
+    EXPECT_NEAR(r.reactions.at(1).moment, -600, 5);
+}
+
 }  // namespace abut::turned_contacts_test
