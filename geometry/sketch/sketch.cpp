@@ -268,15 +268,17 @@ void warn_of_holes(const SketchParts& by_layer, SketchParts& by_loop) {
     std::size_t largest = 0;
     for (std::size_t k = 1; k < by_layer.parts.size(); ++k)
         if (area(by_layer.parts[k]) > area(by_layer.parts[largest])) largest = k;
-    std::set<std::string> others(by_layer.layers.begin(), by_layer.layers.end());
-    others.erase(by_layer.layers[largest]);
+    std::set<std::string> others;
+    Vec2 place(0, 0);
+    for (std::size_t k = 0; k < by_layer.parts.size(); ++k)
+        if (by_layer.layers[k] != by_layer.layers[largest] && others.insert(by_layer.layers[k]).second)
+            place = bounding_box(by_layer.parts[k]).center();
     std::string names;
     for (const std::string& layer : others) names += (names.empty() ? "" : ", ") + layer;
-    by_loop.warnings.push_back({"outlines on " + std::string(others.size() > 1 ? "layers " : "layer ") + names +
-                                    " lie in the material of what is on layer " + by_layer.layers[largest] +
-                                    ", and are taken as its holes",
-                                bounding_box(by_layer.parts[largest == 0 ? by_layer.parts.size() - 1 : 0]).center(), "", 0,
-                                "where they are parts, say so: --parts-by layer (in a scene \"parts_by\": \"layer\")"});
+    by_loop.warnings.push_back(
+        {"outlines on " + std::string(others.size() > 1 ? "layers " : "layer ") + names +
+             " lie in the material of what is on layer " + by_layer.layers[largest] + ", and are taken as its holes",
+         place, "", 0, "where they are parts, say so: --parts-by layer (in a scene \"parts_by\": \"layer\")"});
 }
 
 /// Several layers hold closed outlines: they separate the parts, unless they do not close without each other, or hold the

@@ -77,8 +77,7 @@ std::vector<Placement> motions_of(const Scene& scene, const SolvedAssembly& solv
 }
 
 bool goes_nowhere(const std::vector<Placement>& placements) {
-    return std::all_of(placements.begin(), placements.end(),
-                       [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
+    return std::all_of(placements.begin(), placements.end(), [](const Placement& p) { return p.goes_nowhere(); });
 }
 
 /// How far a part is at one place from another, turns measured at its half diagonal.
@@ -113,11 +112,6 @@ bool are_led_far(const Scene& drawn, const ResolvedConditions& conditions) {
     return false;
 }
 
-bool has_springs(const Scene& scene) {
-    return std::any_of(scene.supports.begin(), scene.supports.end(),
-                       [](const Support& s) { return s.kind == Support::Kind::spring; });
-}
-
 /// Where parts rest without friction, if that is where a solution has them but for what is elastic in it: bodies that just
 /// touch, while the solution has them pressed into each other. Where parts are led far, whatever friction does, or pressed on
 /// others that springs hold, which give way, the solution tells of them only whether they go along. Nothing where none goes
@@ -135,8 +129,9 @@ std::optional<std::vector<Placement>> rest_beside(const Scene& drawn, const Reso
     }
     if (!any_goes) return std::nullopt;
     Settling loose = settle(smooth(drawn), conditions, {}, true);
-    if (loose.placements.empty() || share_not_explained(drawn, motions, loose.placements) >
-                                        (are_led_far(drawn, conditions) || has_springs(drawn) ? along : elastic))
+    if (loose.placements.empty() ||
+        share_not_explained(drawn, motions, loose.placements) >
+            (are_led_far(drawn, conditions) || has_support(drawn, Support::Kind::spring) ? along : elastic))
         return std::nullopt;
     return with_way_left(drawn, conditions, std::move(loose.placements));
 }
@@ -251,7 +246,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         if (std::optional<std::vector<Placement>> beside = rest_beside(drawn, conditions, out.solved))
             solve_at(drawn, conditions, std::move(*beside), options, seconds, out, rest);
     // With friction parts would begin anew where they have gone, beside springs that begin where they are drawn.
-    const bool begins_anew = has_friction(drawn.contacts) && has_springs(drawn);
+    const bool begins_anew = has_friction(drawn.contacts) && has_support(drawn, Support::Kind::spring);
     for (int k = 0; k < most_placements && has_answer(out) && !begins_anew; ++k) {
         const std::optional<std::vector<Placement>> more = placements_of(drawn, conditions, out.solved);
         if (!more) break;
@@ -259,7 +254,7 @@ void follow_motion(const Scene& drawn, const ResolvedConditions& conditions, con
         std::vector<char> slide;
         for (std::size_t i = 0; i < placements.size(); ++i) {
             placements[i] = followed_by(placements[i], (*more)[i]);
-            slide.push_back((*more)[i].angle != 0 || (*more)[i].shift != Vec2(0, 0));
+            slide.push_back(!(*more)[i].goes_nowhere());
         }
         if (!solve_at(drawn, conditions, with_way_left(drawn, conditions, std::move(placements), slide), options, seconds, out,
                       rest))
@@ -286,7 +281,7 @@ void tell_motion(const Scene& drawn, const ResolvedConditions& conditions, const
             const double size = bounding_box(drawn.parts[i].part).diagonal();
             const Vec2 center = centroid(drawn.parts[i].part);
             const Placement& p = rest->placements[i];
-            if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
+            if (p.goes_nowhere()) continue;
             result.parts[i].placement = {p.of(center) - center, p.angle};
             const bool goes_far = is_far(p.of(center) - center, p.angle, size);
             if (goes_far) there.parts.push_back(drawn.parts[i].name);

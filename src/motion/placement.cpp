@@ -141,7 +141,7 @@ Scene placed(const Scene& drawn, const ResolvedConditions& conditions, const std
     Scene scene = drawn;
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         const Placement& p = placements[i];
-        if (p.angle == 0 && p.shift == Vec2(0, 0)) continue;
+        if (p.goes_nowhere()) continue;
         ScenePart& part = scene.parts[i];
         turn_and_shift(part, direction(p.angle).x(), direction(p.angle).y(), p.shift);
         for (Probe& probe : scene.output.probes)

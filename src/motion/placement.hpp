@@ -16,6 +16,7 @@ struct Placement {
 
     Vec2 turned(const Vec2& v) const;
     Vec2 of(const Vec2& x) const { return turned(x) + shift; }
+    bool goes_nowhere() const { return angle == 0 && shift == Vec2(0, 0); }
 };
 
 /// The motion along a screw: that of a body whose point at the centre goes along `translation` while it turns evenly. What

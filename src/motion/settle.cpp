@@ -138,8 +138,7 @@ private:
     }
 
     bool is_as_drawn() const {
-        return std::all_of(placements_.begin(), placements_.end(),
-                           [](const Placement& p) { return p.angle == 0 && p.shift == Vec2(0, 0); });
+        return std::all_of(placements_.begin(), placements_.end(), [](const Placement& p) { return p.goes_nowhere(); });
     }
 
     /// Is any part far from where it was drawn?

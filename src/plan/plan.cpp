@@ -16,10 +16,6 @@ bool has_load(const Scene& scene, Load::Kind kind) {
     return std::any_of(scene.loads.begin(), scene.loads.end(), [&](const Load& l) { return l.kind == kind; });
 }
 
-bool has_support(const Scene& scene, Support::Kind kind) {
-    return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) { return s.kind == kind; });
-}
-
 /// The first rigid part's reason stands for all.
 std::string why_any_rigid(const Scene& scene) {
     for (int i = 0; i < static_cast<int>(scene.parts.size()); ++i)

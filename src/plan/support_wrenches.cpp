@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "src/plan/support_wrenches.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "geometry/brep/outline.hpp"
@@ -71,7 +72,7 @@ std::vector<std::vector<Screw>> support_wrenches(const Scene& scene, const Resol
     return by_part;
 }
 
-std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part) {
+std::optional<Vec2> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part) {
     ENSURE(is_resolved(scene, conditions), "conditions are resolved for this scene");
     const geometry::Part& shape = scene.parts[at(part)].part;
     const int n = count_pieces(shape);
@@ -85,7 +86,8 @@ std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& 
     for (int k = 0; k < n; ++k) {
         if (scene.analysis == Analysis::axisymmetric)
             wrenches[at(k)].insert(wrenches[at(k)].end(), {Screw(1, 0, 0), Screw(0, 0, 1)});
-        if (!twist_space(wrenches[at(k)], screw_scale(scene)).empty()) return k;
+        if (twist_space(wrenches[at(k)], screw_scale(scene)).empty()) continue;
+        return point(shape.edges[at(std::find(piece_of.begin(), piece_of.end(), k) - piece_of.begin())].curve, 0);
     }
     return std::nullopt;
 }

@@ -15,8 +15,7 @@ geometry::ScrewScale screw_scale(const Scene& scene);
 /// The wrenches, by part, of each support that holds it, springs among them, reduced to a basis; about the origin.
 std::vector<std::vector<geometry::Screw>> support_wrenches(const Scene& scene, const ResolvedConditions& conditions);
 
-/// Finds the first piece, of a part of several, that supports of its own edges leave free to move; numbered as by
-/// pieces_of_edges.
-std::optional<int> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part);
+/// Finds a piece, of a part of several, that supports of its own edges leave free to move: a point of its outline.
+std::optional<Vec2> piece_not_held(const Scene& scene, const ResolvedConditions& conditions, int part);
 
 }  // namespace abut

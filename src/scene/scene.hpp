@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scene as the file gives it, checked but not yet interpreted: names are not resolved to edges here.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -257,6 +258,11 @@ struct Scene {
 inline bool searches_contacts(const Scene& scene) {
     const ContactOptions& c = scene.contacts;
     return (c.detect || !c.pairs.empty()) && (scene.parts.size() > 1 || !c.of_one_part.empty());
+}
+
+/// Is there a support of this kind?
+inline bool has_support(const Scene& scene, Support::Kind kind) {
+    return std::any_of(scene.supports.begin(), scene.supports.end(), [&](const Support& s) { return s.kind == kind; });
 }
 
 /// A part by its number, and its shape.

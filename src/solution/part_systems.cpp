@@ -80,15 +80,14 @@ std::string failure_of(const Scene& scene, const PartOnGrid& g, const solver::Pa
 /// piece is held.
 std::string loose_piece(const Scene& scene, const ResolvedConditions& conditions, const PartOnGrid& g) {
     // a structure of the solution holds points, too
-    const std::optional<int> loose = g.is_rigid || g.input.structure ? std::nullopt : piece_not_held(scene, conditions, g.part);
+    const std::optional<Vec2> loose =
+        g.is_rigid || g.input.structure ? std::nullopt : piece_not_held(scene, conditions, g.part);
     if (!loose) return "";
-    const geometry::Part& part = scene.parts[at(g.part)].part;
-    const std::vector<int> piece = pieces_of_edges(part);
-    const std::size_t first = at(std::find(piece.begin(), piece.end(), *loose) - piece.begin());
-    return "part " + scene.parts[at(g.part)].name + " consists of " + std::to_string(count_pieces(part)) +
+    const ScenePart& part = scene.parts[at(g.part)];
+    return "part " + part.name + " consists of " + std::to_string(count_pieces(part.part)) +
            " separate pieces, and supports of its own edges do not hold each of them (points, bonds and contacts do not "
            "count); that at " +
-           at_place(point(part.edges[first].curve, 0)) + " is free: make every piece a part, or support it";
+           at_place(*loose) + " is free: make every piece a part, or support it";
 }
 
 /// What the system's own code spent on its effects.
