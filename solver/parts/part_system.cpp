@@ -284,8 +284,9 @@ Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
     return u;
 }
 
-double condition_estimate(const PartSystem& system) {
-    if (system.body || !system.factor.ok()) return 1;
+namespace {
+
+double new_condition_estimate(const PartSystem& system) {
     if (system.input.is_projected) return system.factor.condition_estimate();
     return system.factor.condition_estimate([&](const Eigen::VectorXd& x) {
         Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * system.n());
@@ -297,6 +298,13 @@ double condition_estimate(const PartSystem& system) {
             if (system.number[i] >= 0) kept[system.number[i]] = product[static_cast<Index>(i)];
         return kept;
     });
+}
+
+}  // namespace
+
+double condition_estimate(const PartSystem& system) {
+    if (system.body || !system.factor.ok()) return 1;
+    return system.condition([&] { return new_condition_estimate(system); });
 }
 
 namespace {

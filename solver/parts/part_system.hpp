@@ -75,6 +75,7 @@ struct PartSystem {
     std::optional<FailedPivot> failed_at;      ///< where the factorisation ended
     Once<Eigen::MatrixXd> motion_integrals{};  ///< motion_integrals() asks for them
     Once<Eigen::VectorXd> mean_rotation{};     ///< rows of friction ask for it
+    Once<double> condition{};                  ///< condition_estimate() asks for it
     struct {
         double all = 0, factorisation = 0, springs = 0, dilatation = 0;
     } seconds;  ///< of make_part_system, and of steps in it
@@ -114,7 +115,7 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
 /// The condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost:
-/// 10 solutions, and as many products with the stiffness.
+/// 10 solutions, and as many products with the stiffness; of all systems that share the factor once.
 double condition_estimate(const PartSystem& system);
 
 /// The forces of the supports on the part for a displacement and the load vector that goes with it (contact included), by

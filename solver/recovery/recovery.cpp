@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "solver/parts/row_hints.hpp"
@@ -183,51 +184,81 @@ int stress_degree(int degree, bool gauss_points_are_better) {
     return gauss_points_are_better ? degree : std::max(1, degree - 1);
 }
 
+/// What is sampled of a displacement's stresses, and the equations of splines that fit them.
+class StressFit {
+public:
+    StressFit(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
+              const std::vector<SamplePoint>& cut)
+        : input_(input),
+          stress_(input, displacement),
+          full_(full_cell_rule(input.space, inside)),
+          cut_(input.space.fraction.size()) {
+        const double weight = gauss_points_are_better(input.space) ? weight_in_cut_cells : 1;
+        for (const SamplePoint& p : cut) add(cut_[static_cast<std::size_t>(p.element)], p.x, weight);
+    }
+
+    /// Keeps the equations that it makes.
+    StressFitFactor factorised() {
+        StressFitFactor made{std::make_shared<const SplineSpace>(stress_space(input_.space)), {}};
+        const SplineSpace& space = *made.space;
+        if (!space.failure.empty()) return made;
+        equations_ = equations(space, true);
+        made.factor = factor_of(space);
+        made.has_rules = !made.factor.ok();
+        if (!made.has_rules) return made;  // but for parts of few cells, all cut, with hardly a sample in some
+        add_rules(*equations_, input_, space, stress_);
+        made.factor = factor_of(space);
+        return made;
+    }
+
+    void solve(const StressFitFactor& made, StressField& field) {
+        if (!equations_) {
+            equations_ = equations(*made.space, false);
+            if (made.has_rules) add_rules(*equations_, input_, *made.space, stress_);
+        }
+        field.coefficients.resize(made.space->n_functions, 3);
+        for (Index k = 0; k < 3; ++k) field.coefficients.col(k) = made.factor.solve(equations_->rhs.col(k));
+        if (equations_->rhs_zz.size() > 0) field.zz = made.factor.solve(equations_->rhs_zz);
+    }
+
+private:
+    static SplineSpace stress_space(const SplineSpace& from) {
+        const bool low = gauss_points_are_better(from);
+        return make_space({clamped_knots(from.x.breakpoints, stress_degree(from.x.degree, low)),
+                           clamped_knots(from.y.breakpoints, stress_degree(from.y.degree, low)),
+                           from.fraction,
+                           from.splits,
+                           Basis::web,
+                           {},
+                           from.tree});
+    }
+    NormalEquations equations(const SplineSpace& space, bool has_matrix) const {
+        NormalEquations eq{{}, Eigen::MatrixX3d::Zero(space.n_functions, 3), {}, has_matrix};
+        if (has_own_zz(input_)) eq.rhs_zz = Eigen::VectorXd::Zero(space.n_functions);
+        add_all_elements(eq, input_, space, stress_, full_, cut_);
+        return eq;
+    }
+    Factorization factor_of(const SplineSpace& space) const {
+        return Factorization(assembled(equations_->entries, space.n_functions), row_hints(space), input_.threads);
+    }
+
+    const PartInput& input_;
+    StressOf stress_;
+    FullCellRule full_;
+    std::vector<Samples> cut_;  // by element
+    std::optional<NormalEquations> equations_;
+};
+
 }  // namespace
 
 StressField fit_stress(const PartInput& input, const Eigen::VectorXd& displacement, const std::vector<double>& inside,
-                       const std::vector<SamplePoint>& cut, StressFitFactor* common) {
-    const SplineSpace& from = input.space;
-    const bool low = gauss_points_are_better(from);
-    const bool is_known = common && common->is_made;
-    StressField field;
-    field.space = is_known ? common->space
-                           : make_space({clamped_knots(from.x.breakpoints, stress_degree(from.x.degree, low)),
-                                         clamped_knots(from.y.breakpoints, stress_degree(from.y.degree, low)),
-                                         from.fraction,
-                                         from.splits,
-                                         Basis::web,
-                                         {},
-                                         from.tree});
-    field.out_of_plane = input.elasticity.out_of_plane;
-    field.failure = field.space.failure;
-    if (!field.failure.empty()) return field;
-
-    const double cut_weight = low ? weight_in_cut_cells : 1;
-    const StressOf stress(input, displacement);
-    NormalEquations eq{{}, Eigen::MatrixX3d::Zero(field.space.n_functions, 3), {}, !is_known};
-    if (has_own_zz(input)) eq.rhs_zz = Eigen::VectorXd::Zero(field.space.n_functions);
-    std::vector<Samples> samples(from.fraction.size());
-    for (const SamplePoint& p : cut) add(samples[static_cast<std::size_t>(p.element)], p.x, cut_weight);
-    add_all_elements(eq, input, field.space, stress, full_cell_rule(from, inside), samples);
-
-    const auto factorised = [&] {
-        return Factorization(assembled(eq.entries, field.space.n_functions), row_hints(field.space), input.threads);
-    };
-    Factorization factor = is_known ? common->factor : factorised();
-    const bool has_rules = is_known ? common->has_rules : !factor.ok();
-    if (has_rules) {  // parts of few cells, all cut, with hardly a sample in some
-        add_rules(eq, input, field.space, stress);
-        if (!is_known) factor = factorised();
-    }
-    if (common && !is_known) *common = {field.space, factor, has_rules, true};
-    if (!factor.ok()) {
-        field.failure = "the stress fit is singular";
-        return field;
-    }
-    field.coefficients.resize(field.space.n_functions, 3);
-    for (Index k = 0; k < 3; ++k) field.coefficients.col(k) = factor.solve(eq.rhs.col(k));
-    if (eq.rhs_zz.size() > 0) field.zz = factor.solve(eq.rhs_zz);
+                       const std::vector<SamplePoint>& cut, const Once<StressFitFactor>* common) {
+    StressFit fit(input, displacement, inside, cut);
+    const Once<StressFitFactor> own;
+    const StressFitFactor& made = (common ? *common : own)([&] { return fit.factorised(); });
+    StressField field{made.space, {}, input.elasticity.out_of_plane, {}, made.space->failure};
+    if (field.failure.empty() && !made.factor.ok()) field.failure = "the stress fit is singular";
+    if (field.failure.empty()) fit.solve(made, field);
     return field;
 }
 
@@ -239,7 +270,7 @@ Eigen::Vector4d stress_at(const StressField& field, int element, const Vec2& x) 
 Eigen::Vector4d stress_at(const StressField& field, const LocalSpline<3>& in_plane, int element, const Vec2& x) {
     const Eigen::Vector3d s = in_plane.value(x);
     if (field.zz.size() == 0) return {s[0], s[1], s[2], field.out_of_plane * (s[0] + s[1])};
-    const LocalSpline<1> zz(field.space, element, [&](int function) { return field.zz.segment<1>(function); });
+    const LocalSpline<1> zz(*field.space, element, [&](int function) { return field.zz.segment<1>(function); });
     return {s[0], s[1], s[2], zz.value(x)[0]};
 }
 

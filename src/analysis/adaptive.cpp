@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "solver/linear_algebra/blas_threads.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/grid_walk.hpp"
 #include "src/analysis/part_groups.hpp"
+#include "src/base/index.hpp"
 
 namespace abut {
 
@@ -96,6 +99,123 @@ SolvedAssembly without_answer(const Scene& scene, const std::string& step_before
     return none;
 }
 
+/// The walks of several cases over common grids. All answers are of the same last ones; on those before, only cases that lack
+/// something are solved: the others have nothing to ask for. Cases are solved side by side, steps one after the other.
+class CaseWalks {
+public:
+    CaseWalks(const Scene& scene, const std::vector<CaseProblem>& cases, const AnalyzeOptions& options, Stopwatches& seconds)
+        : scene_(scene),
+          cases_(cases),
+          options_(options),
+          seconds_(seconds),
+          threads_(solver::usable_threads(options.threads)),
+          side_by_side_(scene.in_steps ? 1 : std::min(threads_, static_cast<int>(cases.size()))),
+          unloaded_(*cases.front().scene),
+          held_{cases.front().conditions->supports, {}} {
+        const std::vector<Candidate> candidates = search_scene(*cases.front().scene, 1, seconds, uses_);
+        own_seconds_.resize(cases.size(), seconds);
+        for (std::size_t k = 0; k < cases.size(); ++k)
+            walks_.emplace_back(*cases[k].scene, *cases[k].conditions, own_seconds_[k],
+                                PartGroup(cases[k].scene->parts.size(), true), candidates, threads_of_one());
+        unloaded_.loads.clear();  // what a part is made of is the same in all cases
+        const bool begin_in_turn = !scene.in_steps || has_friction(candidates);
+        if (!begin_in_turn) n_begun_ = cases.size();
+    }
+
+    std::vector<Outcome> outcomes() {
+        walk_to_end(walks_, [&] { return is_last_pass(); });
+        std::vector<Outcome> all(walks_.size());
+        for_each(numbers(0, walks_.size()), [&](std::size_t k) { all[k] = walks_[k].take_outcome(); });
+        for (Outcome& out : all) add_uses(out.uses, uses_);
+        return all;
+    }
+
+private:
+    /// The first few find out what grids they want.
+    static constexpr std::size_t first_cases = 4;
+
+    static std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> all(end - begin);
+        std::iota(all.begin(), all.end(), begin);
+        return all;
+    }
+
+    int threads_of_one() const { return threads_ / side_by_side_; }
+
+    /// Whose seconds count as much less as there are others at the same time.
+    template <class Work>
+    void for_each(const std::vector<std::size_t>& those, const Work& work) {
+        const Stopwatches before = seconds_;
+        std::fill(own_seconds_.begin(), own_seconds_.end(), before);
+        solver::parallel_for(static_cast<int>(those.size()), side_by_side_, [&](int i) { work(those[at(i)]); });
+        for (const Stopwatches& own : own_seconds_)
+            for (const auto& [stage, sum] : own)
+                seconds_[stage] += (sum - (before.contains(stage) ? before.at(stage) : 0.0)) / side_by_side_;
+    }
+
+    bool have_ended(std::size_t n) const {
+        return std::all_of(walks_.begin(), walks_.begin() + static_cast<std::ptrdiff_t>(n),
+                           [](const GridWalk& w) { return w.is_over(); });
+    }
+
+    void solve(std::size_t k, const SolvedAssembly& prepared) {
+        GridWalk& walk = walks_[k];
+        const SolvedAssembly* before = scene_.in_steps && k > 0 ? &walks_[k - 1].last() : nullptr;
+        if (before && !has_answer(*before))
+            walk.take(without_answer(scene_, scene_.cases[k - 1].name));
+        else
+            walk.take(solve_case(*cases_[k].scene, *cases_[k].conditions, walk.candidates(), walk.ask().parts, prepared, before,
+                                 own_seconds_[k], threads_of_one()));
+    }
+
+    /// A case is like those before it: in every pass twice as many take part, with the sizes that these have come to, and so on
+    /// while they lack nothing. Steps without friction, which are the same in any order, begin at once.
+    void solve_lacking(const SolvedAssembly& prepared) {
+        const auto solve_one = [&](std::size_t k) { solve(k, prepared); };
+        std::vector<std::size_t> begun = numbers(0, n_begun_);
+        if (!scene_.in_steps) std::erase_if(begun, [&](std::size_t k) { return walks_[k].is_over(); });
+        for_each(begun, solve_one);
+        bool lacks_nothing = true;
+        while (n_begun_ < cases_.size() && lacks_nothing) {
+            const std::size_t n_before = n_begun_;
+            n_begun_ = std::min(cases_.size(), std::max(first_cases, 2 * n_before));
+            const std::vector<std::size_t> beginners = numbers(n_before, n_begun_);
+            if (n_before > 0)
+                for (std::size_t k : beginners) walks_[k].begin_like(walks_[n_before - 1]);
+            for_each(beginners, solve_one);
+            lacks_nothing = have_ended(n_begun_);
+        }
+    }
+
+    bool is_last_pass() {
+        const PassAsk ask = joined(walks_);
+        tell_pass(walks_.front(), ask, options_);
+        const SolvedAssembly prepared = prepare_parts(unloaded_, held_, walks_.front().candidates(), ask.parts, ask.wanted,
+                                                      ask.coarseness, seconds_, threads_);
+        std::vector<std::size_t> later = numbers(0, scene_.in_steps ? 0 : n_begun_);
+        std::erase_if(later, [&](std::size_t k) { return !walks_[k].is_over(); });
+        solve_lacking(prepared);
+        if (!have_ended(walks_.size())) return false;
+        for_each(later, [&](std::size_t k) { solve(k, prepared); });
+        if (!have_ended(walks_.size())) return false;
+        std::vector<char> goes_on(walks_.size());
+        for_each(numbers(0, walks_.size()), [&](std::size_t k) { goes_on[k] = walks_[k].sharpen(); });
+        return std::count(goes_on.begin(), goes_on.end(), 1) == 0;
+    }
+
+    const Scene& scene_;
+    const std::vector<CaseProblem>& cases_;
+    const AnalyzeOptions& options_;
+    Stopwatches& seconds_;
+    int threads_, side_by_side_;
+    Scene unloaded_;
+    ResolvedConditions held_;
+    EffectUses uses_;
+    std::vector<Stopwatches> own_seconds_;  // by case
+    std::vector<GridWalk> walks_;
+    std::size_t n_begun_ = 0;
+};
+
 }  // namespace
 
 Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& conditions, const AnalyzeOptions& options,
@@ -122,63 +242,7 @@ Outcome solve_adaptively(const Scene& scene, const ResolvedConditions& condition
 
 std::vector<Outcome> solve_cases_adaptively(const Scene& scene, const std::vector<CaseProblem>& cases,
                                             const AnalyzeOptions& options, Stopwatches& seconds) {
-    const int threads = solver::usable_threads(options.threads);
-    EffectUses uses;
-    const std::vector<Candidate> candidates = search_scene(*cases.front().scene, 1, seconds, uses);
-    std::vector<GridWalk> walks;
-    for (const CaseProblem& c : cases)
-        walks.emplace_back(*c.scene, *c.conditions, seconds, PartGroup(c.scene->parts.size(), true), candidates, threads);
-    Scene unloaded = *cases.front().scene;  // what a part is made of is the same in all cases
-    unloaded.loads.clear();
-    const ResolvedConditions held{cases.front().conditions->supports, {}};
-    // All answers are of the same last grids. On those before, only cases that lack something are solved: the others have
-    // nothing to ask for.
-    const auto have_all = [&] {
-        return std::all_of(walks.begin(), walks.end(), [](const GridWalk& w) { return w.is_over(); });
-    };
-    // A case is like the one before it: the first few find out what grids they want, in every pass twice as many take part,
-    // with the sizes that those before them have come to, and all where these lack nothing. Steps without friction, which are
-    // the same in any order, begin at once.
-    constexpr std::size_t first_cases = 4;
-    const bool begin_in_turn = !scene.in_steps || has_friction(candidates);
-    std::size_t n_begun = begin_in_turn ? 0 : cases.size();
-    walk_to_end(walks, [&] {
-        const PassAsk ask = joined(walks);
-        tell_pass(walks.front(), ask, options);
-        const SolvedAssembly prepared =
-            prepare_parts(unloaded, held, walks.front().candidates(), ask.parts, ask.wanted, ask.coarseness, seconds, threads);
-        const auto solve = [&](std::size_t k) {
-            const SolvedAssembly* before = scene.in_steps && k > 0 ? &walks[k - 1].last() : nullptr;
-            if (before && !has_answer(*before)) {
-                walks[k].take(without_answer(scene, scene.cases[k - 1].name));
-                return;
-            }
-            walks[k].take(solve_case(*cases[k].scene, *cases[k].conditions, walks[k].candidates(), walks[k].ask().parts,
-                                     prepared, before, seconds, threads));
-        };
-        std::vector<std::size_t> later;
-        const std::size_t n_before = n_begun, may_begin = std::max(first_cases, 2 * n_begun);
-        bool is_lacking = false;
-        for (std::size_t k = 0; k < cases.size() && (k < may_begin || !is_lacking); ++k) {
-            if (walks[k].is_over() && !scene.in_steps) {
-                later.push_back(k);
-                continue;
-            }
-            if (k >= n_before && n_before > 0) walks[k].begin_like(walks[k - 1]);
-            solve(k);
-            n_begun = std::max(n_begun, k + 1);
-            is_lacking = is_lacking || !walks[k].is_over();
-        }
-        if (!have_all()) return false;
-        std::for_each(later.begin(), later.end(), solve);
-        return have_all() && std::count_if(walks.begin(), walks.end(), [](GridWalk& w) { return w.sharpen(); }) == 0;
-    });
-    std::vector<Outcome> outcomes;
-    for (GridWalk& walk : walks) {
-        outcomes.push_back(walk.take_outcome());
-        add_uses(outcomes.back().uses, uses);
-    }
-    return outcomes;
+    return CaseWalks(scene, cases, options, seconds).outcomes();
 }
 
 }  // namespace abut

@@ -280,13 +280,11 @@ Begun begin_analysis(const Scene& drawn, Stopwatches& seconds, const std::vector
     return begun;
 }
 
-/// Fills in what the solution where parts rest answers. begin: of the whole run. known: of cases on the
-/// same factors.
-Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const AnalyzeOptions& options,
-                         std::chrono::steady_clock::time_point begin, Stopwatches& seconds, PartConditions* known = nullptr) {
+/// Fills in what the solution where parts rest answers. begin: of the whole run.
+Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, int threads, std::chrono::steady_clock::time_point begin,
+                         Stopwatches& seconds) {
     const ResolvedConditions& conditions = begun.conditions;
     Result& result = begun.result;
-    const int threads = solver::usable_threads(options.threads);
     std::optional<Rest> rest = std::move(begun.rest);
     const Scene& scene = rest ? rest->scene : drawn;
     result.support_marks = support_marks(scene, conditions);
@@ -298,7 +296,7 @@ Analyzed finish_analysis(const Scene& drawn, Begun begun, Outcome out, const Ana
     result.solver = {static_cast<int>(out.passes.size()),
                      out.factorizations,
                      out.iterations,
-                     largest_condition(out.solved, threads, rest ? nullptr : known),
+                     largest_condition(out.solved, threads),
                      out.solved.solution.converged,
                      out.solved.solution.groups,
                      out.solved.solution.contact_problems};
@@ -354,7 +352,7 @@ Analyzed analyze_checked(const Scene& scene, const AnalyzeOptions& options, Time
     follow_motion(scene, begun.conditions, begun.settling, options, seconds, out, begun.rest);
     if (const std::set<int> closed = closed_on_themselves(begun.rest ? begun.rest->scene : scene, out.solved); !closed.empty())
         return analyze_checked(with_own_contacts(scene, closed), options, begin, std::move(seconds));
-    return finish_analysis(scene, std::move(begun), std::move(out), options, begin, seconds);
+    return finish_analysis(scene, std::move(begun), std::move(out), solver::usable_threads(options.threads), begin, seconds);
 }
 
 /// What one case alone is refused for names it.
@@ -416,13 +414,17 @@ std::vector<CaseResult> analyze_cases_checked(const Scene& scene, const AnalyzeO
         closed.merge(closed_on_themselves(begun[k].rest ? begun[k].rest->scene : scenes[k], outcomes[k].solved));
     }
     if (!closed.empty()) return analyze_cases_checked(with_own_contacts(scene, closed), options, begin, std::move(seconds));
-    std::vector<CaseResult> results;
-    PartConditions known;
-    for (std::size_t k = 0; k < scenes.size(); ++k)
-        results.push_back(
-            {scene.cases[k].name, scene.cases[k].factors,
-             finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), options, begin, seconds, &known).result,
-             scene.in_steps});
+    std::vector<CaseResult> results(scenes.size());
+    const int threads = solver::usable_threads(options.threads),
+              side_by_side = std::min(threads, static_cast<int>(results.size()));
+    solver::parallel_for(static_cast<int>(results.size()), side_by_side, [&](int i) {
+        const std::size_t k = at(i);
+        Stopwatches own = seconds;
+        results[k] = {
+            scene.cases[k].name, scene.cases[k].factors,
+            finish_analysis(scenes[k], std::move(begun[k]), std::move(outcomes[k]), threads / side_by_side, begin, own).result,
+            scene.in_steps};
+    });
     return results;
 }
 

@@ -88,8 +88,8 @@ RuleOnLine rule_on_line(const solver::SplineSpace& displacement, const solver::S
 void add_full_cells(const solver::PartInput& input, const solver::StressOf& raw, const solver::StressField& smoothed,
                     std::vector<double>& errors) {
     const solver::SplineSpace& space = input.space;
-    const RuleOnLine x = rule_on_line(space, smoothed.space, 0, input.line_rule),
-                     y = rule_on_line(space, smoothed.space, 1, input.line_rule);
+    const RuleOnLine x = rule_on_line(space, *smoothed.space, 0, input.line_rule),
+                     y = rule_on_line(space, *smoothed.space, 1, input.line_rule);
     const std::size_t n = input.line_rule.points.size();
     for (std::size_t cell = 0; cell < static_cast<std::size_t>(space.n_cells()); ++cell) {
         if (space.fraction[cell] != 1) continue;
@@ -175,10 +175,10 @@ double strain_error(const solver::PartInput& input, const Eigen::VectorXd& displ
 
 std::vector<solver::StressField> stress_fields(const SolvedAssembly& solved, int threads) {
     std::vector<solver::StressField> fields(solved.grids.size());
-    std::array<std::vector<std::size_t>, 2> in_turn;  // what fits have in common is filled in by the first of them
-    std::set<const solver::StressFitFactor*> filled;
+    std::array<std::vector<std::size_t>, 2> in_turn;  // what fits have in common is of the first, whatever the threads
+    std::set<const Once<solver::StressFitFactor>*> filled;
     for (std::size_t k = 0; k < fields.size(); ++k) {
-        const solver::StressFitFactor* common = solved.grids[k].fit.get();
+        const Once<solver::StressFitFactor>* common = solved.grids[k].fit.get();
         in_turn[common && !filled.insert(common).second ? 1 : 0].push_back(k);
     }
     const int each = solved.grids.empty() ? 1 : solved.grids.front().input.threads;

@@ -273,7 +273,7 @@ private:
 solver::StressField stress_field(const PartOnGrid& grid, const Eigen::VectorXd& displacement) {
     if (grid.is_rigid) {
         solver::StressField none;
-        none.space = grid.input.space;
+        none.space = std::make_shared<const solver::SplineSpace>(grid.input.space);
         none.coefficients = Eigen::MatrixX3d::Zero(grid.input.space.n_functions, 3);
         return none;
     }

@@ -30,8 +30,8 @@ struct PartOnGrid {
     double size = 0;    ///< its diagonal
     Vec2 center{0, 0};  ///< its centroid, local
     solver::PartInput input;
-    /// What the stress fits of several displacements have in common, of which the first fills it; none: there is one only.
-    std::shared_ptr<solver::StressFitFactor> fit{};
+    /// What the stress fits of several displacements have in common; none: there is one only.
+    std::shared_ptr<Once<solver::StressFitFactor>> fit{};
     Once<std::vector<std::pair<int, Vec2>>> cut_samples{};  ///< cut_cell_samples() asks for them
     double too_fine = 0;  ///< size of cells that were wanted and halving does not reach; 0: none
 };

@@ -164,8 +164,7 @@ MadeInterface made_interface(const Scene& scene, const Candidate& c, const Solve
 void make_interfaces(const Scene& scene, const std::vector<Candidate>& candidates, int threads, SolvedAssembly& solved) {
     const std::vector<FacesByCell> faces = faces_of_contact(candidates, solved);
     std::vector<MadeInterface> made(candidates.size());
-    // what cases know grows with every interface
-    solver::parallel_for(static_cast<int>(made.size()), solved.known ? 1 : threads,
+    solver::parallel_for(static_cast<int>(made.size()), threads,
                          [&](int k) { made[at(k)] = made_interface(scene, candidates[at(k)], solved, faces); });
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         const Candidate& c = candidates[k];
@@ -318,7 +317,7 @@ SolvedAssembly put_on_grids(const Scene& scene, const ResolvedConditions& condit
         const DesignedGrid& d = designed[k];
         if (d.model >= 0) {  // models come before their copies
             PartOnGrid& model = solved.grids[at(solved.solver_part[at(d.model)])];
-            if (!model.fit) model.fit = std::make_shared<solver::StressFitFactor>();
+            if (!model.fit) model.fit = std::make_shared<Once<solver::StressFitFactor>>();
             solved.grids.push_back(copied(scene, d.part, d.frame, model));
             continue;
         }
@@ -352,9 +351,9 @@ SolvedAssembly prepare_parts(const Scene& scene, const ResolvedConditions& condi
     make_assembly(scene, conditions, candidates, seconds, threads, solved);
     solved.failure.clear();
     for (PartOnGrid& g : solved.grids)
-        if (!g.fit) g.fit = std::make_shared<solver::StressFitFactor>();
+        if (!g.fit) g.fit = std::make_shared<Once<solver::StressFitFactor>>();
     for (solver::PartSystem& system : solved.problem.parts) system.factor.keep_forms();
-    solved.known = std::make_shared<KnownInterfaces>();
+    solved.known = std::make_shared<KnownInterfaces>(faces_of_contact(candidates, solved));
     return solved;
 }
 
@@ -368,6 +367,7 @@ SolvedAssembly solve_case(const Scene& scene, const ResolvedConditions& conditio
     // Steps without friction do not know in which order they are.
     if (!scene.in_steps || has_friction(candidates)) solved.known = prepared.known;
     solved.solver_part.assign(scene.parts.size(), -1);
+    solved.grids.reserve(prepared.grids.size());
     for (std::size_t i = 0; i < scene.parts.size(); ++i) {
         if (!solve_part[i]) continue;
         solved.solver_part[i] = static_cast<int>(solved.grids.size());
@@ -424,18 +424,14 @@ bool follow_loads(const Scene& scene, SolvedAssembly& solved, Stopwatches& secon
     return true;
 }
 
-double largest_condition(const SolvedAssembly& solved, int threads, PartConditions* known) {
+double largest_condition(const SolvedAssembly& solved, int threads) {
     const std::vector<solver::PartSystem>& parts = solved.problem.parts;
-    const auto is_shared = [&](std::size_t i) { return known && !solved.grids[i].input.free_strain; };
     std::vector<double> condition(parts.size(), 0);
     solver::parallel_for(static_cast<int>(parts.size()), threads, [&](int i) {
         const solver::PartSystem& system = parts[at(i)];
         if (system.body || !system.failure.empty() || has_factor_of_model(solved, at(i))) return;
-        const bool is_known = is_shared(at(i)) && known->contains(solved.grids[at(i)].part);
-        condition[at(i)] = is_known ? known->at(solved.grids[at(i)].part) : condition_estimate(system);
+        condition[at(i)] = condition_estimate(system);
     });
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        if (is_shared(i) && condition[i] > 0) (*known)[solved.grids[i].part] = condition[i];
     return parts.empty() ? 0 : *std::max_element(condition.begin(), condition.end());
 }
 

@@ -45,10 +45,7 @@ void solve_contacts_again(const Scene& scene, const std::vector<Candidate>& cand
 /// is none.
 bool follow_loads(const Scene& scene, SolvedAssembly& solved, Stopwatches& seconds, int threads);
 
-/// The condition numbers of parts' scaled matrices that are known, by scene part.
-using PartConditions = std::map<int, double>;
-/// The largest condition number of the parts' scaled matrices; costs about ten solves each. known: of an assembly that shares
-/// its factors with this one, but for parts that temperatures act on; what it has is not computed, what it has not is put in.
-double largest_condition(const SolvedAssembly& solved, int threads, PartConditions* known = nullptr);
+/// The largest condition number of the parts' scaled matrices; costs about ten solves each.
+double largest_condition(const SolvedAssembly& solved, int threads);
 
 }  // namespace abut

@@ -286,9 +286,9 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
     if (scene.contacts.penalty)
         return make_penalty_interface(scene, candidate.zone, first, second, solver_part,
                                       {candidate.closing(), candidate.no_overlap});
-    if (known && known->zones.empty()) known->faces = faces;
     ContactInterface c;
     if (known && known->faces == faces) {
+        const std::scoped_lock lock(known->busy);
         KnownInterfaces::Zone& zone = known_zone(
             *known, candidate, solver_part, [&] { return measured_zone(scene, candidate, first, second, solver_part, faces); });
         if (zone.measured.count.empty()) return zone.measured.on_middle;

@@ -3,6 +3,8 @@
 // where either grid's lines cross it, and the knots of the pressure spline.
 #pragma once
 #include <array>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 #include "geometry/proximity/facing.hpp"
@@ -69,8 +71,11 @@ struct KnownInterfaces {
     };
     static constexpr double step = 1.0 / 16;  ///< of the knot spacing
     static constexpr std::size_t most = 16;   ///< that are kept of a zone
-    std::vector<FacesByCell> faces{};         ///< that all of them are made with
+    const std::vector<FacesByCell> faces;     ///< that all of them are made with
     std::vector<Zone> zones{};
+    std::mutex busy{};  ///< who reads or adds zones has it
+
+    explicit KnownInterfaces(std::vector<FacesByCell> all) : faces(std::move(all)) {}
 };
 
 /// Makes the interface of a candidate: mortar's, or penalty's where the scene asks for it. faces: of all candidates, by solver

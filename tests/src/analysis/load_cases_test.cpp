@@ -116,21 +116,23 @@ TEST(LoadCases, FollowHertzOnCommonGrids) {
     EXPECT_EQ(all.parts[0].utilisation->value, all.parts[0].max_von_mises.value / 200);
 }
 
+Scene disc_on_table(const std::vector<double>& weights) {
+    std::string cases;
+    for (double weight : weights)
+        cases += (cases.empty() ? "" : ",") +
+                 (R"({"name": ")" + std::to_string(weight) + " of " + std::to_string(cases.size())) +
+                 R"(", "loads": {"weight": )" + std::to_string(weight) + "}}";
+    return scene_with(
+        R"({"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}},
+           {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-40, -40], "max": [40, 0]}}})",
+        R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+           "loads": [{"name": "weight", "part": "disc", "force": [0, -1000]}], "cases": [)" +
+            cases + "]");
+}
+
 /// What cases share on one set of grids is not what one of them leaves to the next.
 TEST(LoadCases, OfTheSameLoadsAreTheSame) {
-    const auto scene = [](const std::string& cases) {
-        return scene_with(
-            R"({"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}},
-               {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-40, -40], "max": [40, 0]}}})",
-            R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
-               "loads": [{"name": "weight", "part": "disc", "force": [0, -1000]}], "cases": [)" +
-                cases + "]");
-    };
-    const auto loaded = [](const std::string& name, double factor) {
-        return R"({"name": ")" + name + R"(", "loads": {"weight": )" + std::to_string(factor) + "}}";
-    };
-    const std::vector<CaseResult> cases =
-        analyze_cases(scene(loaded("a", 1) + "," + loaded("b", 9) + "," + loaded("again", 1) + "," + loaded("c", 0.2)), {});
+    const std::vector<CaseResult> cases = analyze_cases(disc_on_table({1, 9, 1, 0.2}), {});
     ASSERT_EQ(cases.size(), 4U);
     for (const CaseResult& c : cases) {
         ASSERT_EQ(c.result.status, "ok") << c.result.message;
@@ -146,6 +148,26 @@ TEST(LoadCases, OfTheSameLoadsAreTheSame) {
     const auto& nine = cases[1].result.contacts[0];
     ASSERT_TRUE(one.errors && nine.errors);
     EXPECT_NEAR(nine.max_pressure.value / one.max_pressure.value, 3.0, 2 * (one.errors->peak + nine.errors->peak) + 0.01);
+}
+
+/// Cases are solved side by side: the first four at once, then twice as many.
+TEST(LoadCases, AreTheSameOnAnyNumberOfThreads) {
+    const Scene scene = disc_on_table({1, 9, 1, 0.2, 4, 2, 7, 0.5, 3, 8});
+    AnalyzeOptions options;
+    options.threads = 1;
+    const std::vector<CaseResult> one = analyze_cases(scene, options);
+    options.threads = 3;
+    const std::vector<CaseResult> three = analyze_cases(scene, options);
+    ASSERT_EQ(one.size(), three.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        const Result &a = one[k].result, &b = three[k].result;
+        EXPECT_EQ(a.contacts[0].profile.pressure, b.contacts[0].profile.pressure) << one[k].name;
+        EXPECT_EQ(a.parts[0].max_von_mises.value, b.parts[0].max_von_mises.value) << one[k].name;
+        EXPECT_EQ(a.strain_energy, b.strain_energy) << one[k].name;
+        EXPECT_EQ(a.solver.condition_estimate, b.solver.condition_estimate) << one[k].name;
+        EXPECT_EQ(a.unknowns, b.unknowns) << one[k].name;
+        EXPECT_EQ(a.solver.grids, b.solver.grids) << one[k].name;
+    }
 }
 
 /// A block on a table that is pushed down or lifted on a spring: contact in the one case, none in the other.
