@@ -298,6 +298,55 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
 
 namespace {
 
+/// A place on a contact's face.
+struct FacePlace {
+    double distance;  ///< of the place asked for
+    double pressure;
+    Vec2 tangent;
+};
+
+/// The place of one of a contact's sides nearest to a point; nothing: the contact has no face.
+std::optional<FacePlace> nearest_on_face(const ContactProfile& profile, int side, const Vec2& at) {
+    const std::vector<double>&x = side == 0 ? profile.x : profile.x2, &y = side == 0 ? profile.y : profile.y2;
+    std::optional<FacePlace> nearest;
+    for (std::size_t k = 1; k < x.size(); ++k) {
+        const Vec2 begin(x[k - 1], y[k - 1]), way = Vec2(x[k], y[k]) - begin;
+        const double length = way.norm();
+        if (length == 0) continue;
+        const double t = std::clamp((at - begin).dot(way) / (length * length), 0.0, 1.0),
+                     distance = (begin + t * way - at).norm();
+        if (!nearest || distance < nearest->distance)
+            nearest = {distance, (1 - t) * profile.pressure[k - 1] + t * profile.pressure[k], way / length};
+    }
+    return nearest;
+}
+
+double pull_across(const Stress& s, const Vec2& tangent) {
+    const Vec2 n(-tangent.y(), tangent.x());
+    return s.xx * n.x() * n.x() + s.yy * n.y() * n.y() + 2 * s.xy * n.x() * n.y();
+}
+
+}  // namespace
+
+void fill_stress_errors(const Outcome& out, Result& result) {
+    constexpr double on_face = 0.1;  // of the cell
+    for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
+        PartResult& p = result.parts[static_cast<std::size_t>(out.solved.grids[k].part)];
+        if (!p.max_von_mises_error) continue;
+        for (const ContactResult& c : result.contacts)
+            for (int side = 0; side < 2; ++side) {
+                if (c.parts[static_cast<std::size_t>(side)] != p.name || !c.errors) continue;
+                const std::optional<FacePlace> face = nearest_on_face(c.profile, side, p.max_von_mises.at);
+                if (!face || face->distance > on_face * out.largest[k].cell) continue;
+                const double missing = std::abs(pull_across(out.largest[k].stress, face->tangent) + face->pressure),
+                             of_pressure = c.errors->at_corner ? 0 : c.errors->peak * std::abs(face->pressure);
+                p.max_von_mises_error = std::max(*p.max_von_mises_error, (missing + of_pressure) / p.max_von_mises.value);
+            }
+    }
+}
+
+namespace {
+
 /// The largest stress whose part has a corner where it goes beyond `most` on smaller cells, the farthest of all; or nullptr.
 const LargestStress* corner_beyond(const Outcome& out, double most) {
     const LargestStress* farthest = nullptr;

@@ -28,6 +28,11 @@ void fill_missed(const Outcome& out, Result& result);
 /// Call with the parts filled in.
 void fill_displacement_errors(const Outcome& out, Result& result);
 
+/// Adds to the errors of largest stresses where contact presses: what they differ by from the pressure on the face there, and
+/// what that errs by itself. A face's stresses all fall short of the pressure alike, so that they say nothing of it among
+/// themselves. Call with the parts and the contacts' errors filled in.
+void fill_stress_errors(const Outcome& out, Result& result);
+
 /// Warns where the largest of the parts' largest stresses has no limit, or is not known well. Call with the parts filled in.
 void warn_of_largest_stress(const Outcome& out, Result& result);
 

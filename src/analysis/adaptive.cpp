@@ -2,6 +2,7 @@
 #include "src/analysis/adaptive.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -99,6 +100,18 @@ SolvedAssembly without_answer(const Scene& scene, const std::string& step_before
     return none;
 }
 
+/// Cells that other cases want and halving does not reach are none that this one lacks.
+void forget_others_too_fine(const WantedSizes& own, SolvedAssembly& solved) {
+    for (PartOnGrid& g : solved.grids) {
+        if (g.too_fine == 0) continue;
+        double smallest = std::numeric_limits<double>::infinity(), finest = smallest;
+        for (const WantedSize& w : own[at(g.part)]) smallest = std::min(smallest, w.size);
+        for (int cell = 0; cell < static_cast<int>(g.cells.cell_class.size()); ++cell)
+            finest = std::min(finest, g.cells.grid.box(cell).size().maxCoeff());
+        g.too_fine = smallest < finest ? smallest : 0;
+    }
+}
+
 /// The walks of several cases over common grids. All answers are of the same last ones; on those before, only cases that lack
 /// something are solved: the others have nothing to ask for. Cases are solved side by side, steps one after the other.
 class CaseWalks {
@@ -161,11 +174,15 @@ private:
     void solve(std::size_t k, const SolvedAssembly& prepared) {
         GridWalk& walk = walks_[k];
         const SolvedAssembly* before = scene_.in_steps && k > 0 ? &walks_[k - 1].last() : nullptr;
-        if (before && !has_answer(*before))
+        if (before && !has_answer(*before)) {
             walk.take(without_answer(scene_, scene_.cases[k - 1].name));
-        else
-            walk.take(solve_case(*cases_[k].scene, *cases_[k].conditions, walk.candidates(), walk.ask().parts, prepared, before,
-                                 own_seconds_[k], threads_of_one()));
+            return;
+        }
+        const PassAsk own = walk.ask();
+        SolvedAssembly solved = solve_case(*cases_[k].scene, *cases_[k].conditions, walk.candidates(), own.parts, prepared,
+                                           before, own_seconds_[k], threads_of_one());
+        forget_others_too_fine(own.wanted, solved);
+        walk.take(std::move(solved));
     }
 
     /// A case is like those before it: in every pass twice as many take part, with the sizes that these have come to, and so on

@@ -208,6 +208,7 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     fill_missed(out, result);
     const auto begin = std::chrono::steady_clock::now();
     if (!fill_fields(scene, out, threads, result)) return;
+    fill_stress_errors(out, result);
     warn_of_largest_stress(out, result);
     fill_displacement_errors(out, result);
     fill_probes(scene, solved, out.stress, result);

@@ -128,7 +128,8 @@ LargestStress largest_of(const Scene& scene, const ResolvedConditions& condition
     result.displacement = found.displacement.value;
     result.von_mises = found.von_mises.value;
     if (found.von_mises.element < 0 || grid.is_rigid) return result;
-    const Stress there = sample_field(grid, displacement, stress, found.von_mises.element, found.von_mises.local).stress;
+    const Stress there = result.stress =
+        sample_field(grid, displacement, stress, found.von_mises.element, found.von_mises.local).stress;
     const double direct = std::max({std::abs(there.xx), std::abs(there.yy), std::abs(there.zz)}),
                  turned = grid.input.elasticity.d11 * result.displacement.value / grid.size;
     if (result.von_mises.value <= rounding_of_strain * std::max(direct, turned)) return result;

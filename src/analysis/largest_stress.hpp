@@ -26,6 +26,7 @@ struct LargestStress {
     ValueAt displacement;           ///< the largest, too: both are found in one go
     double displacement_error = 0;  ///< absolute: of the strains in the cell there, of which energies know little
     ValueAt von_mises;              ///< assembly coordinates
+    Stress stress{};                ///< there
     double cell = 0;                ///< size of the cell there
     double smoothing = 0;           ///< von Mises stress of what smoothed stresses and the others differ by in that cell
     bool at_corner = false;         ///< there is no limit there
