@@ -201,8 +201,11 @@ struct Decision {
     void tell_divided(const std::vector<Vec2>& points) {
         for (std::size_t d = 0; d < outlines.divided.size(); ++d) {
             std::vector<int> filled, open;
+            bool any_hatched = false;
             for (std::size_t i = 0; i < regions.size(); ++i) {
-                if (regions[i].divided != static_cast<int>(d) || is_said(static_cast<int>(i))) continue;
+                if (regions[i].divided != static_cast<int>(d)) continue;
+                any_hatched = any_hatched || !regions[i].hatches.empty();
+                if (is_said(static_cast<int>(i))) continue;
                 if (!regions[i].is_filled)
                     open.push_back(static_cast<int>(i));
                 else if (has_shared_lines(regions[i]))
@@ -218,7 +221,12 @@ struct Decision {
                 tell(open.front(),
                      "areas on layer " + layer + " that other outlines enclose are taken as empty: " + listed(open),
                      points[at(open.front())], hint);
-            if (filled.size() > 1)
+            if (!filled.empty() && any_hatched)
+                tell(filled.front(),
+                     "areas on layer " + layer + " without a hatch, beside others that have one, are taken as parts: " +
+                         listed(filled),
+                     points[at(filled.front())], hint);
+            else if (filled.size() > 1)
                 tell(filled.front(),
                      "outlines on layer " + layer +
                          " share lines that are drawn once; areas on both sides are taken as parts: " + listed(filled),

@@ -72,6 +72,17 @@ TEST(SketchJoined, WhatLooksDifferentIsTwoParts) {
     }
 }
 
+TEST(SketchJoined, WhatHasNoHatchBesideOthersThatHaveOneIsTold) {
+    const auto beside = [](const Entities& entities) {
+        return parts_with(entities, {hatch_of(rectangle_of({0, 0}, {10, 10}), plain)});
+    };
+    const SketchParts sketch = beside(divided());
+    EXPECT_EQ(sorted_areas(sketch), (std::vector<double>{100, 100}));  // a shaft is drawn so, and so is a bore
+    EXPECT_EQ(n_told(sketch, "without a hatch, beside others that have one, are taken as parts: r2"), 1);
+    const Entities apart = drawn_rectangle({0, 0}, {10, 10}, "a") + drawn_rectangle({10, 0}, {20, 10}, "b");
+    EXPECT_EQ(n_told(beside(apart), "without a hatch"), 0) << "outlines of their own are parts";
+}
+
 TEST(SketchJoined, HalfATurnLooksTheSame) {
     EXPECT_TRUE(look_alike(plain, {"ANSI31", 180, 1, "H", 7}));
     EXPECT_TRUE(look_alike({"ANSI31", -45, 1, "H", 7}, {"ANSI31", 135.0001, 1.0000001, "H", 7}));

@@ -138,6 +138,31 @@ TEST(AccuracyResults, PeaksAtCornersDoNotCountWhereverPartsWereDrawn) {
     EXPECT_LT(*result.accuracy.estimate, 0.004);
 }
 
+/// A face of contact along y = x, under a pressure of 100 that errs by 1 %, which the stress of 120 beside it lacks 4 of.
+TEST(AccuracyResults, StressesUnderContactErrByWhatTheyMissOfItsPressure) {
+    const auto error_at = [](const Vec2& at, double own) {
+        Outcome out = outcome(0.005, 0.01, PathEnd::reached);
+        Result result = filled(out);
+        out.solved.grids.resize(1);
+        out.solved.grids[0].part = 0;
+        out.largest.resize(1);
+        out.largest[0].cell = 0.1;
+        out.largest[0].stress = {-60, -76, 28, 0};  // across the face (-60 - 76) / 2 - 28 = -96
+        result.parts.resize(1);
+        result.parts[0].name = "plate";
+        result.parts[0].max_von_mises = {120, at};
+        result.parts[0].max_von_mises_error = own;
+        ContactProfile& profile = result.contacts[0].profile;
+        profile.x = profile.y = profile.x2 = profile.y2 = {0, 1, 2};
+        profile.pressure = {100, 100, 0};
+        fill_stress_errors(out, result);
+        return *result.parts[0].max_von_mises_error;
+    };
+    EXPECT_NEAR(error_at({0.5, 0.5}, 1e-4), (4 + 0.01 * 100) / 120, 1e-4);
+    EXPECT_EQ(error_at({0.5, 0.5}, 0.3), 0.3);
+    EXPECT_EQ(error_at({0.5, 0.6}, 1e-4), 1e-4) << "away from the face";
+}
+
 TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
     EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
     Outcome corner = outcome(0.005, 0, PathEnd::reached);

@@ -71,8 +71,8 @@ TEST(FollowMotion, FrictionSlidesWhereAPartIsLedFar) {
     }
 }
 
-/// A slider crosses a gap to a block on a spring of 10 over its height of 10, which gives way by (1000 - 0.3 2000) / 100 = 4: it
-/// goes so far once, whether it is followed over the gap or begins at the block.
+/// A slider crosses a gap to a block on a spring of 10 over its height of 10, which gives way by (1000 - 0.3 2000) / 100 = 4:
+/// it goes so far once, whether it is followed over the gap or begins at the block.
 TEST(FollowMotion, WhatFrictionSlidesAgainstASpringGoesAsFarAsTheSpringGives) {
     for (const double gap : {6.0, 0.0}) {
         SCOPED_TRACE(gap);

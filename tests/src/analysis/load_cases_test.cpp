@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
@@ -117,17 +118,15 @@ TEST(LoadCases, FollowHertzOnCommonGrids) {
 }
 
 Scene disc_on_table(const std::vector<double>& weights) {
-    std::string cases;
-    for (double weight : weights)
-        cases += (cases.empty() ? "" : ",") +
-                 (R"({"name": ")" + std::to_string(weight) + " of " + std::to_string(cases.size())) +
-                 R"(", "loads": {"weight": )" + std::to_string(weight) + "}}";
+    std::ostringstream cases;
+    for (std::size_t k = 0; k < weights.size(); ++k)
+        cases << (k > 0 ? "," : "") << R"({"name": ")" << k << R"(", "loads": {"weight": )" << weights[k] << "}}";
     return scene_with(
         R"({"name": "disc", "material": "steel", "geometry": {"circle": {"center": [0, 10], "radius": 10}}},
            {"name": "table", "material": "steel", "geometry": {"rectangle": {"min": [-40, -40], "max": [40, 0]}}})",
         R"("supports": [{"on": "table/bottom", "fix": ["x", "y"]}, {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
            "loads": [{"name": "weight", "part": "disc", "force": [0, -1000]}], "cases": [)" +
-            cases + "]");
+            cases.str() + "]");
 }
 
 /// What cases share on one set of grids is not what one of them leaves to the next.
@@ -148,6 +147,18 @@ TEST(LoadCases, OfTheSameLoadsAreTheSame) {
     const auto& nine = cases[1].result.contacts[0];
     ASSERT_TRUE(one.errors && nine.errors);
     EXPECT_NEAR(nine.max_pressure.value / one.max_pressure.value, 3.0, 2 * (one.errors->peak + nine.errors->peak) + 0.01);
+}
+
+/// The first asks for cells that no coordinates tell apart: the second goes on to finer grids all the same.
+TEST(LoadCases, OneThatIsTooSmallForItsPartsEndsAlone) {
+    const std::vector<CaseResult> cases = analyze_cases(disc_on_table({1e-12, 1}), {});
+    EXPECT_FALSE(cases[0].result.accuracy.reached);
+    const Result& other = cases[1].result;
+    ASSERT_EQ(other.status, "ok") << other.message;
+    EXPECT_GT(other.solver.grids, 2);
+    ASSERT_TRUE(other.contacts[0].errors);
+    const double modulus = 210000 / (2 * (1 - 0.3 * 0.3)), peak = std::sqrt(1000 * modulus / (std::numbers::pi * 10));
+    EXPECT_NEAR(other.contacts[0].max_pressure.value, peak, 2 * other.contacts[0].errors->peak * peak);
 }
 
 /// Cases are solved side by side: the first four at once, then twice as many.
