@@ -78,7 +78,7 @@ void fill_contact(const ContactError& e, bool at_corner, double of_force, double
 std::string why_it_ended(const Outcome& out) {
     const PathEnd end = out.end;
     if (end == PathEnd::too_deep) return out.why;
-    if (end == PathEnd::finer_failed) return "finer grids gave no answer: " + out.why;
+    if (end == PathEnd::finer_failed) return out.why;
     if (end == PathEnd::out_of_budget && out.next)
         return "the next grids, " + cost_text(*out.next) + ", would go beyond the budget";
     if (end == PathEnd::out_of_cells)

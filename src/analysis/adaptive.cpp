@@ -12,6 +12,7 @@
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "src/analysis/grid_walk.hpp"
 #include "src/analysis/part_groups.hpp"
+#include "src/analysis/pass_cost.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -57,7 +58,7 @@ void walk_to_end(std::vector<GridWalk>& walks, TakePass take_pass) {
         }
         if (!failed.empty() && !good.empty()) {
             walks = std::exchange(good, {});
-            for (GridWalk& walk : walks) walk.end_with_next(failed);
+            for (GridWalk& walk : walks) walk.end_with_next("finer grids gave no answer: " + failed);
             is_last = false;
         } else if (!std::equal(walks.begin(), walks.end(), before.begin(), before.end(),
                                [](const GridWalk& a, const GridWalk& b) { return a.n_widenings() == b.n_widenings(); })) {
@@ -146,6 +147,8 @@ public:
 private:
     /// The first few find out what grids they want.
     static constexpr std::size_t first_cases = 4;
+    /// By unknown: the solution of a case, beside what all have in common.
+    static constexpr double bytes_of_case = 1.8e3;
 
     static std::vector<std::size_t> numbers(std::size_t begin, std::size_t end) {
         std::vector<std::size_t> all(end - begin);
@@ -204,11 +207,41 @@ private:
         }
     }
 
+    double seconds_so_far() const {
+        double sum = 0;
+        for (const char* stage : {"geometry", "assembly", "solve", "recovery"})
+            if (const auto found = seconds_.find(stage); found != seconds_.end()) sum += found->second;
+        return sum;
+    }
+
+    /// Where the next grids, of all cases, would go beyond what the user gives all are solved once more on the last ones.
+    void keep_to_budget(const SolvedAssembly& last, PassAsk ask_of_last, double seconds_of_last) {
+        const Budget& budget = scene_.accuracy.budget;
+        if (!budget.is_given() || last_grids_) return;
+        const PassAsk next = joined(walks_);
+        PassCost cost = cost_of_pass(unloaded_, held_, next.parts, next.wanted, next.coarseness, last, seconds_of_last);
+        cost.bytes += cost.unknowns * bytes_of_case * static_cast<double>(cases_.size());
+        const bool is_within = (!budget.seconds || seconds_so_far() + cost.seconds <= *budget.seconds) &&
+                               (!budget.bytes || cost.bytes <= *budget.bytes);
+        if (is_within) return;
+        last_grids_ = std::move(ask_of_last);
+        for (GridWalk& walk : walks_)
+            walk.end_with_next("the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget");
+    }
+
     bool is_last_pass() {
-        const PassAsk ask = joined(walks_);
+        PassAsk ask = last_grids_ ? *last_grids_ : joined(walks_);
+        if (last_grids_) n_begun_ = cases_.size();
         tell_pass(walks_.front(), ask, options_);
+        const double before = seconds_so_far();
         const SolvedAssembly prepared = prepare_parts(unloaded_, held_, walks_.front().candidates(), ask.parts, ask.wanted,
                                                       ask.coarseness, seconds_, threads_);
+        const bool is_last = ends_on(prepared);
+        if (!is_last) keep_to_budget(prepared, std::move(ask), seconds_so_far() - before);
+        return is_last;
+    }
+
+    bool ends_on(const SolvedAssembly& prepared) {
         std::vector<std::size_t> later = numbers(0, scene_.in_steps ? 0 : n_begun_);
         std::erase_if(later, [&](std::size_t k) { return !walks_[k].is_over(); });
         solve_lacking(prepared);
@@ -231,6 +264,7 @@ private:
     std::vector<Stopwatches> own_seconds_;  // by case
     std::vector<GridWalk> walks_;
     std::size_t n_begun_ = 0;
+    std::optional<PassAsk> last_grids_{};  // that the budget allows, once it is known
 };
 
 }  // namespace

@@ -115,8 +115,8 @@ public:
         next_ = other.next_;
         passes_before_ = other.passes_before_ + other.out_.passes.size() - 1;  // without the one that this walk takes, too
     }
-    void end_with_next(const std::string& finer_failed) {
-        finer_failed_ = finer_failed;
+    void end_with_next(const std::string& why) {
+        why_end_ = why;
         is_over_ = false;
     }
     /// The same grids, but where the stress is largest.
@@ -414,8 +414,8 @@ private:
         if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
         is_answered_ = now.solution.converged;
         failed_ = failure_of(now);  // speaks only where grids before had answers
-        if (!finer_failed_.empty()) {
-            out_.why = finer_failed_;
+        if (!why_end_.empty()) {
+            out_.why = why_end_;
             return end(std::move(now), PathEnd::finer_failed);
         }
         if (grids_are_fixed(scene_))
@@ -536,7 +536,7 @@ private:
     double factor_ = 1;
     int widenings_ = 0, tipped_ = 0, sharpened_ = 0;
     bool is_over_ = false, is_answered_ = false, begins_like_another_ = false;
-    std::string failed_, finer_failed_;
+    std::string failed_, why_end_;
     bool meets_others_ = false;
     std::size_t passes_before_ = 0;    // of the walk that this one begins like
     std::size_t comparable_from_ = 0;  // passes before have other candidates
@@ -581,8 +581,8 @@ GridWalk GridWalk::unsolved() {
 void GridWalk::begin_like(const GridWalk& other) {
     path_->begin_like(*other.path_);
 }
-void GridWalk::end_with_next(const std::string& finer_failed) {
-    path_->end_with_next(finer_failed);
+void GridWalk::end_with_next(const std::string& why) {
+    path_->end_with_next(why);
 }
 bool GridWalk::meets_others() const {
     return path_->meets_others();

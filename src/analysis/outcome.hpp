@@ -25,7 +25,7 @@ enum class PathEnd {
     out_of_passes,  ///< the errors do not fall: the pressure has no limit somewhere
     out_of_digits,  ///< rounding hides what finer grids would change
     out_of_budget,  ///< the next grids would take more time or memory than the user gives
-    finer_failed    ///< the next grids gave no answer
+    finer_failed    ///< the next grids gave no answer, or would go beyond the budget of several cases
 };
 
 /// The last solution with its stresses and errors, and the way there.

@@ -99,7 +99,7 @@ TEST(AccuracyResults, MissedTargetsSayWhy) {
                                      {PathEnd::fixed_grids, "adapt"}}) {
         Outcome out = outcome(0.03, 0.002, end);
         if (end == PathEnd::out_of_budget) out.next = PassCost{12000, 3.1, 36e6};
-        if (end == PathEnd::finer_failed) out.why = "a basis";
+        if (end == PathEnd::finer_failed) out.why = "gave no answer: a basis";
         const Result result = filled(out);
         EXPECT_FALSE(result.accuracy.reached);
         EXPECT_NE(result.accuracy.why.find(words), std::string::npos) << result.accuracy.why;

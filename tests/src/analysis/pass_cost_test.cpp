@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "src/analysis/adaptive.hpp"
+#include "src/analysis/analysis.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/read_scene.hpp"
 #include "tests/verification/scene_answers.hpp"
@@ -49,6 +50,34 @@ TEST(PassCost, TimeEndsThePathAfterTheFirstPass) {
     ASSERT_TRUE(bound.next);
     EXPECT_GT(bound.next->seconds, 0);
     EXPECT_NE(cost_text(*bound.next).find(" unknowns, in "), std::string::npos);
+}
+
+/// Every case has a solution in memory: the grids that one may have are too fine for all of them.
+TEST(PassCost, CasesKeepToABudgetTogether) {
+    const auto solved = [](const std::string& budget) {
+        std::string cases;
+        for (int k = 0; k < 12; ++k)
+            cases += (k > 0 ? "," : "") + (R"({"name": ")" + std::to_string(k)) + R"(", "loads": {"F": )" +
+                     std::to_string(1 + 0.5 * k) + "}}";
+        Scene scene = read_scene_text(R"({"abut": 1, "materials": {"m": {"E": 2e5, "nu": 0.3}}, "parts": [
+            {"name": "disc", "material": "m", "geometry": {"circle": {"center": [0, 1], "radius": 1}}},
+            {"name": "block", "material": "m", "geometry": {"rectangle": {"min": [-2, -2], "max": [2, 0]}}}],
+            "supports": [{"on": "block/bottom", "fix": ["x", "y"]},
+                         {"part": "disc", "rigid": {"translation": [0, null], "rotation": 0}}],
+            "loads": [{"name": "F", "part": "disc", "force": [0, -100]}], "cases": [)" +
+                                          cases + "]}",
+                                      "cases.json");
+        scene.accuracy.budget = parse_budget(budget);
+        return analyze_cases(scene, {});
+    };
+    const std::vector<CaseResult> free = solved("10 h"), bound = solved("40 MB");
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        EXPECT_TRUE(free[k].result.accuracy.reached);
+        EXPECT_EQ(bound[k].result.status, "ok") << bound[k].result.message;
+        EXPECT_FALSE(bound[k].result.accuracy.reached);
+        EXPECT_NE(bound[k].result.accuracy.why.find("the next grids of all cases, of about "), std::string::npos);
+        EXPECT_LT(bound[k].result.unknowns, free[k].result.unknowns);
+    }
 }
 
 TEST(PassCost, ABudgetThatIsEnoughChangesNothing) {
