@@ -61,8 +61,23 @@ std::set<std::string> strays(const Scene& scene, const Selector& selector) {
     return names;
 }
 
+void append_others_as_near(const Scene& scene, const Selector& selector, std::vector<std::string>& texts) {
+    for (const ScenePart& part : scene.parts) {
+        if (part.name != selector.part) continue;
+        const std::vector<int> edges = nearest_edges(part.part, *selector.near).edges;
+        const auto name = [&](int edge) { return part.name + "/" + part.part.edges[at(edge)].name; };
+        std::string others;
+        for (std::size_t k = 1; k < edges.size(); ++k) others += (k > 1 ? ", " : "") + name(edges[k]);
+        if (!others.empty())
+            texts.push_back(selector.where + ": " + name(edges[0]) + " is selected, and " + others +
+                            (edges.size() > 2 ? " are" : " is") +
+                            " as near to this place; give one beside the edge that is meant, or name it");
+    }
+}
+
 void append(const Scene& scene, const Selection& on, std::vector<std::string>& texts) {
     for (const Selector& selector : on) {
+        if (selector.near) append_others_as_near(scene, selector, texts);
         if (!selector.facing) continue;
         std::string pieces;
         for (const std::string& name : strays(scene, selector)) pieces += (pieces.empty() ? "" : ", ") + name;

@@ -149,29 +149,10 @@ Intervals facing(const Curve& curve, const Vec2& direction, double within) {
 
 // --- one selector
 
-/// An edge, and how far it is from a place.
-struct NearEdge {
-    int edge = -1;
-    double distance = 0;
-};
-
-NearEdge nearest_edge(const Part& part, const Vec2& p) {
-    int closest = -1;
-    double smallest = 0;
-    for (std::size_t e = 0; e < part.edges.size(); ++e) {
-        const Curve& curve = part.edges[e].curve;
-        const double distance = (geometry::point(curve, geometry::closest_parameter(curve, p)) - p).norm();
-        if (closest >= 0 && distance >= smallest) continue;
-        closest = static_cast<int>(e);
-        smallest = distance;
-    }
-    return {closest, smallest};
-}
-
 /// A place that is farther from a part than this part is large is none of it: in another unit, or with another sign.
 int closest_edge(const Part& part, const Vec2& p) {
-    const NearEdge nearest = nearest_edge(part, p);
-    return nearest.distance <= geometry::bounding_box(part).diagonal() ? nearest.edge : -1;
+    const NearestEdges nearest = nearest_edges(part, p);
+    return nearest.distance <= geometry::bounding_box(part).diagonal() ? nearest.edges.front() : -1;
 }
 
 /// What a selector takes of one edge of a part that it names.
@@ -241,7 +222,7 @@ Problem nothing_matches(const Scene& scene, const Selector& selector) {
             std::find_if(scene.parts.begin(), scene.parts.end(), [&](const ScenePart& p) { return p.name == part; });
         const geometry::Box2 box = geometry::bounding_box(named->part);
         return {selector.where,
-                "the place is " + number_text(nearest_edge(named->part, *selector.near).distance, 4) + " away from '" +
+                "the place is " + number_text(nearest_edges(named->part, *selector.near).distance, 4) + " away from '" +
                     shortened(part) + "', which is " + number_text(box.diagonal(), 4) + " across",
                 "give a place beside one of its edges: it goes from (" + number_text(box.min.x(), 4) + ", " +
                     number_text(box.min.y(), 4) + ") to (" + number_text(box.max.x(), 4) + ", " + number_text(box.max.y(), 4) +
@@ -269,6 +250,19 @@ std::vector<EdgePortion> merged(std::vector<EdgePortion> portions) {
 }
 
 }  // namespace
+
+NearestEdges nearest_edges(const Part& part, const Vec2& p) {
+    std::vector<double> distances;
+    for (const geometry::Edge& edge : part.edges)
+        distances.push_back((geometry::point(edge.curve, geometry::closest_parameter(edge.curve, p)) - p).norm());
+    NearestEdges nearest;
+    if (distances.empty()) return nearest;
+    nearest.distance = *std::min_element(distances.begin(), distances.end());
+    const double as_near = nearest.distance + geometry::merge_length(part);
+    for (std::size_t e = 0; e < distances.size(); ++e)
+        if (distances[e] <= as_near) nearest.edges.push_back(static_cast<int>(e));
+    return nearest;
+}
 
 std::vector<EdgePortion> select(const Scene& scene, const Selection& selection) {
     std::vector<EdgePortion> portions;

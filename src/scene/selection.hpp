@@ -18,4 +18,12 @@ struct EdgePortion {
 /// a selector matches nothing: the message lists the part's edges, or the known parts where the part is unknown.
 std::vector<EdgePortion> select(const Scene& scene, const Selection& selection);
 
+/// The edges of a part nearest to a place, ascending: several where their distances are the same to what the part merges. The
+/// first of them is what `near` selects.
+struct NearestEdges {
+    std::vector<int> edges;
+    double distance = 0;
+};
+NearestEdges nearest_edges(const geometry::Part& part, const Vec2& p);
+
 }  // namespace abut

@@ -47,6 +47,14 @@ TEST(StraySelections, ACurveAloneIsMeant) {
     EXPECT_TRUE(strays_of(holed, R"({"part": "p", "facing": [0.6, -0.8]})").empty());
 }
 
+TEST(StraySelections, ACornerIsNearToTwoEdges) {
+    const std::vector<std::string> strays = strays_of(plate, R"({"part": "p", "near": [20, -30]})");
+    ASSERT_EQ(strays.size(), 1u);
+    EXPECT_NE(strays[0].find("p/bottom is selected, and p/right is as near to this place"), std::string::npos) << strays[0];
+    EXPECT_TRUE(strays_of(plate, R"({"part": "p", "near": [20, -29.9]})").empty());
+    EXPECT_TRUE(strays_of(holed, R"({"part": "p", "near": [0, 10]})").empty()) << "a circle's middle";
+}
+
 TEST(StraySelections, OtherSelectorsTakeWhatTheySay) {
     EXPECT_TRUE(strays_of(holed, R"(["p/bottom", {"part": "p", "box": [[-3, 0], [3, 40]]}])").empty());
 }
