@@ -451,6 +451,7 @@ private:
 
     /// Where no grid came to an error that anybody could aim at there is no answer.
     bool end_too_deep(SolvedAssembly&& now) {
+        out_.why.clear();  // of grids before
         for (const PartOnGrid& g : now.grids)
             if (g.too_fine > 0)
                 out_.why += (out_.why.empty() ? "a contact or another place is too small beside its part: it asks for "
@@ -535,9 +536,8 @@ private:
     } slid_;  // how bodies slid that friction did not hold, and what would
     double factor_ = 1;
     int widenings_ = 0, tipped_ = 0, sharpened_ = 0;
-    bool is_over_ = false, is_answered_ = false, begins_like_another_ = false;
+    bool is_over_ = false, is_answered_ = false, begins_like_another_ = false, meets_others_ = false;
     std::string failed_, why_end_;
-    bool meets_others_ = false;
     std::size_t passes_before_ = 0;    // of the walk that this one begins like
     std::size_t comparable_from_ = 0;  // passes before have other candidates
     std::size_t settled_from_ = 0;     // passes before closed or missed other contacts

@@ -153,6 +153,10 @@ TEST(LoadCases, OfTheSameLoadsAreTheSame) {
 TEST(LoadCases, OneThatIsTooSmallForItsPartsEndsAlone) {
     const std::vector<CaseResult> cases = analyze_cases(disc_on_table({1e-12, 1}), {});
     EXPECT_FALSE(cases[0].result.accuracy.reached);
+    const std::string told = "; compute what lies around that place";
+    const std::string& why = cases[0].result.accuracy.why;
+    EXPECT_NE(why.find(told), std::string::npos) << why;
+    EXPECT_EQ(why.find(told), why.rfind(told)) << why;
     const Result& other = cases[1].result;
     ASSERT_EQ(other.status, "ok") << other.message;
     EXPECT_GT(other.solver.grids, 2);
