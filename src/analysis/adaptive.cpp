@@ -215,7 +215,9 @@ private:
     }
 
     /// Where the next grids, of all cases, would go beyond what the user gives all are solved once more on the last ones.
-    void keep_to_budget(const SolvedAssembly& last, PassAsk ask_of_last, double seconds_of_last) {
+    /// n_before: passes of each before the last.
+    void keep_to_budget(const SolvedAssembly& last, PassAsk ask_of_last, double seconds_of_last,
+                        const std::vector<std::size_t>& n_before) {
         const Budget& budget = scene_.accuracy.budget;
         if (!budget.is_given() || last_grids_) return;
         const PassAsk next = joined(walks_);
@@ -225,8 +227,9 @@ private:
                                (!budget.bytes || cost.bytes <= *budget.bytes);
         if (is_within) return;
         last_grids_ = std::move(ask_of_last);
-        for (GridWalk& walk : walks_)
-            walk.end_with_next("the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget");
+        for (std::size_t k = 0; k < walks_.size(); ++k)
+            walks_[k].end_with_next("the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget",
+                                    walks_[k].n_passes() > n_before[k]);
     }
 
     bool is_last_pass() {
@@ -234,10 +237,12 @@ private:
         if (last_grids_) n_begun_ = cases_.size();
         tell_pass(walks_.front(), ask, options_);
         const double before = seconds_so_far();
+        std::vector<std::size_t> n_before;
+        for (const GridWalk& walk : walks_) n_before.push_back(walk.n_passes());
         const SolvedAssembly prepared = prepare_parts(unloaded_, held_, walks_.front().candidates(), ask.parts, ask.wanted,
                                                       ask.coarseness, seconds_, threads_);
         const bool is_last = ends_on(prepared);
-        if (!is_last) keep_to_budget(prepared, std::move(ask), seconds_so_far() - before);
+        if (!is_last) keep_to_budget(prepared, std::move(ask), seconds_so_far() - before, n_before);
         return is_last;
     }
 

@@ -36,12 +36,10 @@ constexpr int max_search_widenings = 5;
 constexpr double search_widening = 3, farthest_search = 1 / first_search_fraction;
 /// On the same candidates, since contacts were last found or lost; in all so many times as many.
 constexpr int max_passes = 7, most_beginnings = 4;
-
 /// For the largest stress alone, where all else is known.
 constexpr int max_sharpenings = 2;
 /// The last pressure's middle is a sixth as far from the end from pass to pass: this many tell a thousandth of a zone.
 constexpr int max_tippings = 5;
-
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
@@ -115,9 +113,12 @@ public:
         next_ = other.next_;
         passes_before_ = other.passes_before_ + other.out_.passes.size() - 1;  // without the one that this walk takes, too
     }
-    void end_with_next(const std::string& why) {
+    void end_with_next(const std::string& why, bool is_again) {
         why_end_ = why;
         is_over_ = false;
+        if (!is_again || out_.passes.size() <= comparable_from_) return;
+        out_.passes.pop_back();
+        out_.errors.pop_back();
     }
     /// The same grids, but where the stress is largest.
     bool sharpen() {
@@ -162,7 +163,6 @@ private:
     }
 
     void search() { take_own(search_scene(scene_, factor_, seconds_, out_.uses)); }
-
     void take_own(const std::vector<Candidate>& candidates) {
         const auto is_own = [&](int part) { return group_[static_cast<std::size_t>(part)]; };
         out_.candidates.clear();
@@ -581,8 +581,8 @@ GridWalk GridWalk::unsolved() {
 void GridWalk::begin_like(const GridWalk& other) {
     path_->begin_like(*other.path_);
 }
-void GridWalk::end_with_next(const std::string& why) {
-    path_->end_with_next(why);
+void GridWalk::end_with_next(const std::string& why, bool is_again) {
+    path_->end_with_next(why, is_again);
 }
 bool GridWalk::meets_others() const {
     return path_->meets_others();

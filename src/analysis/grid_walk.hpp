@@ -52,8 +52,9 @@ public:
     GridWalk unsolved();
     /// A walk that has taken nothing begins with the sizes that another of the same candidates has come to.
     void begin_like(const GridWalk& other);
-    /// Whatever the next pass gives is the last, since no finer one can be: why.
-    void end_with_next(const std::string& why);
+    /// Whatever the next pass gives is the last, since no finer one can be: why. is_again: it is on the grids of the last one,
+    /// whose place it takes.
+    void end_with_next(const std::string& why, bool is_again = false);
     /// Has a wider search met parts of other groups? They are one problem with these, then: the walk is void.
     bool meets_others() const;
     std::size_t n_passes() const;
