@@ -183,6 +183,13 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
     const bool is_by_model = of_grids && (*of_grids <= out.target || *of_grids <= by_points) && !result.accuracy.reached;
     if (result.accuracy.reached || (!is_by_model && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
     result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, of_points, result) : why_it_ended(out);
+    if (!error.contact_pressure && any_stretch(out.solved)) {
+        tell({{0, "",
+               "contact pressures are of one grid alone, which does not tell how far they are off: " + result.accuracy.why,
+               "contact pressures of one grid alone, which may be far off"}},
+             "accuracy", result);
+        return;
+    }
     const double known_to = result.accuracy.estimate.value_or(1);
     const std::string target = percent_text(out.target), estimate = percent_beside(known_to, out.target);
     tell({{0, "",

@@ -84,6 +84,16 @@ TEST(PassCost, CasesKeepToABudgetTogether) {
             EXPECT_GT(c.result.passes[k].unknowns, c.result.passes[k - 1].unknowns);
 }
 
+/// Stresses of one grid have an estimate, pressures have none.
+TEST(PassCost, PressuresOfOneGridAreNotToldByStresses) {
+    Scene scene = read_scene(std::string(ABUT_SOURCE_DIR) + "/data/scenes/four_pin_beam.json");
+    scene.accuracy.budget = parse_budget("1e-9 s");
+    const Result result = analyze(scene, {});
+    EXPECT_FALSE(result.accuracy.reached);
+    ASSERT_FALSE(result.reasons.empty());
+    EXPECT_EQ(result.reasons[0].text, "contact pressures of one grid alone, which may be far off");
+}
+
 TEST(PassCost, ABudgetThatIsEnoughChangesNothing) {
     const Outcome free = beam("", 0.01), bound = beam("10 h", 0.01);
     EXPECT_EQ(bound.end, PathEnd::reached);
