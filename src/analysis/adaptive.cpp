@@ -214,35 +214,40 @@ private:
         return sum;
     }
 
-    /// Where the next grids, of all cases, would go beyond what the user gives all are solved once more on the last ones.
-    /// n_before: passes of each before the last.
-    void keep_to_budget(const SolvedAssembly& last, PassAsk ask_of_last, double seconds_of_last,
-                        const std::vector<std::size_t>& n_before) {
+    /// Where the next grids, of all cases, would go beyond what the user gives the last ones stay.
+    void keep_to_budget(const SolvedAssembly& last, const PassAsk& ask_of_last, double seconds_of_last) {
         const Budget& budget = scene_.accuracy.budget;
-        if (!budget.is_given() || last_grids_) return;
+        if (!budget.is_given() || kept_) return;
         const PassAsk next = joined(walks_);
         PassCost cost = cost_of_pass(unloaded_, held_, next.parts, next.wanted, next.coarseness, last, seconds_of_last);
         cost.bytes += cost.unknowns * bytes_of_case * static_cast<double>(cases_.size());
         const bool is_within = (!budget.seconds || seconds_so_far() + cost.seconds <= *budget.seconds) &&
                                (!budget.bytes || cost.bytes <= *budget.bytes);
-        if (is_within) return;
-        last_grids_ = std::move(ask_of_last);
+        if (!is_within)
+            kept_ = {ask_of_last.wanted, ask_of_last.coarseness,
+                     "the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget"};
+    }
+
+    /// All are solved once more on the grids that stay.
+    void take_kept_grids(PassAsk& ask) {
+        ask.wanted = kept_->wanted;
+        ask.coarseness = kept_->coarseness;
+        n_begun_ = cases_.size();
         for (std::size_t k = 0; k < walks_.size(); ++k)
-            walks_[k].end_with_next("the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget",
-                                    walks_[k].n_passes() > n_before[k]);
+            walks_[k].end_with_next(kept_->why, walks_[k].n_passes() > passes_before_[k]);
     }
 
     bool is_last_pass() {
-        PassAsk ask = last_grids_ ? *last_grids_ : joined(walks_);
-        if (last_grids_) n_begun_ = cases_.size();
+        PassAsk ask = joined(walks_);
+        if (kept_) take_kept_grids(ask);
         tell_pass(walks_.front(), ask, options_);
         const double before = seconds_so_far();
-        std::vector<std::size_t> n_before;
-        for (const GridWalk& walk : walks_) n_before.push_back(walk.n_passes());
+        passes_before_.clear();
+        for (const GridWalk& walk : walks_) passes_before_.push_back(walk.n_passes());
         const SolvedAssembly prepared = prepare_parts(unloaded_, held_, walks_.front().candidates(), ask.parts, ask.wanted,
                                                       ask.coarseness, seconds_, threads_);
         const bool is_last = ends_on(prepared);
-        if (!is_last) keep_to_budget(prepared, std::move(ask), seconds_so_far() - before, n_before);
+        if (!is_last) keep_to_budget(prepared, ask, seconds_so_far() - before);
         return is_last;
     }
 
@@ -269,7 +274,13 @@ private:
     std::vector<Stopwatches> own_seconds_;  // by case
     std::vector<GridWalk> walks_;
     std::size_t n_begun_ = 0;
-    std::optional<PassAsk> last_grids_{};  // that the budget allows, once it is known
+    std::vector<std::size_t> passes_before_;  // the last one, by case
+    struct KeptGrids {
+        WantedSizes wanted;
+        double coarseness;
+        std::string why;
+    };
+    std::optional<KeptGrids> kept_{};  // once others would go beyond the budget
 };
 
 }  // namespace
