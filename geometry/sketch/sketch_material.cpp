@@ -223,8 +223,8 @@ struct Decision {
                      points[at(open.front())], hint);
             if (!filled.empty() && any_hatched)
                 tell(filled.front(),
-                     "areas on layer " + layer + " without a hatch, beside others that have one, are taken as parts: " +
-                         listed(filled),
+                     "areas on layer " + layer +
+                         " without a hatch, beside others that have one, are taken as parts: " + listed(filled),
                      points[at(filled.front())], hint);
             else if (filled.size() > 1)
                 tell(filled.front(),

@@ -175,15 +175,17 @@ void fill_target(const Outcome& out, const ErrorEstimate& error, const std::vect
                                                                : "stress in the energy norm";
     result.accuracy.target = out.target;
     result.accuracy.estimate = steering(error);
-    result.accuracy.reached = result.accuracy.estimate && *result.accuracy.estimate <= out.target;
+    const bool is_of_one_grid = out.end != PathEnd::no_need && !error.contact_pressure && any_stretch(out.solved);
+    result.accuracy.reached = !is_of_one_grid && result.accuracy.estimate && *result.accuracy.estimate <= out.target;
     const std::optional<double> of_grids = steering(out.errors.back());
     double by_points = 0;
     for (std::size_t k = 0; k < error.contacts.size(); ++k)
         if (error.contacts[k]) by_points = std::max(by_points, error.contacts[k]->share * at_or_zero(of_points, k));
-    const bool is_by_model = of_grids && (*of_grids <= out.target || *of_grids <= by_points) && !result.accuracy.reached;
+    const bool is_by_model =
+        !is_of_one_grid && of_grids && (*of_grids <= out.target || *of_grids <= by_points) && !result.accuracy.reached;
     if (result.accuracy.reached || (!is_by_model && (out.end == PathEnd::no_need || out.end == PathEnd::reached))) return;
     result.accuracy.why = is_by_model ? why_by_model(out, of_pairs, of_points, result) : why_it_ended(out);
-    if (!error.contact_pressure && any_stretch(out.solved)) {
+    if (is_of_one_grid) {
         tell({{0, "",
                "contact pressures are of one grid alone, which does not tell how far they are off: " + result.accuracy.why,
                "contact pressures of one grid alone, which may be far off"}},

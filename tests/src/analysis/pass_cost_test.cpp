@@ -92,6 +92,9 @@ TEST(PassCost, PressuresOfOneGridAreNotToldByStresses) {
     EXPECT_FALSE(result.accuracy.reached);
     ASSERT_FALSE(result.reasons.empty());
     EXPECT_EQ(result.reasons[0].text, "contact pressures of one grid alone, which may be far off");
+    EXPECT_NE(result.accuracy.why.find("beyond the budget"), std::string::npos) << result.accuracy.why;
+    scene.accuracy.target = 0.5;  // stresses are as good, pressures may be anything
+    EXPECT_FALSE(analyze(scene, {}).accuracy.reached);
 }
 
 TEST(PassCost, ABudgetThatIsEnoughChangesNothing) {
