@@ -208,10 +208,7 @@ private:
     }
 
     double seconds_so_far() const {
-        double sum = 0;
-        for (const char* stage : {"geometry", "assembly", "solve", "recovery"})
-            if (const auto found = seconds_.find(stage); found != seconds_.end()) sum += found->second;
-        return sum;
+        return seconds_["geometry"] + seconds_["assembly"] + seconds_["solve"] + seconds_["recovery"];
     }
 
     /// Where the next grids, of all cases, would go beyond what the user gives the last ones stay.
@@ -221,9 +218,7 @@ private:
         const PassAsk next = joined(walks_);
         PassCost cost = cost_of_pass(unloaded_, held_, next.parts, next.wanted, next.coarseness, last, seconds_of_last);
         cost.bytes += cost.unknowns * bytes_of_case * static_cast<double>(cases_.size());
-        const bool is_within = (!budget.seconds || seconds_so_far() + cost.seconds <= *budget.seconds) &&
-                               (!budget.bytes || cost.bytes <= *budget.bytes);
-        if (!is_within)
+        if (is_beyond(budget, seconds_so_far(), cost))
             kept_ = {ask_of_last.wanted, ask_of_last.coarseness,
                      "the next grids of all cases, " + cost_text(cost) + ", would go beyond the budget"};
     }

@@ -322,8 +322,7 @@ private:
         const double last_seconds = out_.passes.back().seconds - (n > 1 ? out_.passes[n - 2].seconds : 0);
         out_.next = cost_of_pass(scene_, conditions_, next.parts, next.wanted, next.coarseness, now, last_seconds);
         const double spent = seconds_so_far() + seconds_["recovery"];
-        return (budget.seconds && spent + out_.next->seconds > *budget.seconds) ||
-               (budget.bytes && out_.next->bytes > *budget.bytes);
+        return is_beyond(budget, spent, *out_.next);
     }
 
     bool out_of_passes() const {

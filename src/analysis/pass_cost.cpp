@@ -41,6 +41,10 @@ PassCost cost_of_pass(const Scene& scene, const ResolvedConditions& conditions, 
     return {growth * unknowns, last_seconds * std::pow(growth, time_growth_exponent), growth * unknowns * bytes_per_unknown};
 }
 
+bool is_beyond(const Budget& budget, double spent, const PassCost& cost) {
+    return (budget.seconds && spent + cost.seconds > *budget.seconds) || (budget.bytes && cost.bytes > *budget.bytes);
+}
+
 std::string cost_text(const PassCost& cost) {
     return "of about " + number_text(cost.unknowns, 2) + " unknowns, in " + number_text(cost.seconds, 2) + " s and " +
            number_text(cost.bytes / 1e9, 2) + " GB";

@@ -26,6 +26,9 @@ struct PassCost {
 PassCost cost_of_pass(const Scene& scene, const ResolvedConditions& conditions, const std::vector<bool>& parts,
                       const WantedSizes& wanted, double coarseness, const SolvedAssembly& now, double last_seconds);
 
+/// Does a pass take more than is left of a budget? spent: seconds so far.
+bool is_beyond(const Budget& budget, double spent, const PassCost& cost);
+
 /// "of about 12000 unknowns, in 3.1 s and 0.05 GB"
 std::string cost_text(const PassCost& cost);
 

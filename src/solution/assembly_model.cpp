@@ -415,10 +415,7 @@ bool follow_loads(const Scene& scene, SolvedAssembly& solved, Stopwatches& secon
     std::vector<solver::Interface>& faces = solved.problem.interfaces;
     if (std::none_of(faces.begin(), faces.end(), [](const solver::Interface& f) { return f.friction.has_value(); }))
         return false;
-    for (std::size_t k = 0; k < faces.size(); ++k) {
-        const VectorXd& at_once = solved.solution.pressure[k];
-        faces[k].expected.assign(at_once.begin(), at_once.begin() + n_rows(faces[k]));
-    }
+    expect_pressures_of(solved.solution, faces);
     solved.problem.path_tolerance = path_share * target_of(scene.accuracy);
     solve_contacts(scene, solved, seconds, threads);
     return true;

@@ -306,6 +306,13 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
     return c;
 }
 
+void expect_pressures_of(const solver::AssemblySolution& solution, std::vector<solver::Interface>& faces) {
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const Eigen::VectorXd& pressure = solution.pressure[k];
+        faces[k].expected.assign(pressure.begin(), pressure.begin() + n_rows(faces[k]));
+    }
+}
+
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s) {
     const double s1 = interpolate(contact.s, contact.s1, s);
     return paired(part_of(scene, contact.part[0]), part_of(scene, contact.part[1]), contact.zone, contact.pairing, s1,

@@ -84,6 +84,9 @@ ContactInterface make_interface(const Scene& scene, const Candidate& candidate, 
                                 const PartOnGrid& second, std::array<int, 2> solver_part, const std::vector<FacesByCell>& faces,
                                 KnownInterfaces* known = nullptr);
 
+/// The next search under these interfaces begins at the pressures of a solution under them.
+void expect_pressures_of(const solver::AssemblySolution& solution, std::vector<solver::Interface>& faces);
+
 /// The pair at arc length s of the middle curve.
 geometry::FacingPair pair_at(const Scene& scene, const ContactInterface& contact, double s);
 

@@ -152,7 +152,8 @@ private:
                 force[k] = solver::force_across(pull(k), solution.displacement[at(cut(k).grid)]);
             pull(k).shortening = 0;
         }
-        begin_next_at(solution);
+        if (solution.mechanism.empty() && solution.converged)  // shortenings that differ by little press what these did
+            expect_pressures_of(solution, solved_.problem.interfaces);
         solved_.is_lost = !solution.mechanism.empty();
         if (solved_.is_lost)
             solved_.failure = "tightening moves part " +
@@ -161,16 +162,6 @@ private:
         else if (!solution.converged)
             solved_.failure = "the contact iterations did not converge while parts were tightened";
         return force;
-    }
-
-    /// Shortenings that differ by little press what the ones before did.
-    void begin_next_at(const solver::AssemblySolution& solution) {
-        if (!solution.mechanism.empty() || !solution.converged) return;
-        std::vector<solver::Interface>& faces = solved_.problem.interfaces;
-        for (std::size_t k = 0; k < faces.size(); ++k) {
-            const VectorXd& pressure = solution.pressure[k];
-            faces[k].expected.assign(pressure.begin(), pressure.begin() + n_rows(faces[k]));
-        }
     }
 
     double largest_force() {
