@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "solver/contact/friction_pivots.hpp"
 #include "solver/contact/friction_states.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -21,8 +22,8 @@ using Eigen::VectorXd;
 
 constexpr double answer_residual = 1e-9;  // of the conditions: what pivots find, ties and all, is no answer above
 constexpr double cone_tolerance = 1e-8;   // relative to the loads: below, the residual is rounding, not a mechanism
-constexpr double first_fraction = 1e-6;   // of the foundation's stiffness: the first term
-constexpr int friction_passes = 12, friction_reduced_passes = 7;
+constexpr double trifle_fraction = 1e-9;  // of the foundation's stiffness: a term that next to no load is left to
+constexpr int trifle_passes = 4;
 /// Creep: the term, of the foundation's stiffness; what it bears, of the loads and of the pass before, where the bodies slide,
 /// where they may, and where they come to rest so slowly that it is reduced; and its passes, of which the first still find the
 /// contacts.
@@ -99,26 +100,17 @@ bool meets_conditions(const ShiftedQp& shifted, const ContactState& state) {
            is_in_balance(shifted.qp, state.multipliers);
 }
 
-/// The state under a proximal term from the states in `result`; false: none was found.
+/// The state under a proximal term, from the one given and the states in `result`; false: none was found.
 bool solve_pass(const ShiftedQp& shifted, const Proximal& proximal, ContactState& state, ContactQpResult& result) {
-    const ActiveSet before = result.active;
-    if (search_states(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
-    result.active = before;
-    if (search_by_bounds(shifted, proximal, result.active, state, result.iterations) == SetSearch::found) return true;
-    result.used_fallback = true;
-    bool any = false;
-    for (const Ties ties : {Ties::of_bounds, Ties::of_pressures}) {
-        const std::optional<ActiveSet> states = pivoted_states(shifted, proximal, before, ties);
-        ContactState found;
-        if (!states || !solve_states(shifted, proximal, *states, found)) continue;
-        const bool is_solution = next_states(shifted, *states, found) == *states;
-        if (any && !is_solution) break;  // neither: the first
-        result.active = *states;
-        state = std::move(found);
-        any = true;
-        if (is_solution) break;
+    ActiveSet states = result.active;
+    ContactState there;
+    if (search_states(shifted, proximal, states, there, result.iterations) == SetSearch::found) {
+        result.active = std::move(states);
+        state = std::move(there);
+        return true;
     }
-    return any;
+    result.used_fallback = true;
+    return pivot_states(shifted, proximal, result.active, state, result.iterations);
 }
 
 /// The answer on a pass's states without the term, from where it has left the bodies.
@@ -130,10 +122,13 @@ std::optional<ContactState> without_term(const ShiftedQp& shifted, const Contact
     return exact;
 }
 
-bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& state, ContactQpResult& result) {
-    const Index n = shifted.qp.modes.cols();
-    for (int pass = 0; pass < friction_passes; ++pass) {
-        if (!solve_pass(shifted, proximal, state, result)) return false;
+/// The answer by pivots from a state and the states in `result`: under a term that is a trifle, beside which each pass brings
+/// nearer what contacts hold. False: it is not found.
+bool pivot_to_answer(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
+    Proximal term = term_of(stiffness, trifle_fraction);
+    for (int pass = 0; pass < trifle_passes; ++pass) {
+        term.anchor = state.amplitudes;
+        if (!pivot_states(shifted, term, result.active, state, result.iterations)) return false;
         if (search_exactly(shifted, state, result)) return true;
         if (std::optional<ContactState> exact = without_term(shifted, state, result.active);
             exact && meets_conditions(shifted, *exact)) {
@@ -141,9 +136,6 @@ bool pass_by_pass(const ShiftedQp& shifted, Proximal proximal, ContactState& sta
             return true;
         }
         if (meets_conditions(shifted, state)) return true;
-        if (n == 0) return false;  // there is nothing that further passes could change
-        proximal.anchor = state.amplitudes;
-        if (pass + 1 < friction_reduced_passes) proximal.stiffness *= 0.1;
     }
     return false;
 }
@@ -329,22 +321,19 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-/// From the expected states; where these do not lead to an answer at once, by creep from them.
+/// From the expected states.
 bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
-    const ActiveSet expected = result.active = states_of(qp, qp.expected);
-    const Index n = qp.modes.cols();
-    std::optional<VectorXd> settled = settle_on(qp, expected);
-    if (!settled && acts_on_free(qp, held_motions(qp, expected), VectorXd::Zero(qp.gap.size()))) return false;
-    if (!settled) settled = VectorXd::Zero(n);
-    const ShiftedQp near{qp, qp.gap + qp.modes * *settled};
+    result.active = states_of(qp, qp.expected);
+    const std::optional<VectorXd> settled = settle_on(qp, result.active);
+    const VectorXd there = settled.value_or(VectorXd::Zero(qp.modes.cols()));
+    const ShiftedQp near{qp, qp.gap + qp.modes * there};
     ContactState state;
     result.converged = search_exactly(near, state, result);
-    if (!result.converged && n > 0 && solve_states(near, no_term(n), expected, state)) {
-        result.active = expected;
-        creep(near, foundation_stiffness(qp), state, result);
-        result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
+    if (!result.converged) {
+        state = {qp.expected, VectorXd::Zero(qp.modes.cols()), qp.compliance * qp.expected};
+        result.converged = pivot_to_answer(near, foundation_stiffness(qp), state, result);
     }
-    if (result.converged) write_answer(near, *settled, state, result);
+    if (result.converged) write_answer(near, there, state, result);
     return result.converged;
 }
 
@@ -354,21 +343,18 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
     if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
+    VectorXd pressures = start.multipliers;
+    for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
+    const ContactState at_rest{pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
+    const ActiveSet sticks = states_of(qp, pressures);
     ContactState state;
-    const auto stick_where_pressed = [&] {
-        VectorXd pressures = start.multipliers;
-        for (const FrictionRow& f : qp.friction) pressures[f.tangential] = 0;
-        result.active = states_of(qp, pressures);
-    };
-    stick_where_pressed();
+    result.active = sticks;
     result.converged = search_exactly(near, state, result);
-    if (!result.converged) {
+    if (!result.converged && qp.modes.cols() > 0) {
         if (finds_motion(qp, result)) return result;
-        stick_where_pressed();
-        state.amplitudes = VectorXd::Zero(qp.modes.cols());
-        const std::optional<Sliding> sliding =
-            qp.modes.cols() > 0 ? creep(near, start.stiffness, state, result).sliding : std::nullopt;
-        if (sliding) {
+        state = at_rest;
+        result.active = sticks;
+        if (const std::optional<Sliding> sliding = creep(near, start.stiffness, state, result).sliding) {
             result.mechanism = sliding->motion;
             if (qp.asks_holding_factor)
                 result.holding_factor = factor_that_stops(near, start.stiffness, state, result.active, *sliding);
@@ -376,10 +362,11 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
             return result;
         }
         result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
-        if (!result.converged) {
-            stick_where_pressed();
-            result.converged = pass_by_pass(near, term_of(start.stiffness, first_fraction), state, result);
-        }
+    }
+    if (!result.converged) {
+        state = at_rest;
+        result.active = sticks;
+        result.converged = pivot_to_answer(near, start.stiffness, state, result);
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};
     write_answer(near, start.amplitudes, state, result);

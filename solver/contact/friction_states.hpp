@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of states of the contact problem with friction: the solution on one, the next one, and those that pivots find.
+// Sets of states of the contact problem with friction: the solution on one, and the next one.
 #pragma once
-#include <optional>
-
 #include "solver/contact/friction.hpp"
 
 namespace abut::solver {
@@ -45,20 +43,5 @@ ActiveSet next_states(const ShiftedQp& shifted, const ActiveSet& states, const C
 /// least: whole steps run about where much sticks and slips.
 SetSearch search_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
                         int& iterations);
-
-/// Newton's steps from states that are found under given bounds of friction (Tresca's), those of the pressures of `states`,
-/// then of the pressures found under them, and so on. A problem with given bounds is convex, and always ends; where friction is
-/// moderate, one to three of them lead to where Newton's steps end. The proximal term must be positive definite.
-SetSearch search_by_bounds(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state,
-                           int& iterations);
-
-/// Pivots break ties by a trifle of the pressures everywhere, or of each traction's own bound. Where coefficients are small the
-/// first may be as large as what it is to decide on, and the second below its rounding.
-enum class Ties { of_bounds, of_pressures };
-
-/// The states of a solution under a proximal term that is positive definite, by Lemke's pivots from `expected` ones; nothing
-/// where these end without one.
-std::optional<ActiveSet> pivoted_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& expected,
-                                        Ties ties = Ties::of_bounds);
 
 }  // namespace abut::solver

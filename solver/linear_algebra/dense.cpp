@@ -2,6 +2,7 @@
 #include "solver/linear_algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <vector>
@@ -16,7 +17,8 @@ using Eigen::VectorXd;
 
 namespace {
 constexpr const char* rows_differ = "a right-hand side has the rows of its matrix";
-constexpr double singular = 1e-15;  // reciprocal condition number
+constexpr double singular = 1e-15;   // reciprocal condition number
+constexpr double dependent = 1e-13;  // of the largest pivot
 
 /// x = L^-1 x, or L'^-1 x.
 void solve_triangle(const MatrixXd& l, const char* transposed, MatrixXd& x) {
@@ -83,6 +85,34 @@ std::optional<MatrixXd> solve_square_columns(const MatrixXd& a, const MatrixXd& 
     MatrixXd x = solve(b);
     x += solve(b - product(a, x));
     return x;
+}
+
+SquareFactor::SquareFactor(MatrixXd a) : lu_(std::move(a)), pivots_(static_cast<std::size_t>(lu_.rows())) {
+    ENSURE(lu_.rows() == lu_.cols(), rows_differ);
+    const int n = static_cast<int>(lu_.rows());
+    int info = 0;
+    if (n > 0) dgetrf_(&n, &n, lu_.data(), &n, pivots_.data(), &info);
+    succeeded_ = info == 0;
+}
+
+VectorXd SquareFactor::solve(VectorXd b) const {
+    ENSURE(b.size() == lu_.rows(), rows_differ);
+    const int n = static_cast<int>(lu_.rows()), one = 1;
+    int info = 0;
+    if (n > 0) dgetrs_("N", &n, &one, lu_.data(), &n, pivots_.data(), b.data(), &n, &info);
+    return b;
+}
+
+std::optional<VectorXd> kernel_of(MatrixXd a) {
+    ENSURE(a.cols() == a.rows() + 1, "there is one column more than rows");
+    const auto scale_of = [](const auto& norms) { return (norms.array() > 0).select(norms, 1.0).cwiseInverse().eval(); };
+    const VectorXd columns = scale_of(VectorXd(a.colwise().norm().transpose()));
+    a = a * columns.asDiagonal();
+    a = scale_of(VectorXd(a.rowwise().norm())).asDiagonal() * a;
+    Eigen::FullPivLU<MatrixXd> factor(a);
+    factor.setThreshold(dependent);
+    if (factor.dimensionOfKernel() != 1) return std::nullopt;
+    return columns.cwiseProduct(factor.kernel().col(0));
 }
 
 MatrixXd product(const MatrixXd& a, const MatrixXd& b) {

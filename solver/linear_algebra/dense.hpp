@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 namespace abut::solver {
 
@@ -34,6 +35,23 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
 /// to rounding.
 std::optional<Eigen::VectorXd> solve_square(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 std::optional<Eigen::MatrixXd> solve_square_columns(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);  ///< A X = B
+
+/// P A = L U of a square matrix.
+class SquareFactor {
+public:
+    explicit SquareFactor(Eigen::MatrixXd a);
+    bool succeeded() const { return succeeded_; }  ///< false: a pivot is zero
+    Eigen::VectorXd solve(Eigen::VectorXd b) const;
+
+private:
+    Eigen::MatrixXd lu_;
+    std::vector<int> pivots_;
+    bool succeeded_ = false;
+};
+
+/// The vector that a matrix with one row less than columns, its rows and columns scaled, maps to nothing; nothing where there
+/// are more of them than one, to rounding.
+std::optional<Eigen::VectorXd> kernel_of(Eigen::MatrixXd a);
 
 /// A B and C += A B by BLAS, which is several times as fast as Eigen built for any processor.
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
