@@ -8,6 +8,7 @@
 // with more rows: see friction.hpp.
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "solver/linear_algebra/compliance.hpp"
@@ -15,6 +16,7 @@
 namespace abut::solver {
 
 class ClosedFactor;
+class KeptStates;
 
 /// A row of tangential traction, whose gap is the slip, and the row of the pressure that bounds it: |l_t| <= coefficient l_n,
 /// l_t = -coefficient l_n sign(slip) where it slips.
@@ -45,6 +47,8 @@ struct ContactQp {
     Eigen::VectorXd near{};
     std::vector<FrictionRow> friction{};  ///< their tangential rows count as bilateral in `unilateral`
     bool asks_holding_factor = true;      ///< of a mechanism; it takes as long as a hundred searches
+    /// With friction: what is factored of one problem answers others that differ by gaps and loads. Speed only; null: not kept.
+    std::shared_ptr<KeptStates> kept{};
 };
 
 /// The solution of the contact problem, or why there is none.

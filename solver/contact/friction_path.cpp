@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/friction_states.hpp"
+#include "solver/contact/kept_states.hpp"
 #include "src/base/ensure.hpp"
 
 namespace abut::solver {
@@ -128,6 +130,7 @@ private:
 
     ContactQp at(double end) const {
         ContactQp qp = qp_;
+        qp.kept = kept_;
         qp.gap = (1 - end) * start_.gap + end * qp_.gap;
         qp.mode_load = (1 - end) * start_.mode_load + end * qp_.mode_load;
         return qp;
@@ -293,6 +296,7 @@ private:
     double tolerance_;
     bool is_at_once_;
     std::vector<Face> faces_;
+    std::shared_ptr<KeptStates> kept_ = std::make_shared<KeptStates>();
     double scale_ = 0;
     VectorXd approach_{};  ///< of the rows, at once
     int iterations_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The path: A x = b + t c, t from 0 to 1, with a row of A for each row of the contact problem (its gap is closed, or its
 // multiplier is nothing, or what its pressure makes it) and one for each amplitude. One set of states is factored; along the
-// path rows that have changed since are residuals of it, one for each, which a small system holds to their new equations. It has
-// one more unknown than equations, the way t: its kernel is the direction of the path, whether A is singular or not.
+// path rows that have changed since are residuals of it, one for each, which a small system holds to their new equations. It
+// has one more unknown than equations, the way t: its kernel is the direction of the path, whether A is singular or not.
 #include "solver/contact/friction_pivots.hpp"
 
 #include <algorithm>
@@ -23,21 +23,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index most_changed = 48;    // rows, before the states are factored anew
-constexpr int pivots_a_row = 4;       // before a path is given up
-constexpr double slack = 1e-6;        // of the largest opening: what rows have to spare where the path begins, if they lack some
-constexpr double no_rate = 1e-13;     // of the largest: rounding
+constexpr Index most_changed = 48;  // rows, before the states are factored anew
+constexpr int pivots_a_row = 4;     // before a path is given up
+constexpr double slack = 1e-6;      // of the largest opening: what rows have to spare where the path begins, if they lack some
+constexpr double no_rate = 1e-13;   // of the largest: rounding
 constexpr double way_end = 1 + 1e-9;  // of the way to a bend: what bends where the path ends does so behind it
-
-/// A point, or a direction: multipliers over the force unit, amplitudes, and what both open the rows by.
-struct Point {
-    VectorXd forces, amplitudes, opening;
-    void add(double factor, const Point& p) {
-        forces += factor * p.forces;
-        amplitudes += factor * p.amplitudes;
-        opening += factor * p.opening;
-    }
-};
 
 /// What must stay positive as long as a row keeps its state. Bounds: the traction may grow to them forward or backward.
 enum class Keeps { pressure, gap, forward_bound, backward_bound, slip };
@@ -45,44 +35,6 @@ struct Limit {
     Index row = -1;
     Keeps keeps = Keeps::gap;
     bool operator==(const Limit& other) const { return row == other.row && keeps == other.keeps; }
-};
-
-/// A set of states, factored.
-class FactoredStates {
-public:
-    FactoredStates(const ContactQp& qp, const Proximal& proximal, const ActiveSet& states)
-        : qp_(qp),
-          unit_(force_unit(qp)),
-          unknowns_(unknowns_of(qp, states)),
-          factor_(matrix_of(qp, qp.modes, proximal.stiffness, unknowns_, unit_)) {}
-    bool succeeded() const { return factor_.succeeded(); }
-
-    /// The point with these residuals of rows (gaps of closed ones, else multipliers over the unit beside what they are to be)
-    /// and of amplitudes.
-    Point answer(const VectorXd& rows, const VectorXd& amplitudes) const {
-        Point p{rows, {}, {}};
-        for (Index k : unknowns_.rows) p.forces[k] = 0;
-        const Index m = static_cast<Index>(unknowns_.rows.size()), n = qp_.modes.cols();
-        VectorXd right(m + n);
-        right.head(m) = rows(unknowns_.rows);
-        right.tail(n) = amplitudes;
-        if (!p.forces.isZero(0)) {
-            right.head(m) -= unit_ * (qp_.compliance * p.forces)(unknowns_.rows);
-            right.tail(n) -= qp_.modes.transpose() * p.forces;
-        }
-        const VectorXd x = factor_.solve(right);
-        p.forces(unknowns_.rows) = x.head(m);
-        for (const Unknowns::Slip& s : unknowns_.slips) p.forces[s.tangential] += s.factor * x[s.column];
-        p.amplitudes = x.tail(n);
-        p.opening = unit_ * (qp_.compliance * p.forces) + qp_.modes * p.amplitudes;
-        return p;
-    }
-
-private:
-    const ContactQp& qp_;
-    double unit_;
-    Unknowns unknowns_;
-    SquareFactor factor_;
 };
 
 class StatePath {
@@ -93,9 +45,7 @@ public:
           unit_(force_unit(shifted.qp)),
           gap_(shifted.gap),
           load_(shifted.qp.mode_load),
-          friction_(index_of(shifted.gap.size()), nullptr) {
-        for (const FrictionRow& f : qp_.friction) friction_[index_of(f.normal)] = friction_[index_of(f.tangential)] = &f;
-    }
+          friction_(friction_by_row(shifted.qp)) {}
     StatePath(const StatePath&) = delete;
     StatePath& operator=(const StatePath&) = delete;
 
@@ -103,7 +53,7 @@ public:
     std::optional<ActiveSet> follow(const ActiveSet& states, const ContactState& start, int& pivots) {
         begin(states, start);
         if (!factor()) return std::nullopt;
-        Point direction = along_;
+        StatesPoint direction = along_;
         double rate = 1;
         Limit entered;
         const int most = pivots_a_row * static_cast<int>(gap_.size());
@@ -158,7 +108,8 @@ private:
                 gap = way * std::max(way * gap, least * spread(row));
         }
         begin_gap_ -= point_.opening;
-        begin_load_ = proximal_.stiffness * (point_.amplitudes - proximal_.anchor) - unit_ * (qp_.modes.transpose() * point_.forces);
+        begin_load_ =
+            proximal_.stiffness * (point_.amplitudes - proximal_.anchor) - unit_ * (qp_.modes.transpose() * point_.forces);
         way_ = 0;
     }
 
@@ -171,7 +122,7 @@ private:
 
     /// Factors the states where the path is. False: they are singular, and nothing is changed.
     bool factor() {
-        FactoredStates factored(qp_, proximal_, states_);
+        FactoredStates factored(qp_, proximal_.stiffness, states_);
         if (!factored.succeeded()) return false;
         factored_.emplace(std::move(factored));
         along_ = answer_to(begin_gap_ - gap_, (begin_load_ - load_) / unit_);
@@ -184,7 +135,7 @@ private:
         return true;
     }
     /// The point with these gaps of the closed rows.
-    Point answer_to(VectorXd gap, const VectorXd& load) const {
+    StatesPoint answer_to(VectorXd gap, const VectorXd& load) const {
         for (std::size_t k = 0; k < states_.size(); ++k)
             if (states_[k] != row_state::closed) gap[static_cast<Index>(k)] = 0;
         return factored_->answer(gap, load);
@@ -193,11 +144,16 @@ private:
     double value(const Limit& limit, const VectorXd& forces, const VectorXd& gap) const {
         const FrictionRow* f = friction_[index_of(limit.row)];
         switch (limit.keeps) {
-            case Keeps::pressure: return forces[limit.row];
-            case Keeps::gap: return gap[limit.row];
-            case Keeps::forward_bound: return f->coefficient * forces[f->normal] - forces[f->tangential];
-            case Keeps::backward_bound: return f->coefficient * forces[f->normal] + forces[f->tangential];
-            case Keeps::slip: return direction_of(states_[index_of(limit.row)]) * gap[limit.row];
+            case Keeps::pressure:
+                return forces[limit.row];
+            case Keeps::gap:
+                return gap[limit.row];
+            case Keeps::forward_bound:
+                return f->coefficient * forces[f->normal] - forces[f->tangential];
+            case Keeps::backward_bound:
+                return f->coefficient * forces[f->normal] + forces[f->tangential];
+            case Keeps::slip:
+                return direction_of(states_[index_of(limit.row)]) * gap[limit.row];
         }
         return 0;
     }
@@ -224,8 +180,9 @@ private:
         }
     }
 
-    /// The limit that a direction reaches first, and after which way; none: no row. What has just entered moves away from its own.
-    std::pair<Limit, double> next_bend(const Point& direction, double rate, const Limit& entered) const {
+    /// The limit that a direction reaches first, and after which way; none: no row. What has just entered moves away from its
+    /// own.
+    std::pair<Limit, double> next_bend(const StatesPoint& direction, double rate, const Limit& entered) const {
         const VectorXd gap = gap_here(), opens = direction.opening + rate * (gap_ - begin_gap_);
         const double least_force = no_rate * direction.forces.cwiseAbs().maxCoeff();
         const double least_gap = no_rate * opens.cwiseAbs().maxCoeff();
@@ -256,14 +213,18 @@ private:
                 state = opens ? row_state::open : row_state::closed;
                 if (f) {
                     change(f->tangential);
-                    states_[index_of(f->tangential)] = opens                              ? row_state::open
-                                                 : gap_here()[f->tangential] >= 0 ? row_state::slips_forward
-                                                                                    : row_state::slips_backward;
+                    states_[index_of(f->tangential)] = opens                            ? row_state::open
+                                                       : gap_here()[f->tangential] >= 0 ? row_state::slips_forward
+                                                                                        : row_state::slips_backward;
                 }
                 return {limit.row, opens ? Keeps::gap : Keeps::pressure};
             }
-            case Keeps::forward_bound: state = row_state::slips_backward; return {limit.row, Keeps::slip};
-            case Keeps::backward_bound: state = row_state::slips_forward; return {limit.row, Keeps::slip};
+            case Keeps::forward_bound:
+                state = row_state::slips_backward;
+                return {limit.row, Keeps::slip};
+            case Keeps::backward_bound:
+                state = row_state::slips_forward;
+                return {limit.row, Keeps::slip};
             case Keeps::slip: {
                 const Keeps bound = direction_of(state) > 0 ? Keeps::backward_bound : Keeps::forward_bound;
                 state = row_state::closed;
@@ -280,22 +241,15 @@ private:
         responses_.push_back(factored_->answer(VectorXd::Unit(gap_.size(), row), VectorXd::Zero(load_.size())));
     }
 
-    /// What a direction leaves of the equation of a row in its state.
-    double left_of(Index row, const Point& p) const {
-        const char state = states_[index_of(row)];
-        if (state == row_state::closed) return p.opening[row];
-        if (!is_tangential(row)) return p.forces[row];
-        return p.forces[row] + direction_of(state) * friction_[index_of(row)]->coefficient * p.forces[friction_[index_of(row)]->normal];
-    }
-
     /// The direction after a bend. False: it is not determined.
-    bool turn(const Limit& entered, Point& direction, double& rate) const {
+    bool turn(const Limit& entered, StatesPoint& direction, double& rate) const {
         const Index m = static_cast<Index>(changed_.size());
         MatrixXd left(m, m + 1);
         for (Index i = 0; i < m; ++i) {
             const Index row = changed_[index_of(i)];
-            for (Index j = 0; j < m; ++j) left(i, j) = left_of(row, responses_[index_of(j)]);
-            left(i, m) = left_of(row, along_) + (states_[index_of(row)] == row_state::closed ? gap_[row] - begin_gap_[row] : 0);
+            for (Index j = 0; j < m; ++j) left(i, j) = left_of(row, states_, friction_, responses_[index_of(j)]);
+            left(i, m) = left_of(row, states_, friction_, along_) +
+                         (states_[index_of(row)] == row_state::closed ? gap_[row] - begin_gap_[row] : 0);
         }
         const std::optional<VectorXd> kernel = kernel_of(left);
         if (!kernel) return false;
@@ -316,16 +270,16 @@ private:
     const ContactQp& qp_;
     const Proximal& proximal_;
     double unit_;
-    const VectorXd &gap_, &load_;                ///< at the end of the path
-    std::vector<const FrictionRow*> friction_;   ///< by row; null: without
-    VectorXd begin_gap_{}, begin_load_{};        ///< where it begins
+    const VectorXd &gap_, &load_;  ///< at the end of the path
+    FrictionByRow friction_;
+    VectorXd begin_gap_{}, begin_load_{};  ///< where it begins
     ActiveSet states_{};
-    Point point_{};
+    StatesPoint point_{};
     double way_ = 0;
     std::optional<FactoredStates> factored_{};
-    Point along_{};                   ///< the direction of the factored states
-    std::vector<Index> changed_{};    ///< rows, since these
-    std::vector<Point> responses_{};  ///< of the factored states to a unit residual of each
+    StatesPoint along_{};                   ///< the direction of the factored states
+    std::vector<Index> changed_{};          ///< rows, since these
+    std::vector<StatesPoint> responses_{};  ///< of the factored states to a unit residual of each
 };
 
 }  // namespace

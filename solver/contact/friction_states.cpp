@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/contact/friction_system.hpp"
+#include "solver/contact/kept_states.hpp"
 #include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
@@ -84,9 +85,10 @@ bool acts_on_free(const ContactQp& qp, const HeldMotions& held, const VectorXd& 
 
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state) {
     const ContactQp& qp = shifted.qp;
+    const bool is_exact = proximal.stiffness.isZero(0);
+    if (is_exact && qp.kept && qp.kept->solve(shifted, states, state)) return true;
     const Unknowns u = unknowns_of(qp, states);
     const double unit = force_unit(qp);
-    const bool is_exact = proximal.stiffness.isZero(0);
     const std::optional<HeldMotions> held = is_exact ? std::optional(held_motions(qp, states)) : std::nullopt;
     const MatrixXd modes = held ? MatrixXd(qp.modes * held->basis()) : qp.modes;
     const Index m = static_cast<Index>(u.rows.size()), n = modes.cols();

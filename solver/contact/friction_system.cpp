@@ -5,6 +5,7 @@ namespace abut::solver {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 Unknowns unknowns_of(const ContactQp& qp, const ActiveSet& states) {
     Unknowns u{{}, std::vector<Index>(states.size(), -1)};
@@ -39,6 +40,46 @@ MatrixXd matrix_of(const ContactQp& qp, const MatrixXd& modes, const MatrixXd& s
     for (const Unknowns::Slip& s : u.slips) a.col(s.column).tail(n) += s.factor * modes.row(s.tangential).transpose();
     a.bottomRightCorner(n, n) = -stiffness / unit;
     return a;
+}
+
+FrictionByRow friction_by_row(const ContactQp& qp) {
+    FrictionByRow friction(qp.unilateral.size(), nullptr);
+    for (const FrictionRow& f : qp.friction) friction[index_of(f.normal)] = friction[index_of(f.tangential)] = &f;
+    return friction;
+}
+
+double left_of(Index row, const ActiveSet& states, const FrictionByRow& friction, const StatesPoint& p) {
+    const char state = states[index_of(row)];
+    if (state == row_state::closed) return p.opening[row];
+    const double way = direction_of(state);
+    const FrictionRow* f = friction[index_of(row)];
+    return way == 0 ? p.forces[row] : p.forces[row] + way * f->coefficient * p.forces[f->normal];
+}
+
+FactoredStates::FactoredStates(const ContactQp& qp, const MatrixXd& stiffness, const ActiveSet& states)
+    : compliance_(qp.compliance),
+      modes_(qp.modes),
+      unit_(force_unit(qp)),
+      unknowns_(unknowns_of(qp, states)),
+      factor_(matrix_of(qp, qp.modes, stiffness, unknowns_, unit_)) {}
+
+StatesPoint FactoredStates::answer(const VectorXd& rows, const VectorXd& amplitudes) const {
+    StatesPoint p{rows, {}, {}};
+    for (Index k : unknowns_.rows) p.forces[k] = 0;
+    const Index m = static_cast<Index>(unknowns_.rows.size()), n = modes_.cols();
+    VectorXd right(m + n);
+    right.head(m) = rows(unknowns_.rows);
+    right.tail(n) = amplitudes;
+    if (!p.forces.isZero(0)) {
+        right.head(m) -= unit_ * (compliance_ * p.forces)(unknowns_.rows);
+        right.tail(n) -= modes_.transpose() * p.forces;
+    }
+    const VectorXd x = factor_.solve(right);
+    p.forces(unknowns_.rows) = x.head(m);
+    for (const Unknowns::Slip& s : unknowns_.slips) p.forces[s.tangential] += s.factor * x[s.column];
+    p.amplitudes = x.tail(n);
+    p.opening = unit_ * (compliance_ * p.forces) + modes_ * p.amplitudes;
+    return p;
 }
 
 }  // namespace abut::solver

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/contact/friction.hpp"
+#include "solver/linear_algebra/dense.hpp"
 
 namespace abut::solver {
 
@@ -37,5 +38,42 @@ double force_unit(const ContactQp& qp);
 /// these amplitudes.
 Eigen::MatrixXd matrix_of(const ContactQp& qp, const Eigen::MatrixXd& modes, const Eigen::MatrixXd& stiffness,
                           const Unknowns& unknowns, double unit);
+
+/// By row the friction that it is a part of; null: none.
+using FrictionByRow = std::vector<const FrictionRow*>;
+FrictionByRow friction_by_row(const ContactQp& qp);
+
+/// A point, or a direction: multipliers over the force unit, amplitudes, and what both open the rows by.
+struct StatesPoint {
+    Eigen::VectorXd forces, amplitudes, opening;
+    void add(double factor, const StatesPoint& p) {
+        forces += factor * p.forces;
+        amplitudes += factor * p.amplitudes;
+        opening += factor * p.opening;
+    }
+};
+
+/// What a direction leaves of a row's equation: its opening where it is closed, else its multiplier beside what its pressure
+/// makes it.
+double left_of(Eigen::Index row, const ActiveSet& states, const FrictionByRow& friction, const StatesPoint& direction);
+
+/// A set of states, factored.
+class FactoredStates {
+public:
+    FactoredStates(const ContactQp& qp, const Eigen::MatrixXd& stiffness, const ActiveSet& states);
+    bool succeeded() const { return factor_.succeeded(); }
+    double reciprocal_condition() const { return factor_.reciprocal_condition(); }
+
+    /// The point with these residuals of rows (the opening of closed ones, of others the multiplier over the unit beside what
+    /// their pressure makes it) and of amplitudes.
+    StatesPoint answer(const Eigen::VectorXd& rows, const Eigen::VectorXd& amplitudes) const;
+
+private:
+    Compliance compliance_;
+    Eigen::MatrixXd modes_;
+    double unit_;
+    Unknowns unknowns_;
+    SquareFactor factor_;
+};
 
 }  // namespace abut::solver

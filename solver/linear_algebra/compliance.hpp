@@ -27,6 +27,9 @@ public:
     Eigen::MatrixXd to_dense() const { return sparse_ ? Eigen::MatrixXd(*sparse_) : *dense_; }
     const Eigen::MatrixXd& dense() const;  ///< of a dense one
 
+    /// Is it a copy of the other one?
+    bool shares(const Compliance& other) const { return dense_ == other.dense_ && sparse_ == other.sparse_; }
+
     Eigen::Index rows() const { return sparse_ ? sparse_->rows() : dense_->rows(); }
     Eigen::Index cols() const { return sparse_ ? sparse_->cols() : dense_->cols(); }
     double operator()(Eigen::Index row, Eigen::Index column) const {

@@ -67,23 +67,10 @@ std::optional<VectorXd> solve_square(const MatrixXd& a, const VectorXd& b) {
 std::optional<MatrixXd> solve_square_columns(const MatrixXd& a, const MatrixXd& b) {
     ENSURE(a.rows() == a.cols() && a.rows() == b.rows(), rows_differ);
     if (b.size() == 0) return b;
-    const int n = static_cast<int>(a.rows()), columns = static_cast<int>(b.cols());
-    MatrixXd factor = a;
-    std::vector<int> pivots(static_cast<std::size_t>(n)), work_of_ints(static_cast<std::size_t>(n));
-    int info = 0;
-    dgetrf_(&n, &n, factor.data(), &n, pivots.data(), &info);
-    if (info != 0) return std::nullopt;
-    const double norm = a.cwiseAbs().colwise().sum().maxCoeff();
-    double reciprocal = 0;
-    VectorXd work(4 * n);
-    dgecon_("1", &n, factor.data(), &n, &norm, &reciprocal, work.data(), work_of_ints.data(), &info);
-    if (!(reciprocal > singular)) return std::nullopt;
-    const auto solve = [&](MatrixXd x) {
-        dgetrs_("N", &n, &columns, factor.data(), &n, pivots.data(), x.data(), &n, &info);
-        return x;
-    };
-    MatrixXd x = solve(b);
-    x += solve(b - product(a, x));
+    const SquareFactor factor(a);
+    if (!factor.succeeded() || !(factor.reciprocal_condition() > singular)) return std::nullopt;
+    MatrixXd x = factor.solve_columns(b);
+    x += factor.solve_columns(b - product(a, x));
     return x;
 }
 
@@ -91,15 +78,28 @@ SquareFactor::SquareFactor(MatrixXd a) : lu_(std::move(a)), pivots_(static_cast<
     ENSURE(lu_.rows() == lu_.cols(), rows_differ);
     const int n = static_cast<int>(lu_.rows());
     int info = 0;
-    if (n > 0) dgetrf_(&n, &n, lu_.data(), &n, pivots_.data(), &info);
+    if (n > 0) {
+        norm_ = lu_.cwiseAbs().colwise().sum().maxCoeff();
+        dgetrf_(&n, &n, lu_.data(), &n, pivots_.data(), &info);
+    }
     succeeded_ = info == 0;
 }
 
-VectorXd SquareFactor::solve(VectorXd b) const {
-    ENSURE(b.size() == lu_.rows(), rows_differ);
-    const int n = static_cast<int>(lu_.rows()), one = 1;
+double SquareFactor::reciprocal_condition() const {
+    const int n = static_cast<int>(lu_.rows());
+    double reciprocal = n > 0 ? 0 : 1;
     int info = 0;
-    if (n > 0) dgetrs_("N", &n, &one, lu_.data(), &n, pivots_.data(), b.data(), &n, &info);
+    std::vector<int> work_of_ints(pivots_.size());
+    VectorXd work(4 * n);
+    if (n > 0) dgecon_("1", &n, lu_.data(), &n, &norm_, &reciprocal, work.data(), work_of_ints.data(), &info);
+    return reciprocal;
+}
+
+MatrixXd SquareFactor::solve_columns(MatrixXd b) const {
+    ENSURE(b.rows() == lu_.rows(), rows_differ);
+    const int n = static_cast<int>(lu_.rows()), columns = static_cast<int>(b.cols());
+    int info = 0;
+    if (b.size() > 0) dgetrs_("N", &n, &columns, lu_.data(), &n, pivots_.data(), b.data(), &n, &info);
     return b;
 }
 

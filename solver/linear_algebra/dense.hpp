@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace abut::solver {
@@ -41,11 +42,14 @@ class SquareFactor {
 public:
     explicit SquareFactor(Eigen::MatrixXd a);
     bool succeeded() const { return succeeded_; }  ///< false: a pivot is zero
-    Eigen::VectorXd solve(Eigen::VectorXd b) const;
+    double reciprocal_condition() const;           ///< an estimate
+    Eigen::VectorXd solve(Eigen::VectorXd b) const { return solve_columns(std::move(b)); }
+    Eigen::MatrixXd solve_columns(Eigen::MatrixXd b) const;
 
 private:
     Eigen::MatrixXd lu_;
     std::vector<int> pivots_;
+    double norm_ = 0;
     bool succeeded_ = false;
 };
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/contact/kept_states.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abut::solver {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index most_kept_changes = 32;  // rows whose states are not those that are factored, before others are
+constexpr double kept_singular = 1e-13;  // reciprocal condition numbers
+constexpr double kept_rounding = 1e-14;  // of the terms of an equation
+constexpr int most_refinements = 3;
+
+}  // namespace
+
+bool KeptStates::is_of(const ContactQp& qp) const {
+    const auto is_same = [](const FrictionRow& a, const FrictionRow& b) {
+        return a.normal == b.normal && a.tangential == b.tangential && a.coefficient == b.coefficient;
+    };
+    return base_ && base_->compliance.shares(qp.compliance) && base_->modes == qp.modes &&
+           std::equal(base_->friction.begin(), base_->friction.end(), qp.friction.begin(), qp.friction.end(), is_same);
+}
+
+bool KeptStates::factor(const ContactQp& qp, const ActiveSet& states) {
+    const Index n = qp.modes.cols();
+    FactoredStates factored(qp, MatrixXd::Zero(n, n), states);
+    if (!factored.succeeded() || !(factored.reciprocal_condition() > kept_singular)) return false;
+    base_.emplace(Base{qp.compliance, qp.modes, qp.friction, states, std::move(factored),
+                       std::vector<std::optional<StatesPoint>>(states.size())});
+    return true;
+}
+
+bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, ContactState& state) {
+    const ContactQp& qp = shifted.qp;
+    const auto changed_in = [&] {
+        std::vector<Index> changed;
+        for (std::size_t k = 0; k < states.size(); ++k)
+            if (states[k] != base_->states[k]) changed.push_back(static_cast<Index>(k));
+        return changed;
+    };
+    const auto is_near = [&](const std::vector<Index>& changed) {
+        return static_cast<Index>(changed.size()) <= most_kept_changes && base_->n_responses <= 2 * most_kept_changes;
+    };
+    std::vector<Index> changed;
+    if (is_of(qp)) changed = changed_in();
+    if (!is_of(qp) || !is_near(changed)) {
+        if (!factor(qp, states)) return false;
+        changed.clear();
+    }
+    const FrictionByRow friction = friction_by_row(qp);
+    const Index m = static_cast<Index>(changed.size()), rows = shifted.gap.size(), n = qp.modes.cols();
+    for (Index row : changed)
+        if (std::optional<StatesPoint>& response = base_->responses[index_of(row)]; !response) {
+            response = base_->factored.answer(VectorXd::Unit(rows, row), VectorXd::Zero(n));
+            ++base_->n_responses;
+        }
+    MatrixXd left(m, m);
+    for (Index j = 0; j < m; ++j)
+        for (Index i = 0; i < m; ++i)
+            left(i, j) = left_of(changed[index_of(i)], states, friction, *base_->responses[index_of(changed[index_of(j)])]);
+    const SquareFactor small(std::move(left));
+    if (!small.succeeded() || !(small.reciprocal_condition() > kept_singular)) return false;
+
+    const double unit = force_unit(qp);
+    const VectorXd load = qp.mode_load / unit;
+    VectorXd forces = VectorXd::Zero(rows), amplitudes = VectorXd::Zero(n), closing = VectorXd::Zero(rows);
+    for (int step = 0; step <= most_refinements; ++step) {
+        const VectorXd moved = qp.modes * amplitudes, balance = qp.modes.transpose() * forces;
+        VectorXd gap = -(shifted.gap + closing + moved);  // that closed rows lack
+        for (Index k = 0; k < rows; ++k)
+            if (states[index_of(k)] != row_state::closed) gap[k] = 0;
+        const VectorXd unbalanced = -(load + balance);
+        const auto is_rounding = [](const VectorXd& lack, const VectorXd& a, const VectorXd& b, const VectorXd& c) {
+            return lack.size() == 0 ||
+                   lack.cwiseAbs().maxCoeff() <= kept_rounding * (a.cwiseAbs() + b.cwiseAbs() + c.cwiseAbs()).maxCoeff();
+        };
+        const VectorXd terms = qp.modes.cwiseAbs().transpose() * forces.cwiseAbs();
+        if (is_rounding(gap, shifted.gap, closing, moved) && is_rounding(unbalanced, load, terms, balance)) {
+            state = {unit * forces, std::move(amplitudes), std::move(closing)};
+            return true;
+        }
+        if (step == most_refinements) break;
+        VectorXd of_base = gap;
+        for (Index row : changed) of_base[row] = 0;
+        StatesPoint more = base_->factored.answer(of_base, unbalanced);
+        VectorXd right(m);
+        for (Index i = 0; i < m; ++i)
+            right[i] = gap[changed[index_of(i)]] - left_of(changed[index_of(i)], states, friction, more);
+        right = small.solve(std::move(right));
+        for (Index i = 0; i < m; ++i) more.add(right[i], *base_->responses[index_of(changed[index_of(i)])]);
+        forces += more.forces;
+        amplitudes += more.amplitudes;
+        for (Index k = 0; k < rows; ++k)
+            if (states[index_of(k)] == row_state::open) forces[k] = 0;
+        for (const FrictionRow& f : qp.friction)
+            if (const double way = direction_of(states[index_of(f.tangential)]); way != 0)
+                forces[f.tangential] = -way * f.coefficient * forces[f.normal];
+        closing = unit * (qp.compliance * forces);
+    }
+    return false;
+}
+
+}  // namespace abut::solver

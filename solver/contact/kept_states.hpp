@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The factor of a set of states of the contact problem with friction, kept from one set to the next.
+#pragma once
+#include <optional>
+
+#include "solver/contact/friction_system.hpp"
+
+namespace abut::solver {
+
+/// Searches come from set to set by a few rows, and from load to load by none: what is factored once answers them all.
+class KeptStates {
+public:
+    /// The point of solve_states without a proximal term, to rounding. False, and the point is not touched: the set is close to
+    /// singular.
+    bool solve(const ShiftedQp& shifted, const ActiveSet& states, ContactState& state);
+
+private:
+    struct Base {
+        Compliance compliance;
+        Eigen::MatrixXd modes;
+        std::vector<FrictionRow> friction;
+        ActiveSet states;
+        FactoredStates factored;
+        std::vector<std::optional<StatesPoint>> responses;  ///< by row: to a unit residual
+        Eigen::Index n_responses = 0;
+    };
+    bool is_of(const ContactQp& qp) const;
+    bool factor(const ContactQp& qp, const ActiveSet& states);
+
+    std::optional<Base> base_{};
+};
+
+}  // namespace abut::solver
