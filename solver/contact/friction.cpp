@@ -31,6 +31,8 @@ constexpr double creep_fraction = 1e-3, creep_load = 1e-6, creep_lasts = 1 - 1e-
 constexpr int creep_passes = 24, steady_passes = 4;
 /// What slides is stopped by rows that come so fast, of how fast it slips. Slower ones are those of round faces that slide.
 constexpr double stop_slope = 0.1, stop_rounding = 1e-6;
+/// Of the largest elastic closing: slips beyond are none of bodies that rest near where they were.
+constexpr double far_slip = 10;
 /// Mechanisms: how much larger coefficients are looked at, and how closely; of sliding bodies, whose pressures change with it.
 constexpr double largest_factor = 1000, factor_accuracy = 1e-5, sliding_accuracy = 5e-5;
 constexpr int factors_tried = 16;
@@ -321,6 +323,19 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
+/// Has a search come to where bodies have slid along faces that do not stop them, much farther than these give way? What is
+/// linear may hold them there, round bodies as they are would not be.
+bool has_slid_away(const ShiftedQp& shifted, const ContactState& state, const ActiveSet& states) {
+    const VectorXd way = shifted.qp.modes * state.amplitudes;
+    double slip = 0, stop = 0;
+    for (const FrictionRow& f : shifted.qp.friction) {
+        if (states[static_cast<std::size_t>(f.normal)] == row_state::open) continue;
+        slip = std::max(slip, std::abs(way[f.tangential]));
+        stop = std::max(stop, -way[f.normal]);
+    }
+    return slip > far_slip * state.closing.cwiseAbs().maxCoeff() && stop < stop_slope * slip;
+}
+
 /// From the expected states.
 bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     result.active = states_of(qp, qp.expected);
@@ -331,7 +346,8 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     result.converged = search_exactly(near, state, result);
     if (!result.converged) {
         state = {qp.expected, VectorXd::Zero(qp.modes.cols()), qp.compliance * qp.expected};
-        result.converged = pivot_to_answer(near, foundation_stiffness(qp), state, result);
+        result.converged =
+            pivot_to_answer(near, foundation_stiffness(qp), state, result) && !has_slid_away(near, state, result.active);
     }
     if (result.converged) write_answer(near, there, state, result);
     return result.converged;

@@ -23,10 +23,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index most_changed = 48;  // rows, before the states are factored anew
-constexpr int pivots_a_row = 4;     // before a path is given up
-constexpr double slack = 1e-6;      // of the largest opening: what rows have to spare where the path begins, if they lack some
-constexpr double no_rate = 1e-13;   // of the largest: rounding
+constexpr std::size_t longest_singular = 2;  // as many changes as are usual, where states on the path are singular
+constexpr int pivots_a_row = 4;              // before a path is given up
+constexpr double slack = 1e-6;     // of the largest opening: what rows have to spare where the path begins, if they lack some
+constexpr double no_rate = 1e-13;  // of the largest: rounding
 constexpr double way_end = 1 + 1e-9;  // of the way to a bend: what bends where the path ends does so behind it
 
 /// What must stay positive as long as a row keeps its state. Bounds: the traction may grow to them forward or backward.
@@ -56,8 +56,8 @@ public:
         StatesPoint direction = along_;
         double rate = 1;
         Limit entered;
-        const int most = pivots_a_row * static_cast<int>(gap_.size());
-        for (int pivot = 0; pivot < most; ++pivot) {
+        const int most_pivots = pivots_a_row * static_cast<int>(gap_.size());
+        for (int pivot = 0; pivot < most_pivots; ++pivot) {
             const auto [bend, way] = next_bend(direction, rate, entered);
             if (rate > 0 && 1 - way_ <= rate * way * way_end) return states_;
             if (bend.row < 0) return std::nullopt;
@@ -66,7 +66,8 @@ public:
             if (way_ < 0) return std::nullopt;
             ++pivots;
             entered = cross(bend);
-            if (changed_.size() >= most_changed && !factor() && changed_.size() >= 2 * most_changed) return std::nullopt;
+            if (const std::size_t most = factored_->most_changes(); changed_.size() >= most)
+                if (!factor() && changed_.size() >= longest_singular * most) return std::nullopt;
             if (!turn(entered, direction, rate)) return std::nullopt;
         }
         return std::nullopt;
@@ -138,7 +139,9 @@ private:
     StatesPoint answer_to(VectorXd gap, const VectorXd& load) const {
         for (std::size_t k = 0; k < states_.size(); ++k)
             if (states_[k] != row_state::closed) gap[static_cast<Index>(k)] = 0;
-        return factored_->answer(gap, load);
+        StatesPoint point = factored_->answer(gap, load);
+        factored_->fill_opening(point);
+        return point;
     }
 
     double value(const Limit& limit, const VectorXd& forces, const VectorXd& gap) const {
@@ -239,6 +242,7 @@ private:
         if (std::find(changed_.begin(), changed_.end(), row) != changed_.end()) return;
         changed_.push_back(row);
         responses_.push_back(factored_->answer(VectorXd::Unit(gap_.size(), row), VectorXd::Zero(load_.size())));
+        factored_->fill_opening(responses_.back());
     }
 
     /// The direction after a bend. False: it is not determined.

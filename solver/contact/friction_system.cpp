@@ -71,15 +71,24 @@ StatesPoint FactoredStates::answer(const VectorXd& rows, const VectorXd& amplitu
     right.head(m) = rows(unknowns_.rows);
     right.tail(n) = amplitudes;
     if (!p.forces.isZero(0)) {
-        right.head(m) -= unit_ * (compliance_ * p.forces)(unknowns_.rows);
+        right.head(m) -= unit_ * compliance_.product_at(unknowns_.rows, p.forces);
         right.tail(n) -= modes_.transpose() * p.forces;
     }
     const VectorXd x = factor_.solve(right);
     p.forces(unknowns_.rows) = x.head(m);
     for (const Unknowns::Slip& s : unknowns_.slips) p.forces[s.tangential] += s.factor * x[s.column];
     p.amplitudes = x.tail(n);
-    p.opening = unit_ * (compliance_ * p.forces) + modes_ * p.amplitudes;
     return p;
+}
+
+void FactoredStates::fill_opening(StatesPoint& point) const {
+    point.opening = unit_ * (compliance_ * point.forces) + modes_ * point.amplitudes;
+}
+
+void FactoredStates::fill_opening(StatesPoint& point, const std::vector<Index>& rows) const {
+    point.opening.resize(point.forces.size());
+    const VectorXd moved = modes_(rows, Eigen::all) * point.amplitudes;
+    point.opening(rows) = unit_ * compliance_.product_at(rows, point.forces) + moved;
 }
 
 }  // namespace abut::solver

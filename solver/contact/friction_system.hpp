@@ -62,11 +62,16 @@ class FactoredStates {
 public:
     FactoredStates(const ContactQp& qp, const Eigen::MatrixXd& stiffness, const ActiveSet& states);
     bool succeeded() const { return factor_.succeeded(); }
+    /// How many rows may have other states before a new factor costs less than what they ask of this one.
+    std::size_t most_changes() const { return 8 + unknowns_.rows.size() / 8; }
     double reciprocal_condition() const { return factor_.reciprocal_condition(); }
 
     /// The point with these residuals of rows (the opening of closed ones, of others the multiplier over the unit beside what
-    /// their pressure makes it) and of amplitudes.
+    /// their pressure makes it) and of amplitudes. Its opening is not filled in.
     StatesPoint answer(const Eigen::VectorXd& rows, const Eigen::VectorXd& amplitudes) const;
+    void fill_opening(StatesPoint& point) const;
+    /// The same in these rows alone; the others are not touched.
+    void fill_opening(StatesPoint& point, const std::vector<Eigen::Index>& rows) const;
 
 private:
     Compliance compliance_;

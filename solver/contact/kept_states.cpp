@@ -12,10 +12,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index most_kept_changes = 32;  // rows whose states are not those that are factored, before others are
 constexpr double kept_singular = 1e-13;  // reciprocal condition numbers
 constexpr double kept_rounding = 1e-14;  // of the terms of an equation
 constexpr int most_refinements = 3;
+
+double largest(const VectorXd& v) {
+    return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0;
+}
 
 }  // namespace
 
@@ -45,7 +48,8 @@ bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, Contac
         return changed;
     };
     const auto is_near = [&](const std::vector<Index>& changed) {
-        return static_cast<Index>(changed.size()) <= most_kept_changes && base_->n_responses <= 2 * most_kept_changes;
+        const std::size_t most = base_->factored.most_changes();
+        return changed.size() <= most && base_->n_responses <= 2 * most;
     };
     std::vector<Index> changed;
     if (is_of(qp)) changed = changed_in();
@@ -58,6 +62,7 @@ bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, Contac
     for (Index row : changed)
         if (std::optional<StatesPoint>& response = base_->responses[index_of(row)]; !response) {
             response = base_->factored.answer(VectorXd::Unit(rows, row), VectorXd::Zero(n));
+            base_->factored.fill_opening(*response);
             ++base_->n_responses;
         }
     MatrixXd left(m, m);
@@ -69,31 +74,40 @@ bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, Contac
 
     const double unit = force_unit(qp);
     const VectorXd load = qp.mode_load / unit;
-    VectorXd forces = VectorXd::Zero(rows), amplitudes = VectorXd::Zero(n), closing = VectorXd::Zero(rows);
+    std::vector<Index> closed;
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (states[k] == row_state::closed) closed.push_back(static_cast<Index>(k));
+    const MatrixXd closed_modes = qp.modes(closed, Eigen::all);
+    const VectorXd closed_gap = shifted.gap(closed);
+    VectorXd forces = VectorXd::Zero(rows), amplitudes = VectorXd::Zero(n), gap = VectorXd::Zero(rows);
     for (int step = 0; step <= most_refinements; ++step) {
-        const VectorXd moved = qp.modes * amplitudes, balance = qp.modes.transpose() * forces;
-        VectorXd gap = -(shifted.gap + closing + moved);  // that closed rows lack
-        for (Index k = 0; k < rows; ++k)
-            if (states[index_of(k)] != row_state::closed) gap[k] = 0;
-        const VectorXd unbalanced = -(load + balance);
-        const auto is_rounding = [](const VectorXd& lack, const VectorXd& a, const VectorXd& b, const VectorXd& c) {
-            return lack.size() == 0 ||
-                   lack.cwiseAbs().maxCoeff() <= kept_rounding * (a.cwiseAbs() + b.cwiseAbs() + c.cwiseAbs()).maxCoeff();
-        };
-        const VectorXd terms = qp.modes.cwiseAbs().transpose() * forces.cwiseAbs();
-        if (is_rounding(gap, shifted.gap, closing, moved) && is_rounding(unbalanced, load, terms, balance)) {
-            state = {unit * forces, std::move(amplitudes), std::move(closing)};
+        // what the equations lack: of closed rows the gap, of amplitudes the balance
+        const VectorXd closing = unit * qp.compliance.product_at(closed, forces), moved = closed_modes * amplitudes;
+        const VectorXd open = -(closed_gap + closing + moved);
+        const VectorXd unbalanced = -(load + qp.modes.transpose() * forces);
+        const double gap_terms = largest(closed_gap) + largest(closing) + largest(moved);
+        const double load_terms = largest(load) + largest(qp.modes.cwiseAbs().transpose() * forces.cwiseAbs());
+        if (largest(open) <= kept_rounding * gap_terms && largest(unbalanced) <= kept_rounding * load_terms) {
+            state.multipliers = unit * forces;
+            state.amplitudes = std::move(amplitudes);
+            state.closing = qp.compliance * state.multipliers;
             return true;
         }
         if (step == most_refinements) break;
+        gap(closed) = open;
         VectorXd of_base = gap;
         for (Index row : changed) of_base[row] = 0;
         StatesPoint more = base_->factored.answer(of_base, unbalanced);
+        base_->factored.fill_opening(more, changed);
         VectorXd right(m);
         for (Index i = 0; i < m; ++i)
             right[i] = gap[changed[index_of(i)]] - left_of(changed[index_of(i)], states, friction, more);
         right = small.solve(std::move(right));
-        for (Index i = 0; i < m; ++i) more.add(right[i], *base_->responses[index_of(changed[index_of(i)])]);
+        for (Index i = 0; i < m; ++i) {
+            const StatesPoint& response = *base_->responses[index_of(changed[index_of(i)])];
+            more.forces += right[i] * response.forces;
+            more.amplitudes += right[i] * response.amplitudes;
+        }
         forces += more.forces;
         amplitudes += more.amplitudes;
         for (Index k = 0; k < rows; ++k)
@@ -101,7 +115,6 @@ bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, Contac
         for (const FrictionRow& f : qp.friction)
             if (const double way = direction_of(states[index_of(f.tangential)]); way != 0)
                 forces[f.tangential] = -way * f.coefficient * forces[f.normal];
-        closing = unit * (qp.compliance * forces);
     }
     return false;
 }

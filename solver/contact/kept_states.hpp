@@ -22,7 +22,7 @@ private:
         ActiveSet states;
         FactoredStates factored;
         std::vector<std::optional<StatesPoint>> responses;  ///< by row: to a unit residual
-        Eigen::Index n_responses = 0;
+        std::size_t n_responses = 0;
     };
     bool is_of(const ContactQp& qp) const;
     bool factor(const ContactQp& qp, const ActiveSet& states);

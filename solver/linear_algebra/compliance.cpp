@@ -44,6 +44,17 @@ VectorXd Compliance::operator*(const VectorXd& x) const {
     return product;
 }
 
+VectorXd Compliance::product_at(const std::vector<Index>& rows, const VectorXd& x) const {
+    if (sparse_) return (*sparse_ * x)(rows);
+    VectorXd product = VectorXd::Zero(static_cast<Index>(rows.size()));
+    for (Index j = 0; j < x.size(); ++j) {
+        if (x[j] == 0) continue;
+        const double* column = dense_->data() + j * dense_->rows();
+        for (std::size_t i = 0; i < rows.size(); ++i) product[static_cast<Index>(i)] += x[j] * column[rows[i]];
+    }
+    return product;
+}
+
 Compliance Compliance::scaled(const VectorXd& s) const {
     if (!sparse_) return MatrixXd(s.asDiagonal() * *dense_ * s.asDiagonal());
     Eigen::SparseMatrix<double> scaled = *sparse_;
