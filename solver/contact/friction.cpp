@@ -323,17 +323,14 @@ bool finds_motion(const ContactQp& qp, ContactQpResult& result) {
     return true;
 }
 
-/// Has a search come to where bodies have slid along faces that do not stop them, much farther than these give way? What is
-/// linear may hold them there, round bodies as they are would not be.
-bool has_slid_away(const ShiftedQp& shifted, const ContactState& state, const ActiveSet& states) {
+/// Has a search left bodies much farther from where it began than they give way? Where several answers are possible, or what is
+/// linear holds what has slid along a round face, that is none of bodies that come to rest on their way.
+bool has_gone_far(const ShiftedQp& shifted, const ContactState& state, const ActiveSet& states) {
     const VectorXd way = shifted.qp.modes * state.amplitudes;
-    double slip = 0, stop = 0;
-    for (const FrictionRow& f : shifted.qp.friction) {
-        if (states[static_cast<std::size_t>(f.normal)] == row_state::open) continue;
-        slip = std::max(slip, std::abs(way[f.tangential]));
-        stop = std::max(stop, -way[f.normal]);
-    }
-    return slip > far_slip * state.closing.cwiseAbs().maxCoeff() && stop < stop_slope * slip;
+    double slip = 0;
+    for (const FrictionRow& f : shifted.qp.friction)
+        if (states[static_cast<std::size_t>(f.normal)] != row_state::open) slip = std::max(slip, std::abs(way[f.tangential]));
+    return slip > far_slip * state.closing.cwiseAbs().maxCoeff();
 }
 
 /// From the expected states.
@@ -347,7 +344,7 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
     if (!result.converged) {
         state = {qp.expected, VectorXd::Zero(qp.modes.cols()), qp.compliance * qp.expected};
         result.converged =
-            pivot_to_answer(near, foundation_stiffness(qp), state, result) && !has_slid_away(near, state, result.active);
+            pivot_to_answer(near, foundation_stiffness(qp), state, result) && !has_gone_far(near, state, result.active);
     }
     if (result.converged) write_answer(near, there, state, result);
     return result.converged;
@@ -356,7 +353,8 @@ bool answer_from_expected(const ContactQp& qp, ContactQpResult& result) {
 ContactQpResult solve_from_anywhere(const ContactQp& qp) {
     ContactQpResult result;
     result.multipliers = result.settled = result.motion = result.gap = VectorXd(0);
-    if (qp.expected.size() > 0 && answer_from_expected(qp, result)) return result;
+    const bool is_pressed = qp.expected.size() > 0 && !qp.expected.isZero(0);
+    if (is_pressed && answer_from_expected(qp, result)) return result;
     const Settled start = settle_rigidly(qp);
     const ShiftedQp near{qp, qp.gap + qp.modes * start.amplitudes};
     VectorXd pressures = start.multipliers;
