@@ -20,25 +20,22 @@ inline constexpr char open = 0, closed = 1, slips_forward = 2 /* slip > 0 */, sl
 }
 
 /// Solves the contact problem with friction, in these steps:
-/// 0. Where multipliers are expected, step 1 from their states. Usually the end; else the creep of step 3 from there, which is
-///    the end where bodies come to rest.
+/// 0. Where multipliers are expected, step 1 from their states. Usually the end; else pivots from there (friction_pivots.hpp),
+///    which are where they leave bodies near to where they were. They need a proximal term on the amplitudes: one that is a
+///    trifle, and what it bears is taken away in a few passes.
 /// 1. Semismooth Newton steps (the primal-dual active set with four states [Hueber05, Alart91]) from the bodies at rest on
 ///    a Winkler foundation, everything that is pressed sticking.
 /// 2. Where that does not end: are there any pressures and tractions within the cones of friction that balance the loads?
 ///    Non-negative least squares over the cones' edges; if there are none, their residual is a motion.
 /// 3. Forces within the cones may balance, and elastic bodies not press on each other so, or not there (a shrink fit, round
-///    bodies). Passes of step 1 under a proximal term on the amplitudes, a brake that gives way from pass to pass (creep):
-///    where it bears as much of the loads in the end, the bodies slide. That motion is the mechanism, and the same is tried
+///    bodies). Passes of step 1 under a proximal term, a brake that gives way from pass to pass (creep): where it bears as much of the loads in the end, the bodies slide. That motion is the mechanism, and the same is tried
 ///    with larger coefficients until they rest. Finer rows may press elsewhere: the state in which they slide is given as well
 ///    (feasible, not converged, with a mechanism).
-/// 4. Step 1 from where the creep ended, else passes of step 1 under a term that is reduced tenfold each time. Each pass tries
-///    the set without the term.
-/// Newton steps are cut where whole ones do not bring the residual of all conditions down. In 3 and 4, where that does not end,
-/// they begin again from states under given bounds of friction, and where that does not end either Lemke's pivots find the
-/// states of the linear complementarity problem that it is [Klarbring86], beginning with those of the pass before. Converged is
-/// what meets all conditions. Coefficients above those of any materials (rough faces) are taken as 5, or ten times as much and
-/// so on: the least that lets next to nothing slip, else the one that lets least. The result says what was taken, and what
-/// slips.
+/// 4. Step 1 from where the creep ended, else pivots as in step 0 from the bodies at rest.
+/// Newton steps are cut where whole ones do not bring the residual of all conditions down; where they do not end in 3, pivots
+/// from the pass before do. Converged is what meets all conditions. Coefficients above those of any materials (rough faces) are
+/// taken as 5, or ten times as much and so on: the least that lets next to nothing slip, else the one that lets least. The
+/// result says what was taken, and what slips.
 ContactQpResult solve_with_friction(const ContactQp& qp);
 
 /// Several answers are possible where coefficients are large: is there another one, found from everything slipping?

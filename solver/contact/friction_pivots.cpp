@@ -82,7 +82,8 @@ private:
         point_.forces = start.multipliers / unit_;
         point_.amplitudes = start.amplitudes;
         for (std::size_t k = 0; k < states.size(); ++k)
-            if (double& force = point_.forces[static_cast<Index>(k)]; qp_.unilateral[k] && !(force > 0)) {
+            if (double& force = point_.forces[static_cast<Index>(k)];
+                qp_.unilateral[k] && (states[k] == row_state::open || !(force > 0))) {
                 states_[k] = row_state::open;
                 force = 0;
             }
@@ -289,6 +290,7 @@ private:
 }  // namespace
 
 bool pivot_states(const ShiftedQp& shifted, const Proximal& proximal, ActiveSet& states, ContactState& state, int& iterations) {
+    if (shifted.gap.size() == 0) return false;
     const std::optional<ActiveSet> found = StatePath(shifted, proximal).follow(states, state, iterations);
     ContactState there;
     if (!found || !solve_states(shifted, proximal, *found, there)) return false;

@@ -39,7 +39,7 @@ double force_unit(const ContactQp& qp);
 Eigen::MatrixXd matrix_of(const ContactQp& qp, const Eigen::MatrixXd& modes, const Eigen::MatrixXd& stiffness,
                           const Unknowns& unknowns, double unit);
 
-/// By row the friction that it is a part of; null: none.
+/// The friction that each row is a part of; null: none.
 using FrictionByRow = std::vector<const FrictionRow*>;
 FrictionByRow friction_by_row(const ContactQp& qp);
 
@@ -70,7 +70,7 @@ public:
     /// their pressure makes it) and of amplitudes. Its opening is not filled in.
     StatesPoint answer(const Eigen::VectorXd& rows, const Eigen::VectorXd& amplitudes) const;
     void fill_opening(StatesPoint& point) const;
-    /// The same in these rows alone; the others are not touched.
+    /// Fills it in in these rows alone; the others are not touched.
     void fill_opening(StatesPoint& point, const std::vector<Eigen::Index>& rows) const;
 
 private:

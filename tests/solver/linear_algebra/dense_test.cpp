@@ -73,5 +73,31 @@ TEST(Dense, RefusesOtherSizes) {
     EXPECT_THROW(PivotedCholesky(a).solve_columns(three), std::logic_error);
 }
 
+TEST(Dense, SquareFactorsSolveAndTellHowWell) {
+    const MatrixXd a = (MatrixXd(3, 3) << 0, 2, 1, 1, 0, 3, 2, 1, 0).finished();
+    const SquareFactor factor(a);
+    ASSERT_TRUE(factor.succeeded());
+    const VectorXd b{{1, -2, 0.5}};
+    EXPECT_LT((a * factor.solve(b) - b).norm(), 10 * rounding);
+    EXPECT_LT((a * factor.solve_columns(MatrixXd::Identity(3, 3)) - MatrixXd::Identity(3, 3)).norm(), 10 * rounding);
+    EXPECT_GT(factor.reciprocal_condition(), 0.05);
+    EXPECT_FALSE(SquareFactor(MatrixXd::Zero(2, 2)).succeeded());
+    MatrixXd nearly = MatrixXd::Ones(2, 2);
+    nearly(0, 0) += 1e-12;
+    EXPECT_LT(SquareFactor(nearly).reciprocal_condition(), 1e-12);
+    EXPECT_EQ(SquareFactor(MatrixXd(0, 0)).reciprocal_condition(), 1);
+}
+
+/// Whatever the sizes of rows and columns; of a matrix whose rows depend on each other there are two.
+TEST(Dense, TheKernelIsWhatAMatrixMapsToNothing) {
+    const MatrixXd a = (MatrixXd(2, 3) << 1e9, 2, 3e-6, 2e3, 1e-6, -1e-12).finished();
+    const auto kernel = kernel_of(a);
+    ASSERT_TRUE(kernel);
+    EXPECT_GT(kernel->norm(), 0);
+    EXPECT_LT((a * *kernel).cwiseAbs().cwiseQuotient(a.cwiseAbs() * kernel->cwiseAbs()).maxCoeff(), 10 * rounding);
+    EXPECT_FALSE(kernel_of((MatrixXd(2, 3) << 1, 2, 3, 2, 4, 6).finished()));
+    EXPECT_TRUE(kernel_of(MatrixXd(0, 1)));
+}
+
 }  // namespace
 }  // namespace abut::solver::dense_test

@@ -129,6 +129,32 @@ TEST(FrictionAnalysis, HoldsNoMoreThanItCan) {
     EXPECT_EQ(answer({R"({"friction": 0.26})"}).status, "ok");
 }
 
+/// Two discs on a floor that carry a third one rest where friction exceeds tan 15 degrees, 0.268. Below they part, and nothing
+/// but the third one stops them, far away.
+TEST(FrictionAnalysis, DiscsThatPartAreNotSaidToRest) {
+    const auto discs = [](double friction) {
+        const auto disc = [](const std::string& name, double x, double y) {
+            return R"({"name": ")" + name + R"(", "material": "steel", "geometry": {"circle": {"center": [)" +
+                   std::to_string(x) + "," + std::to_string(y) + R"(], "radius": 10}}})";
+        };
+        return analyze(read_scene_text(R"({"abut": 1, "units": {"length": "mm", "force": "N"}, "parts": [
+            {"name": "base", "material": "steel", "geometry": {"rectangle": {"min": [-60, -30], "max": [60, 0]}}},)" +
+                                           disc("l", -10.005, 10) + "," + disc("r", 10.005, 10) + "," +
+                                           disc("t", 0, 10 + std::sqrt(400 - 10.005 * 10.005)) + R"(],
+            "supports": [{"on": "base/bottom", "fix": ["x", "y"]}], "loads": [{"part": "t", "force": [0, -1000]}],
+            "contacts": {"friction": )" + std::to_string(friction) +
+                                           R"(}, "accuracy": {"level": "draft"}})",
+                                       "discs.json"),
+                       {});
+    };
+    for (const double friction : {0.15, 0.25}) {
+        const Result r = discs(friction);
+        EXPECT_EQ(r.status, "failed") << friction;
+        EXPECT_NE(r.message.find("would hold it"), std::string::npos) << r.message;
+    }
+    EXPECT_EQ(discs(0.3).status, "ok");
+}
+
 TEST(FrictionAnalysis, RemembersFromStepToStep) {
     Blocks blocks;
     blocks.more = R"(, "steps": [{"name": "press", "loads": {"press": 1}}, {"name": "push", "loads": {"press": 1, "push": 1}},
