@@ -124,9 +124,10 @@ std::optional<ContactState> without_term(const ShiftedQp& shifted, const Contact
     return exact;
 }
 
-/// The answer by pivots from a state and the states in `result`: under a term that is a trifle, beside which each pass brings
-/// nearer what contacts hold. False: it is not found.
+/// The answer by pivots from a state and the states in `result`, under a term that is a trifle: what it still bears of what
+/// contacts hold is less with each pass. False: it is not found.
 bool pivot_to_answer(const ShiftedQp& shifted, const MatrixXd& stiffness, ContactState& state, ContactQpResult& result) {
+    result.used_fallback = true;
     Proximal term = term_of(stiffness, trifle_fraction);
     for (int pass = 0; pass < trifle_passes; ++pass) {
         term.anchor = state.amplitudes;

@@ -6,11 +6,11 @@
 
 namespace abut::solver {
 
-namespace {
-
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
 
 constexpr double kept_singular = 1e-13;  // reciprocal condition numbers
 constexpr double kept_rounding = 1e-14;  // of the terms of an equation
@@ -39,32 +39,33 @@ bool KeptStates::factor(const ContactQp& qp, const ActiveSet& states) {
     return true;
 }
 
-bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, ContactState& state) {
-    const ContactQp& qp = shifted.qp;
-    const auto changed_in = [&] {
-        std::vector<Index> changed;
+std::optional<std::vector<Index>> KeptStates::changes_to(const ContactQp& qp, const ActiveSet& states) {
+    std::vector<Index> changed;
+    if (is_of(qp))
         for (std::size_t k = 0; k < states.size(); ++k)
             if (states[k] != base_->states[k]) changed.push_back(static_cast<Index>(k));
-        return changed;
-    };
-    const auto is_near = [&](const std::vector<Index>& changed) {
-        const std::size_t most = base_->factored.most_changes();
-        return changed.size() <= most && base_->n_responses <= 2 * most;
-    };
-    std::vector<Index> changed;
-    if (is_of(qp)) changed = changed_in();
-    if (!is_of(qp) || !is_near(changed)) {
-        if (!factor(qp, states)) return false;
+    if (const std::size_t most = base_ ? base_->factored.most_changes() : 0;
+        !is_of(qp) || changed.size() > most || base_->n_responses > 2 * most) {
+        if (!factor(qp, states)) return std::nullopt;
         changed.clear();
     }
-    const FrictionByRow friction = friction_by_row(qp);
-    const Index m = static_cast<Index>(changed.size()), rows = shifted.gap.size(), n = qp.modes.cols();
+    const Index rows = qp.gap.size(), n = qp.modes.cols();
     for (Index row : changed)
         if (std::optional<StatesPoint>& response = base_->responses[index_of(row)]; !response) {
             response = base_->factored.answer(VectorXd::Unit(rows, row), VectorXd::Zero(n));
             base_->factored.fill_opening(*response);
             ++base_->n_responses;
         }
+    return changed;
+}
+
+bool KeptStates::solve(const ShiftedQp& shifted, const ActiveSet& states, ContactState& state) {
+    const ContactQp& qp = shifted.qp;
+    const std::optional<std::vector<Index>> changes = changes_to(qp, states);
+    if (!changes) return false;
+    const std::vector<Index>& changed = *changes;
+    const FrictionByRow friction = friction_by_row(qp);
+    const Index m = static_cast<Index>(changed.size()), rows = shifted.gap.size(), n = qp.modes.cols();
     MatrixXd left(m, m);
     for (Index j = 0; j < m; ++j)
         for (Index i = 0; i < m; ++i)

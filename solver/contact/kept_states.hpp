@@ -2,6 +2,7 @@
 // The factor of a set of states of the contact problem with friction, kept from one set to the next.
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "solver/contact/friction_system.hpp"
 
@@ -26,6 +27,9 @@ private:
     };
     bool is_of(const ContactQp& qp) const;
     bool factor(const ContactQp& qp, const ActiveSet& states);
+    /// The rows whose states are not those that are factored, with their responses known; nothing: the set is close to
+    /// singular. Many rows are none: their set is factored.
+    std::optional<std::vector<Eigen::Index>> changes_to(const ContactQp& qp, const ActiveSet& states);
 
     std::optional<Base> base_{};
 };
