@@ -363,12 +363,15 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
     const ContactState at_rest{pressures, VectorXd::Zero(qp.modes.cols()), qp.compliance * pressures};
     const ActiveSet sticks = states_of(qp, pressures);
     ContactState state;
-    result.active = sticks;
+    const auto begin_at_rest = [&] {
+        state = at_rest;
+        result.active = sticks;
+    };
+    begin_at_rest();
     result.converged = search_exactly(near, state, result);
     if (!result.converged && qp.modes.cols() > 0) {
         if (finds_motion(qp, result)) return result;
-        state = at_rest;
-        result.active = sticks;
+        begin_at_rest();
         if (const std::optional<Sliding> sliding = creep(near, start.stiffness, state, result).sliding) {
             result.mechanism = sliding->motion;
             if (qp.asks_holding_factor)
@@ -379,8 +382,7 @@ ContactQpResult solve_from_anywhere(const ContactQp& qp) {
         result.converged = state.multipliers.size() > 0 && search_exactly(near, state, result);
     }
     if (!result.converged) {
-        state = at_rest;
-        result.active = sticks;
+        begin_at_rest();
         result.converged = pivot_to_answer(near, start.stiffness, state, result);
     }
     if (!result.converged) state = {start.multipliers, VectorXd::Zero(qp.modes.cols()), qp.compliance * start.multipliers};

@@ -76,12 +76,17 @@ HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states) {
     return held;
 }
 
+namespace {
+
+/// Do the loads, with these forces of the rows, act on motions that are not held, by more than rounding?
 bool acts_on_free(const ContactQp& qp, const HeldMotions& held, const VectorXd& forces) {
     if (held.are_all()) return false;
     const VectorXd of_rows = qp.modes.transpose() * forces;
     const double terms = (qp.mode_load.cwiseAbs() + qp.modes.cwiseAbs().transpose() * forces.cwiseAbs()).maxCoeff();
     return held.free_part(qp.mode_load + of_rows).cwiseAbs().maxCoeff() > consistent * terms;
 }
+
+}  // namespace
 
 bool solve_states(const ShiftedQp& shifted, const Proximal& proximal, const ActiveSet& states, ContactState& state) {
     const ContactQp& qp = shifted.qp;

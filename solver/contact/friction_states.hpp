@@ -27,8 +27,6 @@ private:
 };
 /// The motions that closed rows hold, those that stick among them.
 HeldMotions held_motions(const ContactQp& qp, const ActiveSet& states);
-/// Do the loads, with these forces of the rows, act on motions that are not held, by more than rounding?
-bool acts_on_free(const ContactQp& qp, const HeldMotions& held, const Eigen::VectorXd& forces);
 
 /// The point where closed rows have no gap, open ones no multiplier, and slipping ones the traction that their pressure gives
 /// them. Without a proximal term what no row holds stays where it is. False: the rows ask for gaps that cannot be, or leave a

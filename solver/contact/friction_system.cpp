@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/friction_system.hpp"
 
+#include <algorithm>
+
 namespace abut::solver {
 
 using Eigen::Index;
@@ -59,9 +61,19 @@ double left_of(Index row, const ActiveSet& states, const FrictionByRow& friction
 FactoredStates::FactoredStates(const ContactQp& qp, const MatrixXd& stiffness, const ActiveSet& states)
     : compliance_(qp.compliance),
       modes_(qp.modes),
+      friction_(qp.friction),
+      states_(states),
       unit_(force_unit(qp)),
       unknowns_(unknowns_of(qp, states)),
       factor_(matrix_of(qp, qp.modes, stiffness, unknowns_, unit_)) {}
+
+bool FactoredStates::is_of(const ContactQp& qp) const {
+    const auto is_same = [](const FrictionRow& a, const FrictionRow& b) {
+        return a.normal == b.normal && a.tangential == b.tangential && a.coefficient == b.coefficient;
+    };
+    return compliance_.shares(qp.compliance) && modes_ == qp.modes &&
+           std::equal(friction_.begin(), friction_.end(), qp.friction.begin(), qp.friction.end(), is_same);
+}
 
 StatesPoint FactoredStates::answer(const VectorXd& rows, const VectorXd& amplitudes) const {
     StatesPoint p{rows, {}, {}};

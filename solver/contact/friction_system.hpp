@@ -62,6 +62,9 @@ class FactoredStates {
 public:
     FactoredStates(const ContactQp& qp, const Eigen::MatrixXd& stiffness, const ActiveSet& states);
     bool succeeded() const { return factor_.succeeded(); }
+    const ActiveSet& states() const { return states_; }
+    /// Does a problem differ from that of the states by gaps and loads alone?
+    bool is_of(const ContactQp& qp) const;
     /// How many rows may have other states before a new factor costs less than what they ask of this one.
     std::size_t most_changes() const { return 8 + unknowns_.rows.size() / 8; }
     double reciprocal_condition() const { return factor_.reciprocal_condition(); }
@@ -76,6 +79,8 @@ public:
 private:
     Compliance compliance_;
     Eigen::MatrixXd modes_;
+    std::vector<FrictionRow> friction_;
+    ActiveSet states_;
     double unit_;
     Unknowns unknowns_;
     SquareFactor factor_;

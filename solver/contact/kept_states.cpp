@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/kept_states.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace abut::solver {
@@ -22,30 +21,20 @@ double largest(const VectorXd& v) {
 
 }  // namespace
 
-bool KeptStates::is_of(const ContactQp& qp) const {
-    const auto is_same = [](const FrictionRow& a, const FrictionRow& b) {
-        return a.normal == b.normal && a.tangential == b.tangential && a.coefficient == b.coefficient;
-    };
-    return base_ && base_->compliance.shares(qp.compliance) && base_->modes == qp.modes &&
-           std::equal(base_->friction.begin(), base_->friction.end(), qp.friction.begin(), qp.friction.end(), is_same);
-}
-
 bool KeptStates::factor(const ContactQp& qp, const ActiveSet& states) {
     const Index n = qp.modes.cols();
     FactoredStates factored(qp, MatrixXd::Zero(n, n), states);
     if (!factored.succeeded() || !(factored.reciprocal_condition() > kept_singular)) return false;
-    base_.emplace(Base{qp.compliance, qp.modes, qp.friction, states, std::move(factored),
-                       std::vector<std::optional<StatesPoint>>(states.size())});
+    base_.emplace(Base{std::move(factored), std::vector<std::optional<StatesPoint>>(states.size())});
     return true;
 }
 
 std::optional<std::vector<Index>> KeptStates::changes_to(const ContactQp& qp, const ActiveSet& states) {
+    if ((!base_ || !base_->factored.is_of(qp)) && !factor(qp, states)) return std::nullopt;
     std::vector<Index> changed;
-    if (is_of(qp))
-        for (std::size_t k = 0; k < states.size(); ++k)
-            if (states[k] != base_->states[k]) changed.push_back(static_cast<Index>(k));
-    if (const std::size_t most = base_ ? base_->factored.most_changes() : 0;
-        !is_of(qp) || changed.size() > most || base_->n_responses > 2 * most) {
+    for (std::size_t k = 0; k < states.size(); ++k)
+        if (states[k] != base_->factored.states()[k]) changed.push_back(static_cast<Index>(k));
+    if (const std::size_t most = base_->factored.most_changes(); changed.size() > most || base_->n_responses > 2 * most) {
         if (!factor(qp, states)) return std::nullopt;
         changed.clear();
     }

@@ -17,15 +17,10 @@ public:
 
 private:
     struct Base {
-        Compliance compliance;
-        Eigen::MatrixXd modes;
-        std::vector<FrictionRow> friction;
-        ActiveSet states;
         FactoredStates factored;
         std::vector<std::optional<StatesPoint>> responses;  ///< by row: to a unit residual
         std::size_t n_responses = 0;
     };
-    bool is_of(const ContactQp& qp) const;
     bool factor(const ContactQp& qp, const ActiveSet& states);
     /// The rows whose states are not those that are factored, with their responses known; nothing: the set is close to
     /// singular. Many rows are none: their set is factored.
