@@ -176,17 +176,29 @@ bool solve_set(const ShiftedQp& shifted, const VectorXd& anchor, const ActiveSet
     return closes_what_is_left_out(shifted, factor, state);
 }
 
-/// solve: of a set, into the state; false where the set has no solution.
+std::size_t n_changed(const ActiveSet& active, const ActiveSet& next) {
+    std::size_t n = 0;
+    for (std::size_t k = 0; k < active.size(); ++k) n += next[k] != active[k] ? 1 : 0;
+    return n;
+}
+
+/// solve: of a set, into the state; false where the set has no solution. Of many rows a step of the interior point method takes
+/// as long as several of these, of which only those count that change no fewer rows than all before.
 template <class Solve>
 SetSearch search_sets(const ShiftedQp& shifted, const Solve& solve, ActiveSet& active, const ContactState& state,
                       int& iterations) {
     std::set<ActiveSet> seen;
-    for (int step = 0; step < max_primal_dual_steps; ++step) {
+    const bool counts_all = !shifted.qp.compliance.is_sparse();
+    std::size_t fewest = active.size() + 1;
+    for (int step = 0; step < max_primal_dual_steps;) {
         if (!seen.insert(active).second) return SetSearch::repeated;
         ++iterations;
         if (!solve()) return SetSearch::singular;
         ActiveSet next = next_set(shifted, active, state);
-        if (next == active) return SetSearch::found;
+        const std::size_t changed = n_changed(active, next);
+        if (changed == 0) return SetSearch::found;
+        if (counts_all || changed >= fewest) ++step;
+        fewest = std::min(fewest, changed);
         active = std::move(next);
     }
     return SetSearch::repeated;
