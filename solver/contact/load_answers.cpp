@@ -20,19 +20,6 @@ using Eigen::VectorXd;
 
 constexpr double carried_fraction = 1e-10;  // of the largest force: below, a row's is rounding
 
-/// The displacement (2n) that a load adds to any other: without what is prescribed.
-VectorXd response(const PartSystem& part, const VectorXd& load) {
-    VectorXd u = VectorXd::Zero(load.size());
-    if (part.body || load.size() == 0) return u;
-    VectorXd b(part.n_kept);
-    for (std::size_t i = 0; i < part.number.size(); ++i)
-        if (part.number[i] >= 0) b[part.number[i]] = load[static_cast<Index>(i)];
-    const VectorXd x = part.factor.solve(b);
-    for (std::size_t i = 0; i < part.number.size(); ++i)
-        if (part.number[i] >= 0) u[static_cast<Index>(i)] = x[part.number[i]];
-    return u;
-}
-
 void ensure_parts(const AssemblyProblem& problem, const std::vector<VectorXd>& by_part) {
     ENSURE(by_part.size() == problem.parts.size(), "loads and measures have a vector for every part");
     for (std::size_t i = 0; i < by_part.size(); ++i)

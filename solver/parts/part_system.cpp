@@ -284,6 +284,18 @@ Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load) {
     return u;
 }
 
+Eigen::VectorXd response(const PartSystem& system, const Eigen::VectorXd& load) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(load.size());
+    if (system.body || load.size() == 0) return u;
+    Eigen::VectorXd b(system.n_kept);
+    for (std::size_t i = 0; i < system.number.size(); ++i)
+        if (system.number[i] >= 0) b[system.number[i]] = load[static_cast<Index>(i)];
+    const Eigen::VectorXd x = system.factor.solve(b);
+    for (std::size_t i = 0; i < system.number.size(); ++i)
+        if (system.number[i] >= 0) u[static_cast<Index>(i)] = x[system.number[i]];
+    return u;
+}
+
 namespace {
 
 double new_condition_estimate(const PartSystem& system) {

@@ -114,6 +114,9 @@ Eigen::VectorXd kept_load(const PartSystem& system, const Eigen::VectorXd& load)
 /// ones prescribed.
 Eigen::VectorXd solve(const PartSystem& system, const Eigen::VectorXd& load);
 
+/// The displacement (2n) that a load (2n) adds to any other: pinned and dropped coefficients zero; none of a rigid part.
+Eigen::VectorXd response(const PartSystem& system, const Eigen::VectorXd& load);
+
 /// The condition number of the factorised matrix, see Factorization::condition_estimate; 1 where nothing was factorised. Cost:
 /// 10 solutions, and as many products with the stiffness; of all systems that share the factor once.
 double condition_estimate(const PartSystem& system);

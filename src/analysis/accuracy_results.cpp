@@ -36,13 +36,14 @@ double force_error(const ErrorEstimate& error, const Result& result, std::size_t
     constexpr double most_missed = 16, shared = 0.5;
     const double change = error.contacts[contact]->force, energy = error.energy.value_or(0);
     if (is_static) return std::clamp(energy, change, most_missed * change);
+    const double of_stiffness = error.contacts[contact]->of_stiffness;
     const ContactResult& own = result.contacts[contact];
     double largest = 0;
     for (const ContactResult& c : result.contacts)
         if (c.part[0] == own.part[0] || c.part[0] == own.part[1] || c.part[1] == own.part[0] || c.part[1] == own.part[1])
             largest = std::max(largest, c.force.norm());
     const double beside = own.force.norm() > 0 ? largest / own.force.norm() : 1;
-    return std::max(change, std::min(1.0, shared * energy * beside));
+    return std::max({change, of_stiffness, std::min(1.0, shared * energy * beside)});
 }
 
 /// What is to be said of largest pressures.
@@ -96,17 +97,19 @@ double increments_share(const SolvedAssembly& solved, std::size_t contact) {
 }
 
 /// With errors of the pressure that no grid shows: a penalty's penetration, friction's increments, pairs of where parts were
-/// drawn. A peak that is too low under the same force has its pressure over too long a contact, which in L2 is twice as much:
-/// it ends like the root of the distance (Hertz: 1.9 to 2.2 times for peaks off by 2 to 0.5 %).
+/// drawn, and how stiff parts are on all of them. A peak that is too low under the same force has its pressure over too long a
+/// contact, which in L2 is twice as much: it ends like the root of the distance (Hertz: 1.9 to 2.2 times for peaks off by 2 to
+/// 0.5 %).
 ErrorEstimate with_errors_of_model(ErrorEstimate e, const SolvedAssembly& solved, const std::vector<double>& of_pairs) {
     for (std::size_t k = 0; k < e.contacts.size(); ++k) {
         const double penetration = k < solved.contacts.size() ? penetration_share(solved, k) : 0,
-                     pairs = at_or_zero(of_pairs, k), increments = increments_share(solved, k);
-        if (!e.contacts[k] || (penetration == 0 && pairs == 0 && increments == 0)) continue;
+                     pairs = at_or_zero(of_pairs, k), increments = increments_share(solved, k),
+                     stiffness = e.contacts[k] ? e.contacts[k]->of_stiffness : 0;
+        if (!e.contacts[k] || (penetration == 0 && pairs == 0 && increments == 0 && stiffness == 0)) continue;
         ContactError& c = *e.contacts[k];
-        c.pressure = std::hypot(std::hypot(c.pressure, penetration, 2 * pairs), increments);
-        c.peak = std::hypot(c.peak, penetration, pairs);
-        c.length = std::hypot(c.length, pairs);
+        c.pressure = std::hypot(std::hypot(c.pressure, penetration, 2 * pairs), increments, stiffness);
+        c.peak = std::hypot(std::hypot(c.peak, penetration, pairs), 0.5 * stiffness);
+        c.length = std::hypot(c.length, pairs, 0.5 * stiffness);
         e.contact_pressure = std::max(*e.contact_pressure, c.share * c.pressure);
         if (!c.at_corner) e.peak = std::max(*e.peak, c.share_of_peak * c.peak);
     }
@@ -141,6 +144,12 @@ std::string why_by_model(const Outcome& out, const std::vector<double>& of_pairs
         if (increments_share(out.solved, k) > 0.5 * out.target)
             return "what slips in contact " + contact_number(k) +
                    " depends on the way of the loads more closely than it could be followed; give them in steps";
+    for (std::size_t k = 0; k < out.solved.contacts.size(); ++k)
+        if (const std::optional<ContactError>& e = out.errors.back().contacts[k]; e && e->share * e->of_stiffness > out.target)
+            return "contact " + contact_number(k) +
+                   " bears a small difference, between how far its parts would go and how far they may: their stiffness "
+                   "decides "
+                   "it, which is known to less; round the corners where the stress has no limit, or take the next accuracy";
     std::size_t worst = 0;
     double most = 0;
     for (std::size_t k = 0; k < of_pairs.size(); ++k) {

@@ -31,6 +31,8 @@ constexpr double ends_in_peak = 0.3, ends_in_length = 1;
 /// A change tells an error to within this factor (tests/verification/estimate_test.cpp): as far as that, theory is believed
 /// where it says more of a peak; and beside corners an error is believed to fall faster.
 constexpr double most_too_low = 2;
+/// Fall of an error in one pass that was worth it.
+constexpr double worthwhile = 0.7;
 /// Of two grids' smoothed differences, from which on their ratio is known too badly to extrapolate.
 constexpr double largest_ratio = 0.8;
 
@@ -184,6 +186,18 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
 std::optional<double> steering(const ErrorEstimate& e) {
     if (e.contact_pressure) return std::max(*e.contact_pressure, *e.peak);
     return e.stress ? std::max(*e.stress, e.largest_stress.value_or(0)) : e.stress;
+}
+
+bool has_fallen(std::span<const ErrorEstimate> errors) {
+    const std::size_t n = errors.size();
+    return n < 2 || !errors[n - 2].contact_pressure ||
+           *errors[n - 1].contact_pressure < worthwhile * *errors[n - 2].contact_pressure;
+}
+
+bool is_improving(std::span<const ErrorEstimate> errors) {
+    const std::size_t n = errors.size();
+    if (n < 4 || !errors[n - 1].contact_pressure || !errors[n - 3].contact_pressure) return true;
+    return *errors[n - 1].contact_pressure < worthwhile * worthwhile * *errors[n - 3].contact_pressure;
 }
 
 bool go_astray(std::span<const ErrorEstimate> errors, std::size_t last_ones) {

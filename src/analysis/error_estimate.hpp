@@ -32,6 +32,7 @@ struct ContactError {
     bool at_corner = false;                ///< the largest pressure stands at a corner, where it may have no limit
     double whole_change = 0;               ///< of the pressure, from the grids before
     double kept = 0;                       ///< `inside` by changes before and how fast errors fall
+    double of_stiffness = 0;               ///< of the pressure's integral: by how stiff its parts are; not by estimate_errors
     double peak_inside = 0;  ///< `peak` but for what a change beside a free end adds, where it stands while that end moves
 };
 
@@ -66,6 +67,13 @@ struct EnergyOnGrid {
 /// compare; the change of the energy is the difference of those errors, which gives their size: at corners without a limit of
 /// the stress the smoothed ones see a quarter of the error (error of stress: half), and miss the same fraction on both grids.
 double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);
+
+/// Has the last pressure error fallen by as much as a pass is worth? True where there are no two.
+bool has_fallen(std::span<const ErrorEstimate> errors);
+
+/// The same of the last two passes, where one part has as many cells as it may and others may still have too few. The first
+/// estimates are of coarse grids, and rise as often as they fall.
+bool is_improving(std::span<const ErrorEstimate> errors);
 
 /// Is the least pressure error of the last passes no smaller than one before? So where contacts that come and go on the way to
 /// an answer go on doing so: bodies that friction leaves to roll take other places on each grid.

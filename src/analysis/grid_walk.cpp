@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "solver/linear_algebra/blas_threads.hpp"
+#include "src/analysis/deep_cells.hpp"
 #include "src/analysis/extent_by_theory.hpp"
 #include "src/analysis/follow_ends.hpp"
 #include "src/analysis/grading.hpp"
@@ -17,11 +18,11 @@
 #include "src/analysis/next_candidates.hpp"
 #include "src/analysis/next_grids.hpp"
 #include "src/analysis/singular_errors.hpp"
+#include "src/analysis/stiff_parts.hpp"
 #include "src/analysis/stress_error.hpp"
 #include "src/analysis/stress_raisers.hpp"
 #include "src/analysis/tipping.hpp"
 #include "src/base/index.hpp"
-#include "src/io/number_text.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/accuracy_goal.hpp"
 #include "src/scene/dissertation_method.hpp"
@@ -43,19 +44,10 @@ constexpr int max_tippings = 5;
 /// On the same grids, until the ends are where they were expected; on grids that only prepare for others they need only be
 /// near.
 constexpr int max_knot_moves = 3, knot_moves_before = 2;
-/// Fall of an error in one pass that was worth it.
-constexpr double worthwhile = 0.7;
 /// Error of the energy, of the target, below which the pressures lack nothing by the shape's cells.
 constexpr double aimed_energy = 0.5;
 /// Rounding times condition number, of the target: from here on changes of the energy are not those of the grids.
 constexpr double rounding_share = 0.1;
-
-/// Are all grids given, so that there is nothing to adapt?
-bool grids_are_fixed(const Scene& scene) {
-    if (scene.accuracy.grids.size() >= scene.parts.size()) return true;
-    if (scene.accuracy.adapt) return !*scene.accuracy.adapt;
-    return scene.accuracy.cell_size || !scene.accuracy.grids.empty();
-}
 
 }  // namespace
 
@@ -73,7 +65,7 @@ public:
     Path(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,
          const std::vector<Candidate>& candidates, int threads)
         : group_(std::move(group)), scene_(scene), conditions_(conditions), seconds_(seconds), threads_(threads) {
-        out_.target = target_of(scene.accuracy);
+        out_.target = energy_target_ = target_of(scene.accuracy);
         next_ = {out_.target, 1, 1};
         raisers_.resize(scene.parts.size());
         take_own(candidates);
@@ -247,7 +239,33 @@ private:
         seconds_["recovery"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     }
 
+    /// Of contacts' forces: what they miss by the stiffness of their parts, as far as the strongest one's pressure is the
+    /// measure. The stress that it needs is asked for at the end anyway.
+    double missed_by_stiffness(const SolvedAssembly& now) {
+        recover_stress(now);
+        ErrorEstimate& error = out_.errors.back();
+        if (std::exchange(looked_at_, out_.passes.size()) != out_.passes.size() && !error.own_energy.empty()) {
+            const std::vector<double> shares = shares_of_stiffness(now, error.own_energy, threads_);
+            for (std::size_t k = 0; k < shares.size(); ++k)
+                if (error.contacts[k]) error.contacts[k]->of_stiffness = shares[k];
+        }
+        double most = 0;
+        for (const std::optional<ContactError>& c : error.contacts)
+            if (c) most = std::max(most, c->share * c->of_stiffness);
+        return most;
+    }
+
+    /// Does that ask for an energy that is known better?
+    bool lacks_stiffness(const SolvedAssembly& now) {
+        const double missed = missed_by_stiffness(now);
+        if (missed <= out_.target) return false;
+        if (energy_target_ == out_.target) aimed_from_ = out_.passes.size() - 1;
+        energy_target_ = std::min(energy_target_, *out_.errors.back().energy * out_.target / missed);
+        return true;
+    }
+
     bool end(SolvedAssembly&& now, PathEnd why) {
+        if (is_answered_ && is_in_contact(now)) missed_by_stiffness(now);
         if (!meets_others_ && now.solution.mechanism.empty() && !now.is_lost) failed_ = failure_of(now);
         out_.solved = std::move(now);
         out_.end = why;
@@ -300,16 +318,15 @@ private:
             wanted_[i].insert(wanted_[i].end(), raisers_[i].begin(), raisers_[i].end());
     }
 
+    std::span<const ErrorEstimate> comparable_errors() const { return std::span(out_.errors).subspan(comparable_from_); }
+
     /// What a pressure lacks by the cells away from it is of the size of what the energy lacks: cells become smaller where that
     /// error is, if it counts; and everywhere if it does not, but the contacts' own cells did not help.
     void refine_shape(const SolvedAssembly& now) {
         recover_stress(now);
-        const std::size_t n = out_.errors.size();
         const std::optional<double>& energy = out_.errors.back().energy;
-        const bool is_low = energy && *energy <= aimed_energy * out_.target,
-                   has_fallen = n < comparable_from_ + 2 || !out_.errors[n - 2].contact_pressure ||
-                                *out_.errors[n - 1].contact_pressure < worthwhile * *out_.errors[n - 2].contact_pressure;
-        if (is_low && has_fallen) return;
+        const bool is_low = energy && *energy <= aimed_energy * energy_target_;
+        if (is_low && has_fallen(comparable_errors())) return;
         if (is_low || !add_stress_raisers(now, out_.stress, raisers_)) next_.coarseness /= coarsening_step;
     }
 
@@ -326,10 +343,9 @@ private:
     }
 
     bool out_of_passes() const {
-        const std::size_t n = passes_before_ + out_.passes.size();
-        return n >= settled_from_ + max_passes || n >= comparable_from_ + most_beginnings * max_passes ||
-               (n >= comparable_from_ + max_passes &&
-                go_astray(std::span(out_.errors).subspan(comparable_from_), max_passes / 2));
+        const std::size_t n = passes_before_ + out_.passes.size(), from = std::max(comparable_from_, aimed_from_);
+        return n >= std::max(settled_from_, from) + max_passes || n >= from + most_beginnings * max_passes ||
+               (n >= from + max_passes && go_astray(std::span(out_.errors).subspan(from), max_passes / 2));
     }
 
     /// Did the last pass miss or close other contacts than the one before?
@@ -427,9 +443,9 @@ private:
             if (!is_solved(now)) return end(std::move(now), PathEnd::no_need);
             look_for_missed(now);
         }
-        if (is_reached()) return end(std::move(now), PathEnd::reached);
+        if (is_reached() && !lacks_stiffness(now)) return end(std::move(now), PathEnd::reached);
         if (next_.on_final_cells() && is_too_deep(now)) return end_too_deep(std::move(now));
-        if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving())
+        if (next_.on_final_cells() && now.limited_grids > 0 && !is_improving(comparable_errors()))
             return end(std::move(now), PathEnd::out_of_cells);
         if (out_of_passes()) return end(std::move(now), PathEnd::out_of_passes);
         const PressedStretches stretches = ask_for_next(now, out_.errors.back());
@@ -444,36 +460,15 @@ private:
         expect_pressures(now, out_.candidates);
     }
 
-    static bool is_too_deep(const SolvedAssembly& now) {
-        return std::any_of(now.grids.begin(), now.grids.end(), [](const PartOnGrid& g) { return g.too_fine > 0; });
-    }
-
     /// Where no grid came to an error that anybody could aim at there is no answer.
     bool end_too_deep(SolvedAssembly&& now) {
-        out_.why.clear();  // of grids before
-        for (const PartOnGrid& g : now.grids)
-            if (g.too_fine > 0)
-                out_.why += (out_.why.empty() ? "a contact or another place is too small beside its part: it asks for "
-                                                "cells below what coordinates can tell apart, of "
-                                              : ", ") +
-                            number_text(g.too_fine, 2) + " in " + scene_.parts[static_cast<std::size_t>(g.part)].name + " (" +
-                            number_text(g.too_fine / g.size, 2) + " of its size)";
-        out_.why += "; compute what lies around that place as an assembly of its own, or put a larger load on it";
+        out_.why = text_of_too_deep(scene_, now);
         const auto could_be_aimed_at = [](const ErrorEstimate& e) {
             return e.contact_pressure && std::max(*e.contact_pressure, *e.peak) <= most_target;
         };
         if (out_.errors.back().contact_pressure && std::none_of(out_.errors.begin(), out_.errors.end(), could_be_aimed_at))
             now.failure = out_.why;
         return end(std::move(now), PathEnd::too_deep);
-    }
-
-    /// Where one part has as many cells as it may, others may still have too few. The first estimates are of coarse grids, and
-    /// rise as often as they fall: two passes tell.
-    bool is_improving() const {
-        const std::size_t n = out_.errors.size();
-        if (n < comparable_from_ + 4 || !out_.errors[n - 1].contact_pressure || !out_.errors[n - 3].contact_pressure)
-            return true;
-        return *out_.errors[n - 1].contact_pressure < worthwhile * worthwhile * *out_.errors[n - 3].contact_pressure;
     }
 
     bool is_reached() const {
@@ -492,7 +487,7 @@ private:
     /// The sizes that the contacts as they are expected ask for, and what raises stresses.
     PressedStretches want(const SolvedAssembly& now, PressedStretches stretches) {
         wanted_ = sizes_from(scene_, now, stretches, next_.resolution);
-        add_singular_cells(now, singular_errors(scene_, conditions_, now), out_.target, wanted_);
+        add_singular_cells(now, singular_errors(scene_, conditions_, now), energy_target_, wanted_);
         add_raisers();
         return stretches;
     }
@@ -508,7 +503,8 @@ private:
             else
                 coarsen_less(next_);
         } else if (!has_goals) {
-            if (may_lack_shape(error, next_)) refine_shape(now);
+            const bool may_be_stiff = is_reached() || !has_fallen(comparable_errors());
+            if ((may_be_stiff && lacks_stiffness(now)) || may_lack_shape(error, next_)) refine_shape(now);
             refine(error, next_);
         }
         return want(now, with_missed(is_first ? theory_.stretches : now.stretches, followed_));
@@ -536,10 +532,13 @@ private:
     double factor_ = 1;
     int widenings_ = 0, tipped_ = 0, sharpened_ = 0;
     bool is_over_ = false, is_answered_ = false, begins_like_another_ = false, meets_others_ = false;
+    double energy_target_;  // of the strain energy: where forces are small differences, less than that of pressures
     std::string failed_, why_end_;
     std::size_t passes_before_ = 0;    // of the walk that this one begins like
     std::size_t comparable_from_ = 0;  // passes before have other candidates
     std::size_t settled_from_ = 0;     // passes before closed or missed other contacts
+    std::size_t aimed_from_ = 0;       // passes before did not know that the energy is to be known better
+    std::size_t looked_at_ = 0;        // of passes: the last one whose parts' stiffness was looked at
 };
 
 GridWalk::GridWalk(const Scene& scene, const ResolvedConditions& conditions, Stopwatches& seconds, PartGroup group,
