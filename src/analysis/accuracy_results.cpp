@@ -344,6 +344,12 @@ double pull_across(const Stress& s, const Vec2& tangent) {
     return s.xx * n.x() * n.x() + s.yy * n.y() * n.y() + 2 * s.xy * n.x() * n.y();
 }
 
+/// What errors of friction's traction do to the stress along a face: the surface of a half plane is stretched by twice their
+/// Hilbert transform, which in L2 is as large as they are.
+double missing_of_friction(const ContactResult& c) {
+    return c.friction ? 2 * c.errors->pressure * std::min(1.0, c.friction->coefficient) * c.max_pressure.value : 0;
+}
+
 }  // namespace
 
 void fill_stress_errors(const Outcome& out, Result& result) {
@@ -351,14 +357,18 @@ void fill_stress_errors(const Outcome& out, Result& result) {
     for (std::size_t k = 0; k < out.solved.grids.size(); ++k) {
         PartResult& p = result.parts[static_cast<std::size_t>(out.solved.grids[k].part)];
         if (!p.max_von_mises_error) continue;
-        for (const ContactResult& c : result.contacts)
+        for (std::size_t i = 0; i < result.contacts.size(); ++i)
             for (int side = 0; side < 2; ++side) {
+                const ContactResult& c = result.contacts[i];
                 if (c.parts[static_cast<std::size_t>(side)] != p.name || !c.errors) continue;
                 const std::optional<FacePlace> face = nearest_on_face(c.profile, side, p.max_von_mises.at);
                 if (!face || face->distance > on_face * out.largest[k].cell) continue;
-                const double missing = std::abs(pull_across(out.largest[k].stress, face->tangent) + face->pressure),
+                // thick parts bear the tractions of thinner ones over more
+                const double scale = out.solved.contacts[i].face.thickness / out.solved.grids[k].input.thickness,
+                             missing = std::abs(pull_across(out.largest[k].stress, face->tangent) + scale * face->pressure),
                              of_pressure = c.errors->at_corner ? 0 : c.errors->peak * std::abs(face->pressure);
-                p.max_von_mises_error = std::max(*p.max_von_mises_error, (missing + of_pressure) / p.max_von_mises.value);
+                p.max_von_mises_error = std::max(
+                    *p.max_von_mises_error, (missing + scale * (of_pressure + missing_of_friction(c))) / p.max_von_mises.value);
             }
     }
 }

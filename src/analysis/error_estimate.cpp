@@ -177,8 +177,9 @@ void add_shear(const ContactRecord& now, const ContactRecord& before, double nor
     e.ends = std::max(e.ends, now.shear->border_error / bound);
     e.inside = std::max(e.inside, std::sqrt(square));
     e.pressure = std::max(e.pressure, std::hypot(now.shear->border_error / bound, std::sqrt(square)));
-    e.stick_length = std::max({std::abs(now.shear->stick_length - before.shear->stick_length), now.shear->unseen, of_length,
-                               length_near_bound(now, e.pressure)});
+    const double most = std::max({std::abs(now.shear->stick_length - before.shear->stick_length), now.shear->unseen, of_length,
+                                  length_near_bound(now, e.pressure)});
+    e.stick_length = std::min(most, length_of(now.stretches));
 }
 
 }  // namespace

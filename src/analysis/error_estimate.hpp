@@ -71,8 +71,8 @@ double energy_error_of(const EnergyOnGrid& before, const EnergyOnGrid& now);
 /// Has the last pressure error fallen by as much as a pass is worth? True where there are no two.
 bool has_fallen(std::span<const ErrorEstimate> errors);
 
-/// The same of the last two passes, where one part has as many cells as it may and others may still have too few. The first
-/// estimates are of coarse grids, and rise as often as they fall.
+/// Has the pressure error fallen over the last two passes by as much as these are worth? Asked where one part has as many cells
+/// as it may and others may still have too few: the first estimates are of coarse grids, and rise as often as they fall.
 bool is_improving(std::span<const ErrorEstimate> errors);
 
 /// Is the least pressure error of the last passes no smaller than one before? So where contacts that come and go on the way to

@@ -8,7 +8,7 @@
 
 namespace abut {
 
-/// By what fraction the forces that press on each other (by contact: the integral of the pressure) change where parts yield as
+/// The fraction by which contacts' forces (the integrals of their pressures) change where parts yield as
 /// much more as their strain energies miss (missed: by solved part, of its own energy); 1 where a contact would open, 0 where
 /// it is open, and where forces follow from statics. With friction, and where that has no answer, nothing is known: 0. Cost: a
 /// contact problem from a neighbour's answer, none where all forces follow from statics.

@@ -155,8 +155,9 @@ FrictionLengths friction_lengths(const SolvedAssembly& solved, std::size_t conta
             const bool is_slip = slips(state_at(solved, contact, 0.5 * (cuts[k] + cuts[k + 1])));
             (is_slip ? lengths.slip : lengths.stick) += cuts[k + 1] - cuts[k];
             if (is_slip) continue;
-            if (k == 0) lengths.unseen += unseen_beside(stretch, stretch.at_begin);
-            if (k + 2 == cuts.size()) lengths.unseen += unseen_beside(stretch, stretch.at_end);
+            // what slips within the first few knots is smeared over these
+            if (k == 0) lengths.unseen += std::max(stretch.at_begin.reach, unseen_beside(stretch, stretch.at_begin));
+            if (k + 2 == cuts.size()) lengths.unseen += std::max(stretch.at_end.reach, unseen_beside(stretch, stretch.at_end));
         }
     }
     return lengths;

@@ -66,7 +66,10 @@ TEST(FailedPass, TheLastAnswerStandsAndSaysWhatFailed) {
     // the same grids, and the same answer on them
     ASSERT_EQ(cut.passes.size(), 3u);
     EXPECT_EQ(cut.passes[2].unknowns, whole.passes[2].unknowns);
-    EXPECT_EQ(cut.accuracy.estimate, whole.passes[2].estimated_error);
+    // and the end knows what the parts' stiffness misses, besides
+    ASSERT_TRUE(cut.accuracy.estimate && whole.passes[2].estimated_error);
+    EXPECT_GE(*cut.accuracy.estimate, *whole.passes[2].estimated_error);
+    EXPECT_LT(*cut.accuracy.estimate, 1.1 * *whole.passes[2].estimated_error);
     EXPECT_FALSE(cut.fields.empty());
 }
 
