@@ -140,11 +140,14 @@ TEST(AccuracyResults, PeaksAtCornersDoNotCountWhereverPartsWereDrawn) {
 
 /// A face of contact along y = x, under a pressure of 100 that errs by 1 %, which the stress of 120 beside it lacks 4 of.
 TEST(AccuracyResults, StressesUnderContactErrByWhatTheyMissOfItsPressure) {
-    const auto error_at = [](const Vec2& at, double own) {
+    const auto error_at = [](const Vec2& at, double own, double thickness = 1) {
         Outcome out = outcome(0.005, 0.01, PathEnd::reached);
         Result result = filled(out);
+        out.solved.contacts.resize(1);
+        out.solved.contacts[0].face.thickness = 1;
         out.solved.grids.resize(1);
         out.solved.grids[0].part = 0;
+        out.solved.grids[0].input.thickness = thickness;
         out.largest.resize(1);
         out.largest[0].cell = 0.1;
         out.largest[0].stress = {-60, -76, 28, 0};  // across the face (-60 - 76) / 2 - 28 = -96
@@ -159,6 +162,7 @@ TEST(AccuracyResults, StressesUnderContactErrByWhatTheyMissOfItsPressure) {
         return *result.parts[0].max_von_mises_error;
     };
     EXPECT_NEAR(error_at({0.5, 0.5}, 1e-4), (4 + 0.01 * 100) / 120, 1e-4);
+    EXPECT_NEAR(error_at({0.5, 0.5}, 1e-4, 2), (46 + 0.01 * 50) / 120, 1e-4) << "a part of twice the contact's thickness";
     EXPECT_EQ(error_at({0.5, 0.5}, 0.3), 0.3);
     EXPECT_EQ(error_at({0.5, 0.6}, 1e-4), 1e-4) << "away from the face";
 }
