@@ -18,6 +18,9 @@ struct AssemblyRows {
     std::vector<FrictionRow> friction;
 };
 AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads = 1);
+/// Those of the rows that are taken (by row), alone, but for `first_row`. With a row of friction's pressure its tangential one
+/// has to be taken.
+AssemblyRows rows_among(const AssemblyRows& all, const std::vector<char>& taken);
 
 /// The rows' motions (rows x motions) combined, as a rule each of few: G B.
 Eigen::MatrixXd times_few(const Eigen::MatrixXd& modes, const Eigen::MatrixXd& combinations);

@@ -259,6 +259,36 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads) {
     return all;
 }
 
+AssemblyRows rows_among(const AssemblyRows& all, const std::vector<char>& taken) {
+    ENSURE(taken.size() == at(all.rows.n), "a row is taken or not");
+    std::vector<Index> kept;
+    std::vector<int> number(taken.size(), -1);
+    for (std::size_t row = 0; row < taken.size(); ++row)
+        if (taken[row]) {
+            number[row] = static_cast<int>(kept.size());
+            kept.push_back(static_cast<Index>(row));
+        }
+    AssemblyRows own;
+    own.rows.n = static_cast<int>(kept.size());
+    for (const Turning& t : all.rows.turning) {
+        const auto own_arms = std::lower_bound(kept.begin(), kept.end(), t.arm.size()) - kept.begin();
+        own.rows.turning.push_back({t.rotation, t.arm(std::vector<Index>(kept.begin(), kept.begin() + own_arms))});
+    }
+    own.rows.gap0 = all.rows.gap0(kept);
+    own.rows.weight = all.rows.weight(kept);
+    for (const Index row : kept) own.rows.unilateral.push_back(all.rows.unilateral[static_cast<std::size_t>(row)]);
+    for (const std::vector<RowEntry>& entries : all.rows.by_part) {
+        own.rows.by_part.emplace_back();
+        for (const RowEntry& e : entries)
+            if (number[at(e.row)] >= 0) own.rows.by_part.back().push_back({number[at(e.row)], e.coefficient, e.value});
+    }
+    for (const FrictionRow& f : all.friction)
+        if (number[at(f.normal)] >= 0) own.friction.push_back({number[at(f.normal)], number[at(f.tangential)], f.coefficient});
+    own.foundation = all.foundation(kept);
+    if (all.expected.size() > 0 && !all.expected.isZero(0)) own.expected = all.expected(kept);
+    return own;
+}
+
 namespace {
 
 /// Amplitudes part by part.
@@ -412,35 +442,13 @@ public:
         expected_ = is_all() ? VectorXd(0) : VectorXd::Zero(all_.rows.n);
     }
 
-    /// The rows taken alone.
     AssemblyRows chosen() const {
+        AssemblyRows own = rows_among(all_, taken_);
+        if (expected_.size() == 0) return own;
         std::vector<Index> kept;
-        std::vector<int> number(taken_.size(), -1);
         for (std::size_t row = 0; row < taken_.size(); ++row)
-            if (taken_[row]) {
-                number[row] = static_cast<int>(kept.size());
-                kept.push_back(static_cast<Index>(row));
-            }
-        AssemblyRows own;
-        own.rows.n = static_cast<int>(kept.size());
-        for (const Turning& t : all_.rows.turning) {
-            const auto own_arms = std::lower_bound(kept.begin(), kept.end(), t.arm.size()) - kept.begin();
-            own.rows.turning.push_back({t.rotation, t.arm(std::vector<Index>(kept.begin(), kept.begin() + own_arms))});
-        }
-        own.rows.gap0 = all_.rows.gap0(kept);
-        own.rows.weight = all_.rows.weight(kept);
-        for (const Index row : kept) own.rows.unilateral.push_back(all_.rows.unilateral[static_cast<std::size_t>(row)]);
-        for (const std::vector<RowEntry>& entries : all_.rows.by_part) {
-            own.rows.by_part.emplace_back();
-            for (const RowEntry& e : entries)
-                if (number[at(e.row)] >= 0) own.rows.by_part.back().push_back({number[at(e.row)], e.coefficient, e.value});
-        }
-        for (const FrictionRow& f : all_.friction)
-            if (number[at(f.normal)] >= 0)
-                own.friction.push_back({number[at(f.normal)], number[at(f.tangential)], f.coefficient});
-        own.foundation = all_.foundation(kept);
-        const VectorXd& expected = expected_.size() > 0 ? expected_ : all_.expected;
-        if (expected.size() > 0 && !expected.isZero(0)) own.expected = expected(kept);
+            if (taken_[row]) kept.push_back(static_cast<Index>(row));
+        own.expected = expected_.isZero(0) ? VectorXd(0) : VectorXd(expected_(kept));
         return own;
     }
 

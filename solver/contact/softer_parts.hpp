@@ -7,11 +7,11 @@
 
 namespace abut::solver {
 
-/// The pressures and constraint forces where each part yields more by a fraction (by part) of what its loads, its contacts and
-/// its constraints displace it by; not of what it is moved by, or expands by. To first order, and without friction's way: what
-/// an error of the parts' strain energies does to forces that are small differences. Springs are left as they are: parts that
-/// have some yield as computed. Nothing else is filled in; not converged: it has no answer. Cost: a contact problem from a
-/// neighbour's answer, and two solutions of every part.
+/// The pressures, tractions and constraint forces where each part yields more by a fraction (by part) of what its loads, its
+/// contacts and its constraints displace it by; not of what it is moved by, or expands by. To first order: what is closed stays
+/// so, what sticks sticks, and what slips bears what its pressure lets it. Springs are left as they are: parts that have some
+/// yield as computed. Nothing else is filled in; not converged: the set has no answer. Cost: the compliance of the rows that
+/// bear something, one factor of it, and a solution of every part.
 AssemblySolution solve_with_softer_parts(const AssemblyProblem& problem, const AssemblySolution& solution,
                                          const std::vector<double>& more, int threads);
 

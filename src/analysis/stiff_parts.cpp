@@ -3,19 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "solver/contact/softer_parts.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/base/index.hpp"
-#include "src/solution/contact_states.hpp"
 
 namespace abut {
 
 namespace {
 
-double pressed(const solver::Interface& face, const Eigen::VectorXd& coefficients) {
-    double sum = 0;
-    for (const solver::InterfacePoint& p : face.points) sum += p.weight * solver::pressure_at(face.pressure, coefficients, p.s);
+/// Integrals of the pressure and of friction's traction.
+Vec2 borne(const SolvedAssembly& solved, std::size_t contact, const solver::AssemblySolution& solution) {
+    Vec2 sum(0, 0);
+    for (const auto& [axis, interface] : {std::pair(0, solved.interface_of[contact]), std::pair(1, solved.shear_of[contact])}) {
+        if (interface < 0) continue;
+        const solver::Interface& face = solved.problem.interfaces[at(interface)];
+        for (const solver::InterfacePoint& p : face.points)
+            sum[axis] += p.weight * solver::pressure_at(face.pressure, solution.pressure[at(interface)], p.s);
+    }
     return sum;
 }
 
@@ -27,7 +33,7 @@ std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std:
     std::vector<char> asks(n, 0);
     const std::vector<char> is_static = given_by_statics(solved);
     for (std::size_t k = 0; k < n; ++k) {
-        if (friction_of(solved, k) > 0 || !solved.contacts[k].face.penalty.empty()) return shares;
+        if (!solved.contacts[k].face.penalty.empty()) return shares;
         asks[k] =
             solved.interface_of[k] >= 0 && !solved.contacts[k].face.bilateral && !solved.stretches[k].empty() && !is_static[k];
     }
@@ -35,11 +41,8 @@ std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std:
     const solver::AssemblySolution softer = solver::solve_with_softer_parts(solved.problem, solved.solution, missed, threads);
     for (std::size_t k = 0; softer.converged && k < n; ++k) {
         if (!asks[k]) continue;
-        const solver::Interface& face = solved.contacts[k].face;
-        const double force = pressed(face, pressure_of(solved, k));
-        if (!(force > 0)) continue;
-        const double change = pressed(face, softer.pressure[at(solved.interface_of[k])]) - force;
-        shares[k] = std::min(1.0, std::abs(change) / force);
+        const Vec2 force = borne(solved, k, solved.solution), change = borne(solved, k, softer) - force;
+        if (force.norm() > 0) shares[k] = std::min(1.0, change.norm() / force.norm());
     }
     return shares;
 }

@@ -109,12 +109,15 @@ std::vector<StickBorder> stick_borders(const SolvedAssembly& solved, std::size_t
     };
     const Eigen::VectorXd bound = coefficient * pressure_of(solved, contact);
     const Eigen::VectorXd& traction = solved.solution.pressure[at(solved.shear_of[contact])];
-    for (const double way : {1.0, -1.0})
+    const double rounding = under_pressure * bound.maxCoeff();
+    for (const double way : {1.0, -1.0}) {
+        const Eigen::VectorXd left = bound + way * traction;  // nothing but rounding where all of it slips
         for (const PressedStretch& stretch :
-             pressed_stretches(solved.contacts[contact].face.pressure, bound + way * traction)) {
+             pressed_stretches(solved.contacts[contact].face.pressure, (left.array() > rounding).select(left, 0.0).matrix())) {
             if (!stretch.from_start && is_within(stretch.begin)) borders.push_back({stretch.begin, -1, stretch.at_begin});
             if (!stretch.to_end && is_within(stretch.end)) borders.push_back({stretch.end, 1, stretch.at_end});
         }
+    }
     std::sort(borders.begin(), borders.end(), [](const auto& a, const auto& b) { return a.s < b.s; });
     return borders;
 }

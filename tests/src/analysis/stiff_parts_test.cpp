@@ -13,34 +13,34 @@ namespace abut::stiff_parts_test {
 namespace {
 
 /// A cantilever over a round stop, which it reaches with the last two hundredths of its way.
-Result nearly_missed(const std::string& accuracy) {
+Result nearly_missed(double friction, const std::string& accuracy) {
     return test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 8,
         "materials": {"steel": {"E": 205000, "nu": 0.29}}, "parts": [
         {"name": "arm", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [60, 5]}}},
         {"name": "stop", "material": "steel", "geometry": {"circle": {"center": [56, -6.262], "radius": 6}}}],
         "supports": [{"on": "arm/left", "fix": ["x", "y"]}, {"part": "stop", "rigid": {"translation": [0, 0], "rotation": 0}}],
-        "loads": [{"on": "arm/right", "force": [0, -70]}], "accuracy": )" +
-                        accuracy + "}");
+        "loads": [{"on": "arm/right", "force": [0, -70]}], "contacts": {"friction": )" +
+                        test::number(friction) + R"(}, "accuracy": )" + accuracy + "}");
 }
 
 /// With cells at the clamp's corners that follow the stress there.
-Result exact() {
+Result exact(double friction) {
     std::string places;
     for (const char* corner : {"[0, 0]", "[0, 5]"})
         for (const char* radius : {"0.5", "0.05", "0.005", "0.0005"})
             places += (places.empty() ? "" : ", ") + (R"({"near": )" + std::string(corner) + R"(, "radius": )" + radius +
                                                       R"(, "cell_size": )" + radius + "e-1}");
-    return nearly_missed(R"({"level": "fine", "refine": [)" + places + "]}");
+    return nearly_missed(friction, R"({"level": "fine", "refine": [)" + places + "]}");
 }
 
-TEST(StiffParts, AForceThatIsASmallDifferenceIsKnownAsWellAsItSays) {
-    const Result truth = exact();
+void is_known_as_well_as_it_says(double friction) {
+    const Result truth = exact(friction);
     ASSERT_EQ(truth.status, "ok") << truth.message;
     const double force = truth.contacts.at(0).force.norm();
     ASSERT_GT(force, 0);
     EXPECT_LT(force, 0.05 * 70);
     for (const char* level : {"draft", "standard"}) {
-        const Result r = nearly_missed(R"({"level": ")" + std::string(level) + R"("})");
+        const Result r = nearly_missed(friction, R"({"level": ")" + std::string(level) + R"("})");
         ASSERT_EQ(r.status, "ok") << r.message;
         EXPECT_TRUE(r.accuracy.reached) << level << r.accuracy.why;
         const ContactResult& c = r.contacts.at(0);
@@ -48,6 +48,14 @@ TEST(StiffParts, AForceThatIsASmallDifferenceIsKnownAsWellAsItSays) {
         EXPECT_LT(off, 2 * c.errors.value().force) << level;
         EXPECT_LT(off, r.accuracy.target) << level;
     }
+}
+
+TEST(StiffParts, AForceThatIsASmallDifferenceIsKnownAsWellAsItSays) {
+    is_known_as_well_as_it_says(0);
+}
+
+TEST(StiffParts, SoIsOneWithFriction) {
+    is_known_as_well_as_it_says(0.2);
 }
 
 /// Where statics gives the force, corners that make the parts too stiff do not change it.
