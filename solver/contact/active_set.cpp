@@ -146,23 +146,15 @@ bool solve_held_motion(const MatrixXd& stiffness, const VectorXd& load, VectorXd
     return true;
 }
 
-/// Moves along free motions until no open row penetrates, as little as that takes; where none of them does that, nothing. Least
-/// distance programming [Lawson74, chapter 23]: |z| least under H z >= h is, by its dual, non-negative least squares on H' and
-/// h.
+/// Moves along free motions until no open row penetrates, as little as that takes; where none of them does that, nothing.
 void clear_open_rows(const ShiftedQp& shifted, const MatrixXd& free, const ActiveSet& active, ContactState& state) {
     std::vector<Index> open;
     for (std::size_t k = 0; k < active.size(); ++k)
         if (!active[k]) open.push_back(static_cast<Index>(k));
+    if (free.cols() == 0) return;
     const VectorXd gap = gap_of(shifted, state)(open);
-    const Index n = free.cols();
-    if (n == 0 || open.empty() || gap.minCoeff() >= 0) return;
-    const double deepest = -gap.minCoeff();
-    MatrixXd dual(n + 1, gap.size());
-    dual.topRows(n) = (shifted.qp.modes(open, Eigen::all) * free).transpose();
-    dual.row(n) = -gap.transpose() / deepest;
-    const VectorXd left = nonnegative_least_squares(dual, VectorXd::Unit(n + 1, n), std::vector<char>(open.size(), 1)).residual;
-    if (left[n] <= clear_fraction) return;
-    state.amplitudes -= (1 + clear_fraction) * deepest / left[n] * (free * left.head(n));
+    if (const auto least = least_distance(shifted.qp.modes(open, Eigen::all) * free, -gap))
+        state.amplitudes += (1 + clear_fraction) * (free * *least);
 }
 
 /// solve: the amplitudes from their condensed stiffness and load.

@@ -13,6 +13,7 @@
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/friction.hpp"
 #include "solver/contact/friction_path.hpp"
+#include "solver/contact/loose_motions.hpp"
 #include "solver/contact/neutral_motions.hpp"
 #include "solver/contact/rigid_settle.hpp"
 #include "solver/linear_algebra/dense.hpp"
@@ -543,6 +544,8 @@ RowsSolution solve_rows(const AssemblyProblem& problem, const AssemblyRows& all,
         solution.iterations = iterations;
         Laps laps;
         if (solution.mechanism.empty()) take_least_motion(problem, attempt.neutral, threads, solution);
+        if (solution.mechanism.empty() && solution.converged)
+            take_least_loose_motion(problem, all, attempt.answered.multipliers, attempt.neutral, threads, solution);
         solution.seconds = spent;
         solution.seconds.displacements += laps.lap();
         return std::move(attempt.answered);

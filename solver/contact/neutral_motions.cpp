@@ -13,6 +13,7 @@
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/parallel_for.hpp"
 #include "solver/parts/free_motions.hpp"
+#include "src/base/ensure.hpp"
 
 namespace abut::solver {
 
@@ -109,10 +110,9 @@ MatrixXd neutral_to(const MatrixXd& squared) {
 /// A basis, and what another spans besides; both orthonormal.
 MatrixXd joined(const MatrixXd& basis, const MatrixXd& other) {
     if (basis.cols() == 0 || other.cols() == 0) return basis.cols() == 0 ? other : basis;
-    const SingularVectors rest = left_singular_vectors(other - basis * (basis.transpose() * other));
-    const Index more = (rest.values.array() > same_motion).count();
-    MatrixXd both(basis.rows(), basis.cols() + more);
-    both << basis, rest.vectors.leftCols(more);
+    const MatrixXd more = motions_beside(basis, other);
+    MatrixXd both(basis.rows(), basis.cols() + more.cols());
+    both << basis, more;
     return both;
 }
 
@@ -247,13 +247,24 @@ std::vector<Index> moving_rows(const MatrixXd& modes, const MatrixXd& motions) {
 
 }  // namespace
 
+MatrixXd motions_beside(const MatrixXd& others, const MatrixXd& motions) {
+    if (others.cols() == 0 || motions.cols() == 0) return motions;
+    const SingularVectors rest = left_singular_vectors(motions - others * (others.transpose() * motions));
+    return rest.vectors.leftCols((rest.values.array() > same_motion).count());
+}
+
 Resistance candidate_resistance(const AssemblyProblem& problem) {
+    return resistance_of(problem, std::vector<char>(problem.interfaces.size(), 1));
+}
+
+Resistance resistance_of(const AssemblyProblem& problem, const std::vector<char>& interfaces) {
+    ENSURE(interfaces.size() == problem.interfaces.size(), "an interface counts or not");
     const std::vector<Index> offset = mode_offsets(problem.parts);
     Resistance sum{MatrixXd::Zero(offset.back(), offset.back()), MatrixXd::Zero(offset.back(), offset.back())};
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
         const std::vector<Index> amplitude = amplitudes_of(problem.interfaces[f], offset);
         const std::array<int, 2>& between = problem.interfaces[f].part;
-        if (problem.interfaces[f].points.empty() || amplitude.empty() || between[0] == between[1]) continue;
+        if (!interfaces[f] || problem.interfaces[f].points.empty() || amplitude.empty() || between[0] == between[1]) continue;
         const Resistance pair = pair_resistance(problem, f);
         sum.contact(amplitude, amplitude) += pair.contact;
         sum.acting(amplitude, amplitude) += pair.acting;

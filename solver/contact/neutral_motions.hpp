@@ -22,6 +22,8 @@ struct Resistance {
     Eigen::MatrixXd contact, acting;
 };
 Resistance candidate_resistance(const AssemblyProblem& problem);
+/// What some of the interfaces resist alone (interfaces: 1 of those that count).
+Resistance resistance_of(const AssemblyProblem& problem, const std::vector<char>& interfaces);
 /// Splits the free motions by what resists them. modes: G of the rows, of which the constraints' resist as they are.
 MotionSplit split_motions(const AssemblyProblem& problem, const Resistance& resistance, const Eigen::MatrixXd& modes);
 
@@ -42,6 +44,9 @@ struct NeutralMeasure {
     Eigen::MatrixXd gram;
 };
 NeutralMeasure neutral_measure(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, int threads);
+
+/// A basis of what motions span beside others; all are orthonormal.
+Eigen::MatrixXd motions_beside(const Eigen::MatrixXd& others, const Eigen::MatrixXd& motions);
 
 /// Takes the neutral motions' amplitudes that make the displacement least, in the mean square over the parts.
 void take_least_motion(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, int threads, AssemblySolution& solution);

@@ -77,8 +77,8 @@ AssemblySolution solve_with_softer_parts(const AssemblyProblem& problem, const A
         if (taken[row]) rows.push_back(static_cast<Index>(row));
     AssemblySolution softer;
     VectorXd forces, motion;
-    softer.converged =
-        solve_on_set(qp, states_under(qp, multipliers(rows).cwiseProduct(own.rows.weight)), forces, motion) && forces.allFinite();
+    softer.converged = solve_on_set(qp, states_under(qp, multipliers(rows).cwiseProduct(own.rows.weight)), forces, motion) &&
+                       forces.allFinite();
     if (!softer.converged) return softer;
     multipliers(rows) += forces.cwiseQuotient(own.rows.weight);
     split_multipliers(problem, all, multipliers, softer);

@@ -75,4 +75,20 @@ NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eige
     return r;
 }
 
+std::optional<Eigen::VectorXd> least_distance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& least) {
+    constexpr double nearest = 1e-6;  // of the residual, whose last entry is 1 over 1 + the square of the distance
+    const Index n = rows.cols();
+    ENSURE(least.size() == rows.rows(), "every row has a least value");
+    const double largest = least.size() > 0 ? least.maxCoeff() : 0, row = n > 0 ? rows.rowwise().norm().maxCoeff() : 0;
+    if (!(largest > 0)) return Eigen::VectorXd::Zero(n);
+    if (!(row > 0)) return std::nullopt;
+    Eigen::MatrixXd dual(n + 1, rows.rows());
+    dual.topRows(n) = rows.transpose() / row;
+    dual.row(n) = least.transpose() / largest;
+    const std::vector<char> bounded(static_cast<std::size_t>(rows.rows()), 1);
+    const Eigen::VectorXd left = nonnegative_least_squares(dual, Eigen::VectorXd::Unit(n + 1, n), bounded).residual;
+    if (left[n] <= nearest) return std::nullopt;
+    return -largest / (row * left[n]) * left.head(n);
+}
+
 }  // namespace abut::solver

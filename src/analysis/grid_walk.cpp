@@ -242,10 +242,12 @@ private:
     /// Of contacts' forces: what they miss by the stiffness of their parts, as far as the strongest one's pressure is the
     /// measure. The stress that it needs is asked for at the end anyway.
     double missed_by_stiffness(const SolvedAssembly& now) {
-        recover_stress(now);
         ErrorEstimate& error = out_.errors.back();
-        if (std::exchange(looked_at_, out_.passes.size()) != out_.passes.size() && !error.own_energy.empty()) {
-            const std::vector<double> shares = shares_of_stiffness(now, error.own_energy, threads_);
+        const bool is_new = std::exchange(looked_at_, out_.passes.size()) != out_.passes.size();
+        const std::vector<char> depend = is_new ? depend_on_stiffness(now) : std::vector<char>();
+        if (std::count(depend.begin(), depend.end(), 1) > 0) {
+            recover_stress(now);
+            const std::vector<double> shares = shares_of_stiffness(now, depend, error.own_energy, threads_);
             for (std::size_t k = 0; k < shares.size(); ++k)
                 if (error.contacts[k]) error.contacts[k]->of_stiffness = shares[k];
         }

@@ -7,6 +7,7 @@
 
 #include "solver/contact/softer_parts.hpp"
 #include "src/analysis/static_forces.hpp"
+#include "src/base/ensure.hpp"
 #include "src/base/index.hpp"
 
 namespace abut {
@@ -27,20 +28,26 @@ Vec2 borne(const SolvedAssembly& solved, std::size_t contact, const solver::Asse
 
 }  // namespace
 
-std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std::vector<double>& missed, int threads) {
-    const std::size_t n = solved.contacts.size();
-    std::vector<double> shares(n, 0);
-    std::vector<char> asks(n, 0);
+std::vector<char> depend_on_stiffness(const SolvedAssembly& solved) {
+    std::vector<char> depend(solved.contacts.size(), 0);
     const std::vector<char> is_static = given_by_statics(solved);
-    for (std::size_t k = 0; k < n; ++k) {
-        if (!solved.contacts[k].face.penalty.empty()) return shares;
-        asks[k] =
+    for (std::size_t k = 0; k < depend.size(); ++k) {
+        if (!solved.contacts[k].face.penalty.empty()) return std::vector<char>(depend.size(), 0);
+        depend[k] =
             solved.interface_of[k] >= 0 && !solved.contacts[k].face.bilateral && !solved.stretches[k].empty() && !is_static[k];
     }
-    if (missed.size() != solved.grids.size() || std::count(asks.begin(), asks.end(), 1) == 0) return shares;
+    return depend;
+}
+
+std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std::vector<char>& depend,
+                                        const std::vector<double>& missed, int threads) {
+    const std::size_t n = solved.contacts.size();
+    std::vector<double> shares(n, 0);
+    if (missed.empty()) return shares;
+    ENSURE(depend.size() == n && missed.size() == solved.grids.size(), "contacts depend on stiffness or not, parts miss some");
     const solver::AssemblySolution softer = solver::solve_with_softer_parts(solved.problem, solved.solution, missed, threads);
     for (std::size_t k = 0; softer.converged && k < n; ++k) {
-        if (!asks[k]) continue;
+        if (!depend[k]) continue;
         const Vec2 force = borne(solved, k, solved.solution), change = borne(solved, k, softer) - force;
         if (force.norm() > 0) shares[k] = std::min(1.0, change.norm() / force.norm());
     }

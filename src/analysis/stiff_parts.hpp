@@ -8,10 +8,14 @@
 
 namespace abut {
 
-/// The fraction by which contacts' forces (the integrals of their pressures and of friction's tractions) change where parts
-/// yield as much more as their strain energies miss (missed: by solved part, of its own energy); 1 where a contact would open,
-/// 0 where it is open, and where forces follow from statics. By a penalty, and where that has no answer, nothing is known: 0.
-/// Cost: as of `solver::solve_with_softer_parts`, none where all forces follow from statics.
-std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std::vector<double>& missed, int threads);
+/// The contacts whose forces the stiffness of parts decides (by contact): neither open, nor bonds, nor given by statics. By a
+/// penalty nothing is known: none.
+std::vector<char> depend_on_stiffness(const SolvedAssembly& solved);
+
+/// The fraction by which the forces of these contacts (the integrals of their pressures and of friction's tractions) change
+/// where parts yield as much more as their strain energies miss (missed: by solved part, of its own energy; empty: not known);
+/// 1 where a contact would open, 0 of all others, and where that has no answer. Cost: as of `solver::solve_with_softer_parts`.
+std::vector<double> shares_of_stiffness(const SolvedAssembly& solved, const std::vector<char>& depend,
+                                        const std::vector<double>& missed, int threads);
 
 }  // namespace abut

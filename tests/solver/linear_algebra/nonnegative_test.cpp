@@ -140,4 +140,23 @@ TEST(NonnegativeLeastSquares, RefusesOtherSizes) {
     EXPECT_THROW(nonnegative_least_squares(a, Eigen::Vector2d(1, 2), {1}), std::logic_error);
 }
 
+TEST(LeastDistance, IsThatOfTheNearestPlaceInAHalfPlaneOrAWedge) {
+    MatrixXd rows(2, 2);
+    rows << 3, 4, 1, 0;
+    const auto side = least_distance(rows, Eigen::Vector2d(10, -100));  // 3 x + 4 y >= 10
+    ASSERT_TRUE(side.has_value());
+    EXPECT_LT((*side - Eigen::Vector2d(1.2, 1.6)).norm(), 1e-12);
+    const auto corner = least_distance(rows, Eigen::Vector2d(10, 2));
+    ASSERT_TRUE(corner.has_value());
+    EXPECT_LT((*corner - Eigen::Vector2d(2, 1)).norm(), 1e-12);
+    EXPECT_TRUE(least_distance(rows, Eigen::Vector2d(-1, 0)).value().isZero(0)) << "nothing is asked for";
+}
+
+TEST(LeastDistance, ThereIsNoneBetweenWallsThatOverlap) {
+    const MatrixXd walls = Eigen::Vector2d(1, -1);
+    EXPECT_FALSE(least_distance(walls, Eigen::Vector2d(1, 1)).has_value());
+    EXPECT_FALSE(least_distance(MatrixXd::Zero(1, 2), VectorXd::Ones(1)).has_value());
+    EXPECT_NEAR(least_distance(walls, Eigen::Vector2d(1, -1.5)).value()[0], 1, 1e-12);
+}
+
 }  // namespace abut::solver::nonnegative_test
