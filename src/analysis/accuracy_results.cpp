@@ -28,15 +28,26 @@ double force_error_of(const ModelErrors& of_model, std::size_t contact) {
     return std::hypot(at_or_zero(of_model.of_turns, contact), at_or_zero(of_model.of_points, contact));
 }
 
+/// What a bond bears errs like the stress of its parts (in the energy norm, the worse of both), where statics leaves it open:
+/// at its ends the stress has no limit (bimetal strips, clamped: 0.3 to 1.7 of it). 0: it is no bond, or nothing is known.
+double bond_error(const Outcome& out, const ErrorEstimate& error, std::size_t contact) {
+    if (contact >= out.solved.contacts.size() || !out.solved.contacts[contact].face.bilateral) return 0;
+    double missed = 0;
+    for (const int part : out.solved.contacts[contact].face.part)
+        if (static_cast<std::size_t>(part) < error.own_energy.size())
+            missed = std::max(missed, error.own_energy[static_cast<std::size_t>(part)]);
+    return std::min(1.0, std::sqrt(missed));
+}
+
 /// A force that statics alone give errs by what its change from grid to grid shows, which the energy bounds: a cylinder on a
 /// block 2 to 12 times what the change says, 2e-6 of the force. Others err like the energy, in absolute terms of the largest on
 /// the same parts, half of it: those that share the loads with much larger ones by more, however little they change (over
 /// the true error: vise and the beam's four pins 0.2 to 12).
-double force_error(const ErrorEstimate& error, const Result& result, std::size_t contact, bool is_static) {
+double force_error(const Outcome& out, const ErrorEstimate& error, const Result& result, std::size_t contact, bool is_static) {
     constexpr double most_missed = 16, shared = 0.5;
     const double change = error.contacts[contact]->force, energy = error.energy.value_or(0);
     if (is_static) return std::clamp(energy, change, most_missed * change);
-    const double of_stiffness = error.contacts[contact]->of_stiffness;
+    const double of_stiffness = std::max(error.contacts[contact]->of_stiffness, bond_error(out, error, contact));
     const ContactResult& own = result.contacts[contact];
     double largest = 0;
     for (const ContactResult& c : result.contacts)
@@ -237,7 +248,7 @@ void fill_errors(const Outcome& out, const ModelErrors& of_model, Result& result
     const std::vector<char> is_static = given_by_statics(out.solved);
     for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k)
         if (const std::optional<ContactError>& e = error.contacts[k]) {
-            const double of_force = force_error(error, result, k, k < is_static.size() && is_static[k]);
+            const double of_force = force_error(out, error, result, k, k < is_static.size() && is_static[k]);
             fill_contact(*e, e->at_corner || (k < of_model.at_ends.size() && of_model.at_ends[k]),
                          std::max(of_force, force_error_of(of_model, k)), out.target, k, result.contacts[k], peaks);
         }

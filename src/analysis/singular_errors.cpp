@@ -82,7 +82,7 @@ void add_singular_cells(const SolvedAssembly& solved, const std::vector<Singular
                         WantedSizes& wanted) {
     const double each = aimed_share * target * energy_of(solved) / static_cast<double>(errors.size());
     for (const SingularError& e : errors)
-        if (e.energy > each && !e.is_of_contact)
+        if (e.energy > 0 && !e.is_of_contact)
             wanted[static_cast<std::size_t>(solved.grids[e.grid].part)].push_back(
                 {{e.at}, e.cell * std::pow(each / e.energy, 1 / e.order), size_growth});
 }
