@@ -94,6 +94,7 @@ public:
     }
 
     Settling follow(bool to_the_end) {
+        asks_for_end_ = to_the_end;
         if (!may_move()) {
             Settling end = rest();
             if (end.end == Settling::End::stays) end.why = "the supports hold every part that a load acts on";
@@ -179,7 +180,7 @@ private:
             if (const int gone = part_that_left(distance); gone >= 0) return never(gone);
             if (is_known()) return lost();
             if (is_near && far * step_fraction <= arrived_fraction) {
-                if (is_placed() || led_.any() || closing_.deepest > overlap_at_rest) touch();
+                if (asks_for_end_ || is_placed() || led_.any() || closing_.deepest > overlap_at_rest) touch();
                 if (closing_.deepest > overlap_at_rest) return lost();
                 return rest();
             }
@@ -473,6 +474,7 @@ private:
     LedParts led_{{}, {}, {}, {}};
     MovingParts moving_;
     Closing closing_;
+    bool asks_for_end_ = false;  // also where no part goes far
     double reach_ = 1;           // of a step
     std::vector<double> turns_;  // what forces of the last step resist turns by
     double apart_ = 0;

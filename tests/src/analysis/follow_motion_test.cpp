@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "src/results/verdict.hpp"
 #include "src/scene/read_scene.hpp"
@@ -33,6 +34,26 @@ Result bent_by(double force, const std::string& motion) {
 }
 
 }  // namespace
+
+/// A link that is drawn so little off the vertical that it is not followed hangs under its load, to rounding.
+TEST(FollowMotion, ALinkDrawnALittleOffHangsUnderItsPin) {
+    for (const auto& [degrees, radius] :
+         {std::pair(0.1, 4.98), std::pair(0.2, 4.98), std::pair(0.3, 4.8), std::pair(0.5, 4.8)}) {
+        SCOPED_TRACE(degrees);
+        const Result r = test::answer(R"({"abut": 1, "thickness": 10, "materials": {"m": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "pin", "material": "m", "geometry": {"circle": {"center": [0, 0], "radius": )" +
+                                      test::number(radius) + R"(}}},
+            {"name": "link", "material": "m", "place": {"rotate": )" +
+                                      test::number(degrees) + R"(}, "geometry": {"difference": [
+                {"slot": {"from": [0, 0], "to": [0, -60], "radius": 10}}, {"circle": {"center": [0, 0], "radius": 5}}]}}],
+            "supports": [{"part": "pin", "rigid": {"translation": [0, 0], "rotation": 0}}],
+            "loads": [{"part": "link", "force": [0, -1000]}], "accuracy": {"level": "draft"}})");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        EXPECT_LT(r.solver.contact_residual.value(), 1e-7);
+        ASSERT_TRUE(r.parts.at(1).placement.has_value());
+        EXPECT_NEAR(r.parts.at(1).placement->rotation, -degrees * std::numbers::pi / 180, 1e-8);
+    }
+}
 
 /// Where the punch is placed anew, the deflection of the beam is still told from where it was drawn.
 TEST(FollowMotion, BendingIsNoMotionOfThePart) {
