@@ -66,7 +66,11 @@ private:
 
 std::set<int> closed_on_themselves(const Scene& scene, const SolvedAssembly& solved) {
     std::set<int> closed;
-    if (!scene.contacts.detect || !solved.failure.empty() || !solved.solution.mechanism.empty()) return closed;
+    // a part may be lost for no other reason than that another goes through itself
+    const bool has_moved = solved.failure.empty() || solved.is_lost;
+    if (!scene.contacts.detect || !has_moved || !solved.solution.mechanism.empty() ||
+        solved.solution.displacement.size() != solved.grids.size())
+        return closed;
     for (std::size_t k = 0; k < solved.grids.size(); ++k)
         if (const int part = solved.grids[k].part;
             !solved.grids[k].is_rigid && !scene.contacts.of_one_part.contains(part) && DeformedPart(scene, solved, k).closes())

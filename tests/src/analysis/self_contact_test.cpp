@@ -94,6 +94,23 @@ TEST(SelfContact, LiesAsThePartLies) {
     EXPECT_NEAR(turned.max_pressure.value, drawn.max_pressure.value, 0.01 * drawn.max_pressure.value);
 }
 
+/// Without contact with itself the clip would let the roller through, farther than that is large: it is found all the same.
+TEST(SelfContact, HoldsWhatWouldBeLostWithout) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10, "materials": {
+        "pom": {"E": 2800, "nu": 0.37}, "steel": {"E": 210000, "nu": 0.3}}, "parts": [
+        {"name": "clip", "material": "pom", "geometry": {"difference": [{"rectangle": {"min": [0, 0], "max": [50, 10]}, "name": "o"},
+            {"rectangle": {"min": [15, 4.9], "max": [60, 5.1]}}]}},
+        {"name": "load", "material": "steel", "geometry": {"circle": {"center": [45, 15], "radius": 5}}}],
+        "supports": [{"on": "clip/o/bottom", "fix": ["x", "y"]}, {"part": "load", "rigid": {"translation": [0, null], "rotation": 0}}],
+        "loads": [{"part": "load", "force": [0, -600]}], "accuracy": {"level": "draft"}})",
+                                             "."),
+                             {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    ASSERT_EQ(r.contacts.size(), 2u);
+    EXPECT_GT(std::abs(r.contacts[1].force.y()), 500);
+    EXPECT_LT(r.parts[1].max_displacement.value, 0.5);
+}
+
 TEST(SelfContact, WhatStaysOpenIsNotLookedAt) {
     const Result open = clip({0.1});
     ASSERT_EQ(open.status, "ok") << open.message;
