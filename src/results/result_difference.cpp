@@ -76,7 +76,11 @@ std::vector<NamedNumber> numbers_of(const DifferenceJson& result) {
     for (const DifferenceJson& p : result.at("parts")) {
         const std::string name = p.at("name").get<std::string>();
         list.add(name, "max von Mises", number_at(p, "/max_von_mises/value"), number_at(p, "/max_von_mises/error"));
-        list.add(name, "max displacement", number_at(p, "/max_displacement/value"), number_at(p, "/max_displacement/error"));
+        // from where it was drawn: where the loads take it may have been looked at in one of both results only
+        const std::optional<double> own = number_at(p, "/max_displacement/value"),
+                                    placed = number_at(p, "/placement/max_displacement/value"), whole = placed ? placed : own,
+                                    error = number_at(p, "/max_displacement/error");
+        list.add(name, "max displacement", whole, own && whole && error && *whole > 0 ? *error * *own / *whole : error);
     }
     for (std::size_t k = 0; k < result.at("reactions").size(); ++k)
         list.add("support " + std::to_string(k + 1), "reaction", size_at(result.at("reactions")[k], "force"));

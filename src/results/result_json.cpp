@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "src/io/build_id.hpp"
+#include "src/results/displacement_from_drawn.hpp"
 #include "src/results/functional_json.hpp"
 #include "src/results/model_facts.hpp"
 #include "src/results/result.hpp"
@@ -87,7 +88,8 @@ Json largest_displacement(const PartResult& p) {
     return j;
 }
 
-Json part(const PartResult& p) {
+Json part(const Result& r, std::size_t i) {
+    const PartResult& p = r.parts[i];
     Json j{{"name", p.name},
            {"area", number(p.area)},
            {"unknowns", p.unknowns},
@@ -101,7 +103,8 @@ Json part(const PartResult& p) {
     if (!p.level.empty()) j["level"] = p.level;
     if (p.placement)
         j["placement"] = {{"translation", vector(p.placement->translation)},
-                          {"rotation", number(p.placement->rotation * 180 / std::numbers::pi)}};
+                          {"rotation", number(p.placement->rotation * 180 / std::numbers::pi)},
+                          {"max_displacement", value_at(displacement_from_drawn(r, i))}};
     return j;
 }
 
@@ -256,7 +259,8 @@ Json to_json(const Result& r, const ModelFacts& model) {
                            {"stress", number(r.error_estimate.stress)},
                            {"method", r.error_estimate.method}};
     j["accuracy"] = accuracy(r);
-    j["parts"] = list_of(r.parts, part);
+    j["parts"] = Json::array();
+    for (std::size_t i = 0; i < r.parts.size(); ++i) j["parts"].push_back(part(r, i));
     j["contacts"] = list_of(r.contacts, contact);
     j["mobility"] = {{"as_drawn", Json::parse(mobility_json(r.as_drawn))},
                      {"under_load", r.under_load ? Json::parse(mobility_json(*r.under_load)) : Json(nullptr)}};

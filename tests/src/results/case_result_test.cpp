@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "src/results/result_difference.hpp"
 
 namespace abut::case_result_test {
 namespace {
@@ -43,6 +46,19 @@ TEST(CaseResult, DisplacementsOfTheEnvelopeAreFromWherePartsAreDrawn) {
     const Envelope turned = envelope_of({{"far", {}, moved}});
     EXPECT_NEAR(turned.parts.at(0).max_displacement.value, std::hypot(2, 0.1),
                 0.1);  // a side's length, but for what it strains
+}
+
+/// So has result.json, and `compare` takes it: the same answer may be told from there, or from the drawing.
+TEST(CaseResult, ResultsOfPartsThatWereTakenElsewhereCanBeCompared) {
+    const Result as_drawn = square_at({7, 0}, {3.1, 0});
+    Result moved = square_at({10, 0}, {0.1, 0});
+    moved.parts[0].placement = PartResult::Moved{{3, 0}, 0};
+    const ResultDifference d = compare_results(result_json(as_drawn), "a.json", result_json(moved), "b.json");
+    const auto found = std::find_if(d.numbers.begin(), d.numbers.end(),
+                                    [](const ComparedNumber& n) { return n.quantity == "max displacement"; });
+    ASSERT_NE(found, d.numbers.end());
+    EXPECT_NEAR(found->a.value(), 3.1, 1e-12);
+    EXPECT_NEAR(found->b.value(), 3.1, 1e-12);
 }
 
 }  // namespace abut::case_result_test
