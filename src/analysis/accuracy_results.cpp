@@ -292,6 +292,22 @@ double missing_of_moves(const Result& result, const ErrorEstimate& error, const 
     return any ? std::min(most, missing_of_displacement) : missing_of_displacement;
 }
 
+namespace {
+
+/// The largest error of the forces on a part, of the strongest one's pressure.
+double missing_of_contacts(const Result& result, const ErrorEstimate& error, const std::string& part) {
+    double strongest = 0, most = 0;
+    for (std::size_t k = 0; k < result.contacts.size() && k < error.contacts.size(); ++k) {
+        const ContactResult& c = result.contacts[k];
+        if (!error.contacts[k] || !c.errors || (c.parts[0] != part && c.parts[1] != part)) continue;
+        strongest = std::max(strongest, error.contacts[k]->share);
+        most = std::max(most, error.contacts[k]->share * std::min(c.errors->force, c.errors->pressure));
+    }
+    return strongest > 0 ? most / strongest : 0;
+}
+
+}  // namespace
+
 void fill_displacement_errors(const Outcome& out, Result& result) {
     const ErrorEstimate& error = out.errors.back();
     if (!error.energy) return;
@@ -303,10 +319,7 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         if (p.max_displacement.value == 0) continue;
         double own = energy * largest / p.max_displacement.value;
         if (k < error.own_energy.size() && out.solved.problem.parts[k].free_motions.empty()) {
-            own = error.own_energy[k];
-            for (const ContactResult& c : result.contacts)
-                if (c.errors && (c.parts[0] == p.name || c.parts[1] == p.name))
-                    own = std::max(own, std::min(c.errors->force, c.errors->pressure));
+            own = std::max(error.own_energy[k], missing_of_contacts(result, error, p.name));
         }
         own = std::max(own, out.largest[k].displacement_error / p.max_displacement.value);
         // what lifts off goes by where its contacts end, of which energies know little

@@ -167,6 +167,32 @@ TEST(AccuracyResults, StressesUnderContactErrByWhatTheyMissOfItsPressure) {
     EXPECT_EQ(error_at({0.5, 0.6}, 1e-4), 1e-4) << "away from the face";
 }
 
+TEST(AccuracyResults, DisplacementsOfAHeldPartErrByItsContactsAsFarAsTheyCarry) {
+    const auto error_beside = [](double share) {
+        Outcome out = outcome(0.008, 0.002, PathEnd::reached);
+        ErrorEstimate& error = out.errors.back();
+        error.own_energy = {1e-4};
+        error.contacts.resize(2, error.contacts[0]);
+        error.contacts[1]->share = share;
+        Result result = filled(out);
+        result.contacts.push_back(result.contacts[0]);
+        result.contacts[0].errors = ContactErrors{0.008, 0.002, 0.003, 0.001, false};
+        result.contacts[1].errors = ContactErrors{1, 1, 1, 1, false};  // nothing is known of it
+        out.solved.grids.resize(1);
+        out.solved.grids[0].part = 0;
+        out.solved.problem.parts.resize(1);  // which moves freely in no way
+        out.largest.resize(1);
+        result.parts.resize(1);
+        result.parts[0].name = "plate";
+        result.parts[0].max_displacement.value = 1;
+        fill_displacement_errors(out, result);
+        return result.parts[0].max_displacement_error.value();
+    };
+    EXPECT_EQ(error_beside(1), 1);
+    EXPECT_DOUBLE_EQ(error_beside(0.01), 0.01);
+    EXPECT_DOUBLE_EQ(error_beside(1e-6), 0.003);
+}
+
 TEST(AccuracyResults, DoubtfulPeaksAreWarnedAbout) {
     EXPECT_TRUE(is_warned(filled(outcome(0.005, 0.2, PathEnd::out_of_passes)), "uncertain by 20 %"));
     Outcome corner = outcome(0.005, 0, PathEnd::reached);
