@@ -79,8 +79,8 @@ std::optional<Eigen::VectorXd> least_distance(const Eigen::MatrixXd& rows, const
     constexpr double nearest = 1e-6;  // of the residual, whose last entry is 1 over 1 + the square of the distance
     const Index n = rows.cols();
     ENSURE(least.size() == rows.rows(), "every row has a least value");
-    const double largest = least.size() > 0 ? least.maxCoeff() : 0, row = n > 0 ? rows.rowwise().norm().maxCoeff() : 0;
-    if (!(largest > 0)) return Eigen::VectorXd::Zero(n);
+    if (least.size() == 0 || !(least.maxCoeff() > 0)) return Eigen::VectorXd::Zero(n);
+    const double largest = least.maxCoeff(), row = n > 0 ? rows.rowwise().norm().maxCoeff() : 0;
     if (!(row > 0)) return std::nullopt;
     Eigen::MatrixXd dual(n + 1, rows.rows());
     dual.topRows(n) = rows.transpose() / row;

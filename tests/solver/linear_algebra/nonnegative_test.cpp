@@ -150,6 +150,7 @@ TEST(LeastDistance, IsThatOfTheNearestPlaceInAHalfPlaneOrAWedge) {
     ASSERT_TRUE(corner.has_value());
     EXPECT_LT((*corner - Eigen::Vector2d(2, 1)).norm(), 1e-12);
     EXPECT_TRUE(least_distance(rows, Eigen::Vector2d(-1, 0)).value().isZero(0)) << "nothing is asked for";
+    EXPECT_TRUE(least_distance(MatrixXd(0, 2), VectorXd(0)).value().isZero(0));
 }
 
 TEST(LeastDistance, ThereIsNoneBetweenWallsThatOverlap) {
