@@ -16,16 +16,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Of the loads: contact forces below are their rounding.
+constexpr double open_force_fraction = 1e-10;
+
 /// The interfaces that hold: bonds, and those whose pressure bears something, with their friction.
 std::vector<char> holding(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers) {
     std::vector<char> holds;
     for (std::size_t f = 0; f < problem.interfaces.size(); ++f) {
         const Interface& face = problem.interfaces[f];
-        if (face.friction)
+        if (face.friction) {
             holds.push_back(holds.back());
-        else
-            holds.push_back(
-                static_cast<char>(face.bilateral || !multipliers.segment(all.first_row[f], n_rows(face)).isZero(0)));
+        } else {
+            const auto own = Eigen::seqN(all.first_row[f], n_rows(face));
+            const double force = multipliers(own).cwiseAbs().dot(all.rows.weight(own)) * face.thickness;
+            holds.push_back(static_cast<char>(face.bilateral || force > open_force_fraction * problem.load_scale));
+        }
     }
     return holds;
 }
