@@ -80,9 +80,10 @@ std::vector<SingularError> singular_errors(const Scene& scene, const ResolvedCon
 
 void add_singular_cells(const SolvedAssembly& solved, const std::vector<SingularError>& errors, double target,
                         WantedSizes& wanted) {
+    constexpr double nothing = 1e-9;  // of what each may miss: it asks for cells as large as the part
     const double each = aimed_share * target * energy_of(solved) / static_cast<double>(errors.size());
     for (const SingularError& e : errors)
-        if (e.energy > 0 && !e.is_of_contact)
+        if (e.energy > nothing * each && !e.is_of_contact)
             wanted[static_cast<std::size_t>(solved.grids[e.grid].part)].push_back(
                 {{e.at}, e.cell * std::pow(each / e.energy, 1 / e.order), size_growth});
 }

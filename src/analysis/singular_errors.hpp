@@ -24,8 +24,8 @@ struct SingularError {
 std::vector<SingularError> singular_errors(const Scene& scene, const ResolvedConditions& conditions,
                                            const SolvedAssembly& solved);
 
-/// Adds cells at these places that miss no more than the fraction `target` of the strain energy, of all of them together; where
-/// the present ones miss more, but for ends of contact, whose cells follow the pressure.
+/// Adds cells at these places that miss no more than the fraction `target` of the strain energy, of all of them together, but
+/// for ends of contact, whose cells follow the pressure. Also where the present ones miss less: the next would be larger.
 void add_singular_cells(const SolvedAssembly& solved, const std::vector<SingularError>& errors, double target,
                         WantedSizes& wanted);
 
