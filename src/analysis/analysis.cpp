@@ -24,7 +24,6 @@
 #include "src/analysis/point_shares.hpp"
 #include "src/analysis/self_contact.hpp"
 #include "src/analysis/singular_places.hpp"
-#include "src/analysis/slanted_cuts.hpp"
 #include "src/analysis/slender_parts.hpp"
 #include "src/analysis/static_forces.hpp"
 #include "src/analysis/turned_contacts.hpp"
@@ -199,7 +198,6 @@ void fill_answers(const Scene& scene, const ResolvedConditions& conditions, cons
     for (const PreloadState& cut : solved.preloads)
         result.preloads.push_back({scene.parts[at(solved.grids[at(cut.grid)].part)].name, cut.across, cut.force, cut.shortening,
                                    cut.force_under_load});
-    warn_of_slanted_cuts(scene, result);
     tell_contact_residual(solved, result);
     std::vector<Vec2> peaks;
     for (const ContactResult& c : result.contacts) peaks.push_back(c.max_pressure.at);

@@ -2,10 +2,6 @@
 // Tightened parts, from the scene to the answer. Closed forms: verify's H2.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "geometry/brep/input_error.hpp"
 #include "src/analysis/analysis.hpp"
 #include "src/scene/read_scene.hpp"
@@ -226,31 +222,6 @@ TEST(NoPreload, IsNotInTheAnswer) {
     const Result r = analyze(read_scene_text(scene(R"({"part": "above", "force": [0, -500]})"), "s.json"), {});
     EXPECT_TRUE(r.preloads.empty());
     EXPECT_EQ(result_json(r).find("preloads"), std::string::npos);
-}
-
-/// What a bolt presses with along its shank is the force across a cut over the cosine of the angle that this is off.
-TEST(Preload, ALineThatIsNotSquareToTheShankIsTold) {
-    const auto tightened = [](double rise, double turn) {
-        const double c = std::cos(turn * std::numbers::pi / 180), s = std::sin(turn * std::numbers::pi / 180);
-        const auto at = [&](double x, double y) {
-            return "[" + std::to_string(c * x - s * y) + ", " + std::to_string(s * x + c * y) + "]";
-        };
-        const Result r = analyze(read_scene_text(scene(R"({"part": "a", "preload": {"across": [)" + at(-11, 50 - rise) + ", " +
-                                                           at(-4, 50 + rise) + R"(], "force": 1000}})",
-                                                       0, turn),
-                                                 "."),
-                                 {});
-        EXPECT_EQ(r.status, "ok") << r.message;
-        for (const std::string& w : r.warnings)
-            if (w.find("degrees off square to its sides") != std::string::npos) return w;
-        return std::string();
-    };
-    for (const double turn : {0.0, 25.0}) {
-        EXPECT_EQ(tightened(0, turn), "");
-        EXPECT_EQ(tightened(0.3, turn), "") << "4.9 degrees: 0.4 %";
-        EXPECT_NE(tightened(2, turn).find("is 30 degrees off square"), std::string::npos) << tightened(2, turn);
-        EXPECT_NE(tightened(2, turn).find("15 % more along itself"), std::string::npos) << tightened(2, turn);
-    }
 }
 
 }  // namespace
