@@ -507,7 +507,7 @@ private:
         } else if (!has_goals) {
             const bool may_be_stiff = is_reached() || !has_fallen(comparable_errors());
             if ((may_be_stiff && lacks_stiffness(now)) || may_lack_shape(error, next_)) refine_shape(now);
-            refine(error, next_);
+            is_answered_ ? refine(error, next_) : refine_all(next_);
         }
         return want(now, with_missed(is_first ? theory_.stretches : now.stretches, followed_));
     }

@@ -122,6 +122,16 @@ void refine(const ErrorEstimate& error, NextGrids& next) {
     coarsen_less(next);
 }
 
+void refine_all(NextGrids& next) {
+    for (ContactResolution& r : next.resolution) {
+        r.cells *= cell_refinement;
+        r.corner_fraction /= corner_refinement;
+        r.end_fraction = std::max(least_end_fraction, r.end_fraction / least_refinement);
+    }
+    next.coarseness /= coarsening_step;
+    coarsen_less(next);
+}
+
 WantedSizes with_bonded(const WantedSizes& wanted, const std::vector<Candidate>& candidates) {
     std::vector<std::size_t> body(wanted.size());
     std::iota(body.begin(), body.end(), std::size_t{0});

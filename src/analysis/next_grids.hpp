@@ -44,6 +44,9 @@ bool may_lack_shape(const ErrorEstimate& error, const NextGrids& next);
 
 /// Gives contacts whose error still counts finer cells; where they had what they aimed at, they aim at less.
 void refine(const ErrorEstimate& error, NextGrids& next);
+/// Makes all cells finer where a solution has no answer, which nothing can be estimated of: on the same cells there would be
+/// none again.
+void refine_all(NextGrids& next);
 
 /// The sizes that bonded parts want, which are one body: those at a place of one of them are wanted around it in all.
 WantedSizes with_bonded(const WantedSizes& wanted, const std::vector<Candidate>& candidates);

@@ -11,6 +11,7 @@
 #include "src/analysis/grid_walk.hpp"
 #include "src/plan/plan.hpp"
 #include "src/scene/read_scene.hpp"
+#include "tests/verification/scene_answers.hpp"
 
 namespace abut::failed_pass_test {
 namespace {
@@ -147,6 +148,24 @@ TEST(FailedPass, OfPartsThatSeemToTipIsFollowedByCellsThatTell) {
     ASSERT_FALSE(tips.driven.empty());
     const Screw& twist = tips.driven.front().twist;
     EXPECT_NEAR(-twist[1] / twist[2], 20, 0.05) << "about its corner";
+}
+
+/// A clamped bar that grows against a wall it sticks to: on some cells there is no state of sticking and slipping.
+TEST(FailedPass, AStateOfFrictionThatIsNotFoundIsLookedForOnOtherCells) {
+    double finest = 0;
+    for (const char* level : {"fine", "standard", "draft"}) {
+        const Result r = test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10, "materials": {
+            "steel": {"E": 210000, "nu": 0.3}, "alu": {"E": 70000, "nu": 0.33, "expansion": 2.3e-05}}, "parts": [
+            {"name": "bar", "material": "alu", "geometry": {"rectangle": {"min": [0, 0], "max": [50, 8]}}},
+            {"name": "wall", "material": "steel", "geometry": {"rectangle": {"min": [50, -10], "max": [70, 20]}}}],
+            "supports": [{"on": "bar/left", "fix": ["x", "y"]}, {"on": "wall/right", "fix": ["x", "y"]}],
+            "loads": [{"part": "bar", "temperature": 50}], "contacts": {"friction": 0.3}, "accuracy": {"level": ")" +
+                                      std::string(level) + R"("}})");
+        ASSERT_EQ(r.status, "ok") << level << r.message;
+        const double force = r.contacts.at(0).force.norm();
+        if (finest == 0) finest = force;
+        EXPECT_NEAR(force, finest, 0.003 * finest) << level;
+    }
 }
 
 }  // namespace abut::failed_pass_test
