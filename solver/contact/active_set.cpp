@@ -24,13 +24,6 @@ constexpr double closed_fraction = 1e-8;       // of the largest elastic closing
 constexpr double clear_fraction = 1e-6;        // of the deepest penetration: what free motions leave it by, besides
 constexpr double term_rounding = 1e-14;        // of the terms of a gap
 
-std::vector<Index> members(const ActiveSet& set) {
-    std::vector<Index> list;
-    for (std::size_t k = 0; k < set.size(); ++k)
-        if (set[k]) list.push_back(static_cast<Index>(k));
-    return list;
-}
-
 bool is_unilateral(const ContactQp& qp, Index row) {
     return qp.unilateral[static_cast<std::size_t>(row)] != 0;
 }
@@ -197,6 +190,13 @@ SetSearch search_sets(const ShiftedQp& shifted, const Solve& solve, ActiveSet& a
 }
 
 }  // namespace
+
+std::vector<Index> members(const ActiveSet& set) {
+    std::vector<Index> list;
+    for (std::size_t k = 0; k < set.size(); ++k)
+        if (set[k]) list.push_back(static_cast<Index>(k));
+    return list;
+}
 
 ActiveSet bilateral_rows(const ContactQp& qp) {
     ActiveSet set(qp.unilateral.size());

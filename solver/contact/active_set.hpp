@@ -31,6 +31,8 @@ struct ContactState {
     Eigen::VectorXd closing;  ///< C l
 };
 
+/// The numbers of the rows in a set, ascending.
+std::vector<Eigen::Index> members(const ActiveSet& set);
 /// The set of the rows that are always closed.
 ActiveSet bilateral_rows(const ContactQp& qp);
 

@@ -118,14 +118,6 @@ void recover_displacements(const AssemblyProblem& problem, const Rows& rows, con
     });
 }
 
-void add_rigid_motions(const AssemblyProblem& problem, const VectorXd& amplitudes, AssemblySolution& solution) {
-    const std::vector<Index> offset = mode_offsets(problem.parts);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-        const PartSystem& part = problem.parts[i];
-        if (part.modes.cols() > 0) solution.displacement[i] += part.modes * amplitudes.segment(offset[i], part.modes.cols());
-    }
-}
-
 /// What the refinement changes. The settled amplitudes stay: all else is small against them where there is clearance.
 struct ContactAnswer {
     VectorXd forces;  // multipliers of the scaled rows
@@ -262,13 +254,9 @@ AssemblyRows assembly_rows(const AssemblyProblem& problem, int threads) {
 
 AssemblyRows rows_among(const AssemblyRows& all, const std::vector<char>& taken) {
     ENSURE(taken.size() == at(all.rows.n), "a row is taken or not");
-    std::vector<Index> kept;
+    const std::vector<Index> kept = members(taken);
     std::vector<int> number(taken.size(), -1);
-    for (std::size_t row = 0; row < taken.size(); ++row)
-        if (taken[row]) {
-            number[row] = static_cast<int>(kept.size());
-            kept.push_back(static_cast<Index>(row));
-        }
+    for (std::size_t k = 0; k < kept.size(); ++k) number[static_cast<std::size_t>(kept[k])] = static_cast<int>(k);
     AssemblyRows own;
     own.rows.n = static_cast<int>(kept.size());
     for (const Turning& t : all.rows.turning) {
@@ -443,13 +431,10 @@ public:
         expected_ = is_all() ? VectorXd(0) : VectorXd::Zero(all_.rows.n);
     }
 
+    /// The rows taken alone.
     AssemblyRows chosen() const {
         AssemblyRows own = rows_among(all_, taken_);
-        if (expected_.size() == 0) return own;
-        std::vector<Index> kept;
-        for (std::size_t row = 0; row < taken_.size(); ++row)
-            if (taken_[row]) kept.push_back(static_cast<Index>(row));
-        own.expected = expected_.isZero(0) ? VectorXd(0) : VectorXd(expected_(kept));
+        if (expected_.size() > 0) own.expected = expected_.isZero(0) ? VectorXd(0) : VectorXd(expected_(members(taken_)));
         return own;
     }
 

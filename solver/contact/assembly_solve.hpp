@@ -33,6 +33,8 @@ inline constexpr double neutral_motion_fraction = 1e-3;
 /// The loads may do this much work in a neutral motion, relative to load times size: outlines are drawn no more exactly, so
 /// that a load straight against a face is inclined to it by so much.
 inline constexpr double neutral_work_fraction = 1e-6;
+/// Contact forces below this share of the loads are their rounding: the contact is open.
+inline constexpr double open_force_fraction = 1e-10;
 
 /// What is known of a part in the state that slips count from.
 struct StateBefore {

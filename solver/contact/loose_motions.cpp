@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/contact/loose_motions.hpp"
 
-#include <algorithm>
-
 #include "solver/contact/condensation.hpp"
 #include "solver/linear_algebra/dense.hpp"
 #include "solver/linear_algebra/nonnegative.hpp"
@@ -15,9 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// Of the loads: contact forces below are their rounding.
-constexpr double open_force_fraction = 1e-10;
 
 /// The interfaces that hold: bonds, and those whose pressure bears something, with their friction.
 std::vector<char> holding(const AssemblyProblem& problem, const AssemblyRows& all, const VectorXd& multipliers) {
@@ -35,19 +30,20 @@ std::vector<char> holding(const AssemblyProblem& problem, const AssemblyRows& al
     return holds;
 }
 
-/// The motions of which a part has a share that something holds.
+/// The motions that move a part which something holds.
 MatrixXd of_held_parts(const AssemblyProblem& problem, const std::vector<char>& holds, const MatrixXd& motions) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     std::vector<char> is_held(problem.parts.size(), 0);
     for (std::size_t f = 0; f < holds.size(); ++f)
         for (const int part : problem.interfaces[f].part) is_held[at(part)] = is_held[at(part)] || holds[f];
+    const auto moves_held = [&](Index k) {
+        for (std::size_t i = 0; i < is_held.size(); ++i)
+            if (is_held[i] && !motions.col(k).segment(offset[i], offset[i + 1] - offset[i]).isZero(0)) return true;
+        return false;
+    };
     std::vector<Index> kept;
     for (Index k = 0; k < motions.cols(); ++k)
-        for (std::size_t i = 0; i < is_held.size(); ++i)
-            if (is_held[i] && !motions.col(k).segment(offset[i], offset[i + 1] - offset[i]).isZero(0)) {
-                kept.push_back(k);
-                break;
-            }
+        if (moves_held(k)) kept.push_back(k);
     return motions(Eigen::all, kept);
 }
 
@@ -79,24 +75,15 @@ void take_least_loose_motion(const AssemblyProblem& problem, const AssemblyRows&
     const MatrixXd motions = motions_beside(neutral, of_held_parts(problem, holds, split.neutral));
     if (motions.cols() == 0) return;
     const NeutralMeasure measure = neutral_measure(problem, motions, threads);
-    const std::vector<Index> offset = mode_offsets(problem.parts);
-    VectorXd pull = VectorXd::Zero(motions.cols());
-    for (std::size_t i = 0; i < problem.parts.size(); ++i)
-        if (measure.integrals[i].size() > 0)
-            pull -= motions.middleRows(offset[i], offset[i + 1] - offset[i]).transpose() *
-                    (measure.integrals[i].transpose() * solution.displacement[i]);
     const SymmetricEigen gram = symmetric_eigen(measure.gram);
     if (!(gram.values[0] > 0)) return;
     const MatrixXd units = gram.vectors * gram.values.cwiseSqrt().cwiseInverse().asDiagonal();  // orthonormal in the measure
-    const VectorXd unbounded = units * (units.transpose() * pull);
+    const VectorXd unbounded = units * (units.transpose() * pull_of(problem, measure, motions, solution.displacement));
     const MatrixXd moved = times_few(qp.modes(open, Eigen::all), motions);
     const VectorXd gap = gaps_of(problem, all, solution)(open).cwiseMax(0);
     const std::optional<VectorXd> back = least_distance(moved * units, -(gap + moved * unbounded));
     if (!back) return;
-    const VectorXd amplitudes = motions * (unbounded + units * *back);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i)
-        if (problem.parts[i].modes.cols() > 0)
-            solution.displacement[i] += problem.parts[i].modes * amplitudes.segment(offset[i], offset[i + 1] - offset[i]);
+    add_rigid_motions(problem, motions * (unbounded + units * *back), solution);
     for (Index k = 0; k < motions.cols(); ++k)
         for (const PartMotion& m : part_motions(problem.parts, motions.col(k))) solution.neutral.push_back(m);
 }

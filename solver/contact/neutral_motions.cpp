@@ -381,20 +381,32 @@ std::vector<Index> of_displaced_parts(const std::vector<Index>& offset, const Ma
 
 }  // namespace
 
+VectorXd pull_of(const AssemblyProblem& problem, const NeutralMeasure& measure, const MatrixXd& neutral,
+                 const std::vector<VectorXd>& displacement) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    VectorXd pull = VectorXd::Zero(neutral.cols());
+    for (std::size_t i = 0; i < problem.parts.size(); ++i)
+        if (measure.integrals[i].size() > 0)
+            pull -= neutral.middleRows(offset[i], offset[i + 1] - offset[i]).transpose() *
+                    (measure.integrals[i].transpose() * displacement[i]);
+    return pull;
+}
+
+void add_rigid_motions(const AssemblyProblem& problem, const VectorXd& amplitudes, AssemblySolution& solution) {
+    const std::vector<Index> offset = mode_offsets(problem.parts);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+        const PartSystem& part = problem.parts[i];
+        if (part.modes.cols() > 0) solution.displacement[i] += part.modes * amplitudes.segment(offset[i], part.modes.cols());
+    }
+}
+
 void take_least_motion(const AssemblyProblem& problem, const MatrixXd& all, int threads, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     const MatrixXd neutral = all(Eigen::all, of_displaced_parts(offset, all, solution.displacement));
     if (neutral.cols() == 0) return;
     const NeutralMeasure measure = neutral_measure(problem, neutral, threads);
-    VectorXd rhs = VectorXd::Zero(neutral.cols());
-    for (std::size_t i = 0; i < problem.parts.size(); ++i)
-        if (measure.integrals[i].size() > 0)
-            rhs -= neutral.middleRows(offset[i], offset[i + 1] - offset[i]).transpose() *
-                   (measure.integrals[i].transpose() * solution.displacement[i]);
-    const VectorXd amplitude = PivotedCholesky(measure.gram).solve(rhs);
-    for (std::size_t i = 0; i < problem.parts.size(); ++i)
-        solution.displacement[i] +=
-            problem.parts[i].modes * (neutral.middleRows(offset[i], offset[i + 1] - offset[i]) * amplitude);
+    const VectorXd pull = pull_of(problem, measure, neutral, solution.displacement);
+    add_rigid_motions(problem, neutral * PivotedCholesky(measure.gram).solve(pull), solution);
 }
 
 }  // namespace abut::solver

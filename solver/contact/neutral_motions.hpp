@@ -45,6 +45,13 @@ struct NeutralMeasure {
 };
 NeutralMeasure neutral_measure(const AssemblyProblem& problem, const Eigen::MatrixXd& neutral, int threads);
 
+/// The amplitudes that the gram takes to this make displacements (by part) least: minus their integrals times the motions.
+Eigen::VectorXd pull_of(const AssemblyProblem& problem, const NeutralMeasure& measure, const Eigen::MatrixXd& neutral,
+                        const std::vector<Eigen::VectorXd>& displacement);
+
+/// Displaces parts by rigid motions. amplitudes: of all free motions of the parts, one after the other.
+void add_rigid_motions(const AssemblyProblem& problem, const Eigen::VectorXd& amplitudes, AssemblySolution& solution);
+
 /// A basis of what motions span beside others; all are orthonormal.
 Eigen::MatrixXd motions_beside(const Eigen::MatrixXd& others, const Eigen::MatrixXd& motions);
 

@@ -72,9 +72,7 @@ AssemblySolution solve_with_softer_parts(const AssemblyProblem& problem, const A
     qp.modes = times_few(qp.modes, split_motions(problem, candidate_resistance(problem), qp.modes).resisted);
     qp.mode_load = VectorXd::Zero(qp.modes.cols());
     qp.friction = own.friction;
-    std::vector<Index> rows;
-    for (std::size_t row = 0; row < taken.size(); ++row)
-        if (taken[row]) rows.push_back(static_cast<Index>(row));
+    const std::vector<Index> rows = members(taken);
     AssemblySolution softer;
     VectorXd forces, motion;
     softer.converged = solve_on_set(qp, states_under(qp, multipliers(rows).cwiseProduct(own.rows.weight)), forces, motion) &&

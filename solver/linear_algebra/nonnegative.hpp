@@ -17,8 +17,7 @@ NonnegativeResult nonnegative_least_squares(const Eigen::MatrixXd& a, const Eige
                                             const std::vector<char>& bounded);
 
 /// Least distance programming: the least |z| with H z >= h ([Lawson74], chapter 23), by its dual, non-negative least squares
-/// on H' and h. Nothing where there is none, or only a thousand times as far away as the largest row
-/// alone would have it.
+/// on H' and h. Nothing where there is none, or only one a thousand times as far away as the largest row alone would have it.
 std::optional<Eigen::VectorXd> least_distance(const Eigen::MatrixXd& rows, const Eigen::VectorXd& least);
 
 }  // namespace abut::solver

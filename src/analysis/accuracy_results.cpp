@@ -318,9 +318,8 @@ void fill_displacement_errors(const Outcome& out, Result& result) {
         PartResult& p = result.parts[static_cast<std::size_t>(out.solved.grids[k].part)];
         if (p.max_displacement.value == 0) continue;
         double own = energy * largest / p.max_displacement.value;
-        if (k < error.own_energy.size() && out.solved.problem.parts[k].free_motions.empty()) {
+        if (k < error.own_energy.size() && out.solved.problem.parts[k].free_motions.empty())
             own = std::max(error.own_energy[k], missing_of_contacts(result, error, p.name));
-        }
         own = std::max(own, out.largest[k].displacement_error / p.max_displacement.value);
         // what lifts off goes by where its contacts end, of which energies know little
         if (k < error.moved.size())

@@ -106,8 +106,7 @@ Eigen::VectorXd pull_displacement(const Load& load, const PartOnGrid& g) {
     const std::vector<Side> side = sides_of(g, cut);
     if (side.empty())
         refuse(load, "it does not part it in two",
-               "let both its ends lie outside, right across the shank, so that nothing else joins the two "
-               "sides");
+               "let both its ends lie outside, right across the shank, so that nothing else joins the two sides");
     const std::vector<char> beyond = functions_beyond(g, cut, side);
     Eigen::VectorXd pull = Eigen::VectorXd::Zero(2 * g.input.space.n_functions);
     for (int f = 0; f < g.input.space.n_functions; ++f)

@@ -203,9 +203,6 @@ void note_contact_elements(SolvedAssembly& solved) {
 /// Of the error aimed at: what the increments may change, beside what the grids leave.
 constexpr double path_share = 0.5;
 
-/// Of the loads: contact forces below are their rounding.
-constexpr double open_force_fraction = 1e-10;
-
 /// How well places of a part's outline are known.
 double rounding_of_outline(const PartOnGrid& g) {
     return geometry::coordinate_roundings * std::numeric_limits<double>::epsilon() * (g.frame.shift.norm() + g.size);
@@ -217,7 +214,7 @@ bool is_rounding(const SolvedAssembly& solved, std::size_t contact, const Eigen:
     const solver::Interface& face = solved.contacts[contact].face;
     const double length = face.pressure.breakpoints.back() - face.pressure.breakpoints.front(),
                  largest = pressure.cwiseAbs().maxCoeff();
-    if (largest * length * face.thickness <= open_force_fraction * load_scale) return true;
+    if (largest * length * face.thickness <= solver::open_force_fraction * load_scale) return true;
     return load_scale == 0 &&
            largest * length * compliance_of(solved, contact) <=
                rounding_of_outline(solved.grids[at(face.part[0])]) + rounding_of_outline(solved.grids[at(face.part[1])]);
