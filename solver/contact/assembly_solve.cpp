@@ -363,8 +363,13 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
     if (!attempt.is_balanced) return attempt;
     const MatrixXd levers = times_few(qp.modes, split.balanced);
     std::optional<FrictionPath> path;
-    if (!qp.friction.empty())
-        path = follow_path(qp, path_start(problem, all), rows.weight, split, levers, problem.path_tolerance);
+    VectorXd unheld = VectorXd::Zero(qp.modes.cols());
+    if (!qp.friction.empty()) {
+        const PathStart start_of_path = path_start(problem, all, qp.modes);
+        unheld = unheld_amplitudes(problem.parts, threads);
+        move_bodies(unheld, qp);
+        path = follow_path(qp, start_of_path, rows.weight, split, levers, problem.path_tolerance);
+    }
     if (path && problem.path_tolerance) attempt.on_way = std::move(path->way);
     const HeldAnswer held = path ? std::move(path->end) : solve_held(qp, split, levers, start);
     solution.iterations = path ? path->iterations : held.result.iterations;
@@ -397,7 +402,7 @@ Attempt solve_under(const AssemblyProblem& problem, const AssemblyRows& all, con
             solution.residual = std::max(solution.residual, (levers.transpose() * answer.forces).cwiseAbs().maxCoeff() /
                                                                 force_scale(held.qp, answer.forces));
     }
-    const VectorXd amplitudes = held.held * (answer.settled + answer.motion);
+    const VectorXd amplitudes = unheld + held.held * (answer.settled + answer.motion);
     add_rigid_motions(problem, amplitudes, solution);
     if (held.held.cols() > split.resisted.cols()) solution.amplitudes = by_part(problem.parts, amplitudes);
     attempt.answered.multipliers = answer.forces.cwiseQuotient(rows.weight);

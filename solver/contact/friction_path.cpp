@@ -10,7 +10,9 @@
 #include "solver/contact/condensation.hpp"
 #include "solver/contact/friction_states.hpp"
 #include "solver/contact/kept_states.hpp"
+#include "solver/linear_algebra/parallel_for.hpp"
 #include "src/base/ensure.hpp"
+#include "src/base/index.hpp"
 
 namespace abut::solver {
 
@@ -107,7 +109,7 @@ private:
         return std::move(*path_);
     }
 
-    /// Bodies that are held go where the loads take them until they touch.
+    /// Bodies go where the loads take them until they touch.
     void go_as_unpressed(State& begin) const {
         const auto is_open = [&](const FrictionRow& f) { return start_.gap[f.normal] > 0; };
         if (std::none_of(qp_.friction.begin(), qp_.friction.end(), is_open)) return;
@@ -118,7 +120,7 @@ private:
         begin.passing = *here - *there;
     }
 
-    /// The gaps at a place of the path where no contact carries anything; nothing: the bodies are not held then.
+    /// The gaps at a place of the path where no contact carries anything; nothing: loads drive bodies that nothing holds then.
     std::optional<VectorXd> unpressed(double end) const {
         const ContactQp qp = at(end);
         ActiveSet open = bilateral_rows(qp);
@@ -189,7 +191,7 @@ private:
         return states;
     }
 
-    /// Bodies that nothing holds yet are where they were drawn: where a search has put them says nothing.
+    /// Bodies that nothing holds yet stay, but for what their loads alone do: where a search has put them says nothing.
     State after(const State& from, const Increment& increment, double size) const {
         const ContactQpResult& r = increment.answer.result;
         const ContactQp& qp = increment.answer.qp;
@@ -305,7 +307,7 @@ private:
 
 }  // namespace
 
-PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
+PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all, const MatrixXd& modes) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     PathStart start{all.rows.gap0, VectorXd::Zero(offset.back()), !problem.before.empty()};
     const Index first_constraint = all.rows.n - static_cast<Index>(problem.constraints.size());
@@ -325,7 +327,28 @@ PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all) {
         }
     }
     start.gap = start.gap.cwiseQuotient(all.rows.weight);
+    if (start.is_loaded) {
+        std::vector<VectorXd> under_load;
+        for (const StateBefore& before : problem.before) under_load.push_back(before.under_load);
+        start.gap += modes * least_amplitudes(problem.parts, under_load);
+    }
     return start;
+}
+
+VectorXd unheld_amplitudes(const std::vector<PartSystem>& parts, int threads) {
+    std::vector<VectorXd> displacement(parts.size());
+    parallel_for(static_cast<int>(parts.size()), threads, [&](int k) {
+        const PartSystem& part = parts[at(k)];
+        if (part.modes.cols() > 0 && !(part.load.isZero(0) && part.prescribed.isZero(0)))
+            displacement[at(k)] = solve(part, part.load);
+    });
+    return least_amplitudes(parts, displacement);
+}
+
+void move_bodies(const VectorXd& amplitudes, ContactQp& qp) {
+    const VectorXd opened = qp.modes * amplitudes;
+    qp.gap += opened;
+    qp.drawn_gap += opened;
 }
 
 FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const VectorXd& weight, const MotionSplit& split,

@@ -6,12 +6,19 @@
 namespace abut::solver {
 
 /// Where gaps and loads on motions begin, from where they grow evenly to those of a problem: at the state before or, without
-/// one, at the bodies as drawn, without loads, and without what overlaps.
+/// one, at the bodies as drawn, without loads, and without what overlaps. Bodies that nothing holds there move least.
 struct PathStart {
     Eigen::VectorXd gap, mode_load;  ///< of scaled rows, of all free motions
     bool is_loaded = false;          ///< contacts may be pressed there
 };
-PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all);
+/// modes: of scaled rows, all.
+PathStart path_start(const AssemblyProblem& problem, const AssemblyRows& all, const Eigen::MatrixXd& modes);
+
+/// The amplitudes of free motions by which bodies move least under their loads alone: where they would be, if nothing held
+/// them. What touches on the way sticks there, so that a path's problem counts amplitudes from these.
+Eigen::VectorXd unheld_amplitudes(const std::vector<PartSystem>& parts, int threads);
+/// Takes them into the gaps of a problem of all motions.
+void move_bodies(const Eigen::VectorXd& amplitudes, ContactQp& qp);
 
 /// What comes together on a path.
 struct OnWay {
@@ -33,9 +40,9 @@ struct FrictionPath {
 /// turn where they change pressures (L2, relative to the largest of the path's ends) or tractions (over their bounds) by more
 /// than `tolerance` times the increment's share of the path; where an answer is not found, too. The changes add up to the
 /// error. What falls onto others under any load at all does so in a first, least increment. Before anything is known of the
-/// way, bodies that are held go where the loads alone would take them until they touch. qp: of scaled rows, slips from the
-/// start; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at once. Where bodies slide,
-/// or there is no answer at the end however small the increments, it is that of one increment.
+/// way, bodies go where the loads alone would take them until they touch. qp: of scaled rows, slips from the start, bodies
+/// moved by `unheld_amplitudes`; weight: of the rows; split, levers: as of solve_held; no tolerance: the loads are put on at
+/// once. Where bodies slide, or there is no answer at the end however small the increments, it is that of one increment.
 FrictionPath follow_path(const ContactQp& qp, const PathStart& start, const Eigen::VectorXd& weight, const MotionSplit& split,
                          const Eigen::MatrixXd& levers, std::optional<double> tolerance);
 

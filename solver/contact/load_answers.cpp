@@ -63,15 +63,19 @@ void LoadAnswers::respond_to_loads(int threads) {
     const auto n_loads = static_cast<Index>(loads_.size());
     const std::vector<Index> offset = mode_offsets(problem_.parts);
     gaps_ = MatrixXd::Zero(rows_.rows.n, n_loads);
-    mode_loads_ = MatrixXd::Zero(offset.back(), n_loads);
+    mode_loads_ = unheld_of_loads_ = MatrixXd::Zero(offset.back(), n_loads);
+    if (!rows_.friction.empty()) unheld_ = unheld_amplitudes(problem_.parts, threads);
     parallel_for(static_cast<int>(n_loads), threads, [&](int j) {
+        std::vector<VectorXd> displacement(problem_.parts.size());
         for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
             const VectorXd& load = loads_[static_cast<std::size_t>(j)].on_part[i];
             if (load.size() == 0) continue;
             const PartSystem& part = problem_.parts[i];
-            gaps_.col(j) += opening_of(rows_.rows, i, response(part, load));
+            displacement[i] = response(part, load);
+            gaps_.col(j) += opening_of(rows_.rows, i, displacement[i]);
             mode_loads_.col(j).segment(offset[i], part.modes.cols()) = part.modes.transpose() * load;
         }
+        if (!rows_.friction.empty()) unheld_of_loads_.col(j) = least_amplitudes(problem_.parts, displacement);
     });
     gaps_ = rows_.rows.weight.cwiseInverse().asDiagonal() * gaps_;
 }
@@ -110,23 +114,29 @@ void LoadAnswers::respond_to_measures(const std::vector<DisplacementMeasure>& me
     });
 }
 
-LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load) const {
+LoadAnswers::Found LoadAnswers::search_anew(const VectorXd& mode_load, const VectorXd& factors) const {
     ContactQp all = qp_;
     all.modes = modes_;
     all.mode_load = mode_load;
-    HeldAnswer held =
-        all.friction.empty() || !problem_.path_tolerance
-            ? solve_held(all, split_, levers_)
-            : follow_path(all, path_start(problem_, rows_), rows_.rows.weight, split_, levers_, *problem_.path_tolerance).end;
+    const bool has_way = !all.friction.empty() && problem_.path_tolerance;
+    VectorXd unheld = VectorXd::Zero(modes_.cols());
+    if (has_way) {
+        unheld = unheld_ + unheld_of_loads_ * factors;
+        move_bodies(unheld, all);
+    }
+    HeldAnswer held = has_way ? follow_path(all, path_start(problem_, rows_, modes_), rows_.rows.weight, split_, levers_,
+                                            *problem_.path_tolerance)
+                                    .end
+                              : solve_held(all, split_, levers_);
     if (held.result.mechanism.size() > 0) return {held.result, held.held * held.result.mechanism};
     if (levers_.cols() > 0)
         if (const std::optional<VectorXd> forces = balanced(held.qp, levers_, held.result.multipliers))
             held.result.multipliers = *forces;
-    return {held.result, held.held * held.result.amplitudes()};
+    return {held.result, unheld + held.held * held.result.amplitudes()};
 }
 
-LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
-    if (!rows_.friction.empty()) return search_anew(mode_load);
+LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load, const VectorXd& factors) {
+    if (!rows_.friction.empty()) return search_anew(mode_load, factors);
     if (ContactQpResult result; factor_ && solve_from_neighbour(qp_, resisted_amplitudes_, *factor_, result)) {
         const std::optional<VectorXd> forces =
             levers_.cols() > 0 ? balanced(qp_, levers_, result.multipliers) : std::optional(result.multipliers);
@@ -135,7 +145,7 @@ LoadAnswers::Found LoadAnswers::search(const VectorXd& mode_load) {
             return {result, split_.resisted * result.amplitudes()};
         }
     }
-    return search_anew(mode_load);
+    return search_anew(mode_load, factors);
 }
 
 LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
@@ -151,7 +161,7 @@ LoadAnswer LoadAnswers::answer(const VectorXd& factors) {
     find_driven_neutral_motion(problem_, resistance_, split_.neutral, mode_load, qp_.load_scale, driven);
     answer.mechanism = std::move(driven.mechanism);
     if (!answer.mechanism.empty()) return answer;
-    const Found found = search(mode_load);
+    const Found found = search(mode_load, factors);
     answer.iterations = found.result.iterations;
     answer.converged = found.result.converged;
     if (found.result.mechanism.size() > 0) answer.mechanism = part_motions(problem_.parts, found.amplitudes);

@@ -56,8 +56,8 @@ private:
         ContactQpResult result;
         Eigen::VectorXd amplitudes;  ///< of all free motions
     };
-    Found search(const Eigen::VectorXd& mode_load);
-    Found search_anew(const Eigen::VectorXd& mode_load) const;
+    Found search(const Eigen::VectorXd& mode_load, const Eigen::VectorXd& factors);
+    Found search_anew(const Eigen::VectorXd& mode_load, const Eigen::VectorXd& factors) const;
     void respond_to_loads(int threads);
     void respond_to_measures(const std::vector<DisplacementMeasure>& measures, int threads);
     Eigen::VectorXd measured(const Eigen::VectorXd& factors, LoadAnswer& answer) const;
@@ -72,6 +72,8 @@ private:
     double load_scale_;                     ///< of what always acts
     Eigen::VectorXd gap_, mode_load_;       ///< under what always acts
     Eigen::MatrixXd gaps_, mode_loads_;     ///< by load
+    Eigen::VectorXd unheld_;                ///< amplitudes under what always acts, with friction (unheld_amplitudes)
+    Eigen::MatrixXd unheld_of_loads_;       ///< what loads add to them, by load
     std::unique_ptr<ClosedFactor> factor_;  ///< of the rows that were closed last
     Eigen::VectorXd resisted_amplitudes_;   ///< of the last answer
     // The measures, and after them those of the neutral motions: of what always acts, by load, by multiplier, by amplitude.

@@ -392,6 +392,18 @@ VectorXd pull_of(const AssemblyProblem& problem, const NeutralMeasure& measure, 
     return pull;
 }
 
+VectorXd least_amplitudes(const std::vector<PartSystem>& parts, const std::vector<VectorXd>& displacement) {
+    const std::vector<Index> offset = mode_offsets(parts);
+    VectorXd amplitudes = VectorXd::Zero(offset.back());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].modes.cols() == 0 || displacement[i].isZero(0)) continue;
+        const MatrixXd& integrals = motion_integrals(parts[i]);
+        amplitudes.segment(offset[i], parts[i].modes.cols()) =
+            -PivotedCholesky(integrals.transpose() * parts[i].modes).solve(integrals.transpose() * displacement[i]);
+    }
+    return amplitudes;
+}
+
 void add_rigid_motions(const AssemblyProblem& problem, const VectorXd& amplitudes, AssemblySolution& solution) {
     const std::vector<Index> offset = mode_offsets(problem.parts);
     for (std::size_t i = 0; i < problem.parts.size(); ++i) {

@@ -49,6 +49,9 @@ NeutralMeasure neutral_measure(const AssemblyProblem& problem, const Eigen::Matr
 Eigen::VectorXd pull_of(const AssemblyProblem& problem, const NeutralMeasure& measure, const Eigen::MatrixXd& neutral,
                         const std::vector<Eigen::VectorXd>& displacement);
 
+/// The amplitudes of each part's free motions that make its displacement (by part) least, in the mean square over it.
+Eigen::VectorXd least_amplitudes(const std::vector<PartSystem>& parts, const std::vector<Eigen::VectorXd>& displacement);
+
 /// Displaces parts by rigid motions. amplitudes: of all free motions of the parts, one after the other.
 void add_rigid_motions(const AssemblyProblem& problem, const Eigen::VectorXd& amplitudes, AssemblySolution& solution);
 

@@ -42,7 +42,7 @@ std::vector<char> bearing(const AssemblyRows& all, const VectorXd& multipliers) 
 /// All of them closed, and what is at its limit slips.
 std::vector<char> states_under(const ContactQp& qp, const VectorXd& forces) {
     constexpr double at_limit = 1 - 1e-6;  // of tractions that were balanced and refined
-    std::vector<char> states(at(forces.size()), row_state::closed);
+    std::vector<char> states(static_cast<std::size_t>(forces.size()), row_state::closed);
     for (const FrictionRow& f : qp.friction)
         if (std::abs(forces[f.tangential]) >= at_limit * f.coefficient * forces[f.normal])
             states[at(f.tangential)] = forces[f.tangential] < 0 ? row_state::slips_forward : row_state::slips_backward;

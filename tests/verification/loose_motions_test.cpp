@@ -108,5 +108,28 @@ TEST(LooseMotions, WallsThatBearNothingButRoundingHoldNothing) {
     EXPECT_NEAR(moved[0], moved[1], 0.005 * moved[0]);
 }
 
+/// A block in a pocket that closes its gaps only when it is warm, with friction: it sticks where it was until then, in the
+/// middle, wherever its grid begins.
+TEST(LooseMotions, WhatGrowsUntilItTouchesSticksWhereItWasUntilThen) {
+    constexpr double growth = 2.3e-5 * 30 * 10, gap = 0.95 * growth;  // at each end
+    for (const double degrees : {0.0, 17.0, 73.0}) {
+        const auto at = [&](double x, double y) { return turned(x, y, degrees); };
+        const Result r = test::answer(
+            R"({"abut": 1, "thickness": 10, "materials": {"steel": {"E": 210000, "nu": 0.3},
+                "alu": {"E": 70000, "nu": 0.33, "expansion": 2.3e-5}}, "parts": [
+                {"name": "box", "material": "steel", "geometry": {"difference": [)" +
+            box(-40, -30, 40, 30, degrees) + ", " + box(-10 - gap, -5.02, 10 + gap, 5.02, degrees) +
+            R"(]}}, {"name": "block", "material": "alu", "geometry": )" + box(-10, -5, 10, 5, degrees) +
+            R"(}], "supports": [{"on": "box/0/*", "fix": ["x", "y"]}], "loads": [{"part": "block", "temperature": 30}],
+                "contacts": {"friction": 0.3}, "output": {"probes": [{"part": "block", "at": )" +
+            at(0, 0) + R"(}, {"part": "block", "at": )" + at(9, 4.5) + "}]}}");
+        ASSERT_EQ(r.status, "ok") << r.message;
+        const double a = degrees * 3.141592653589793 / 180;
+        const Vec2 middle = r.probes.at(0).displacement, corner = r.probes.at(1).displacement;
+        EXPECT_LT(middle.norm(), 0.01 * growth) << degrees;
+        EXPECT_NEAR(-std::sin(a) * corner.x() + std::cos(a) * corner.y(), 0.45 * growth, 0.01 * growth) << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace abut::loose_motions_test
