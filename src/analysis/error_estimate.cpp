@@ -138,6 +138,19 @@ ContactError estimate(const ContactRecord& now, const PressureChange& c, const s
     return e;
 }
 
+/// Of a contact that lies beside sharp corners as a whole, where pressures have no limit: its force, and what is known by that.
+ContactError estimate_of_force(const ContactRecord& now, const ContactRecord& before, const PressureChange& c) {
+    ContactError e;
+    const auto missed = [](double now_is, double was) { return std::min(1.0, std::abs(now_is - was) / std::abs(now_is)); };
+    e.at_corner = true;
+    e.change = e.whole_change = std::min(1.0, c.force_change);
+    e.force = e.pressure = e.inside = e.kept = missing * e.change;
+    e.peak = e.peak_inside = std::max(e.pressure, missing_of_peak * missed(c.peak, c.peak_before));
+    e.length = std::max(e.pressure, missing * missed(length_of(now.stretches), length_of(before.stretches)));
+    e.local.assign(c.local.size(), 0);
+    return e;
+}
+
 /// A traction that ends like a root somewhere between knots has an error in proportion to their spacing.
 double missing_of_traction(double refinement) {
     return refinement < 1 ? std::clamp(refinement / (1 - refinement), missing_at_least, 1.0) : 1;
@@ -221,32 +234,39 @@ ErrorEstimate estimate_errors(std::span<const PassRecord> passes, const ErrorEst
     const PassRecord& before = passes[passes.size() - 2];
     if (before.contacts.size() != now.contacts.size()) return e;  // it had no answer (a step, or the one before it, was stuck)
     for (std::size_t k = 0; k < e.moved.size(); ++k) e.moved[k] = change_of_displacement(now, before, k);
-    double strongest = 0, largest_peak = 0;  // of all, bonds among them
-    double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;
+    double strongest = 0, largest_peak = 0, largest_force = 0;  // of all, bonds among them
+    std::vector<PressureChange> changes;
     for (std::size_t k = 0; k < now.contacts.size(); ++k) {
-        if (now.contacts[k].stretches.empty()) continue;  // open, but for rounding
         const std::optional<ContactError> known =
             k < estimate_before.contacts.size() ? estimate_before.contacts[k] : std::nullopt;
-        const PressureChange c = change_of(now.contacts[k], before.contacts[k], known ? known->local : std::vector<double>{});
-        if (!(c.norm > 0)) continue;
-        ContactError error = estimate(now.contacts[k], c, known, k < theory.size() ? theory[k] : std::nullopt);
-        add_shear(now.contacts[k], before.contacts[k], c.norm, known, error);
-        e.contacts[k] = error;
-        e.contacts[k]->share = c.norm;
-        e.contacts[k]->share_of_peak = c.peak;
+        const bool is_open = now.contacts[k].stretches.empty();  // but for rounding
+        changes.push_back(is_open
+                              ? PressureChange()
+                              : change_of(now.contacts[k], before.contacts[k], known ? known->local : std::vector<double>{}));
+        const PressureChange& c = changes.back();
+        if (c.norm > 0) {
+            e.contacts[k] = estimate(now.contacts[k], c, known, k < theory.size() ? theory[k] : std::nullopt);
+            add_shear(now.contacts[k], before.contacts[k], c.norm, known, *e.contacts[k]);
+        } else if (c.force != 0) {
+            e.contacts[k] = estimate_of_force(now.contacts[k], before.contacts[k], c);
+        }
         strongest = std::max(strongest, c.norm);
         largest_peak = std::max(largest_peak, c.peak);
-        if (now.contacts[k].is_bond) continue;
-        worst = std::max(worst, error.pressure * c.norm);
-        strongest_contact = std::max(strongest_contact, c.norm);
-        if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * c.peak);
-        largest_at_contact = std::max(largest_at_contact, c.peak);
+        largest_force = std::max(largest_force, std::abs(c.force));
     }
-    for (auto& c : e.contacts) {
-        if (!c) continue;
-        c->share /= strongest;
-        c->share_of_peak /= largest_peak;
-        if (c->share <= rounding_of_pressure) c.reset();  // a bond that carries nothing
+    double worst = 0, strongest_contact = 0, worst_peak = 0, largest_at_contact = 0;
+    for (std::size_t k = 0; k < e.contacts.size(); ++k) {
+        if (!e.contacts[k]) continue;
+        ContactError& error = *e.contacts[k];
+        error.share = changes[k].norm > 0 ? changes[k].norm / strongest : std::abs(changes[k].force) / largest_force;
+        error.share_of_peak = changes[k].peak / largest_peak;
+        if (!now.contacts[k].is_bond) {
+            worst = std::max(worst, error.pressure * error.share);
+            strongest_contact = std::max(strongest_contact, error.share);
+            if (!error.at_corner) worst_peak = std::max(worst_peak, error.peak * changes[k].peak);
+            largest_at_contact = std::max(largest_at_contact, changes[k].peak);
+        }
+        if (error.share <= rounding_of_pressure) e.contacts[k].reset();  // a bond that carries nothing
     }
     if (strongest_contact > 0) e.contact_pressure = worst / strongest_contact;
     if (strongest_contact > 0) e.peak = worst_peak / largest_at_contact;

@@ -133,6 +133,23 @@ TEST(ErrorEstimate, PeaksAtCornersAreSaidAndLeftOut) {
     EXPECT_FALSE(estimate({pass({scaled(20, 1)}), pass({scaled(20, 1.1)})}).contacts[0]->at_corner);
 }
 
+/// A contact that is nowhere but beside a corner is known by its force, and counts by it.
+TEST(ErrorEstimate, WhatLiesBesideACornerAsAWholeIsKnownByItsForce) {
+    const auto at_corner = [](double factor) {
+        ContactRecord r = record(20, [=](double) { return factor; });
+        r.stretches[0].at_begin = {StretchEnd::Kind::corner, 1, 0};
+        return r;
+    };
+    const ErrorEstimate alone = estimate({pass({at_corner(1)}), pass({at_corner(1.25)})});
+    ASSERT_TRUE(alone.contacts[0]);
+    EXPECT_TRUE(alone.contacts[0]->at_corner);
+    EXPECT_NEAR(alone.contacts[0]->force, 0.33 * 0.2, 1e-3);
+    EXPECT_NEAR(*alone.contact_pressure, alone.contacts[0]->force, 1e-12);
+    const ContactRecord even = record(20, [](double) { return 1; });
+    const ErrorEstimate beside = estimate({pass({at_corner(0.01), even}), pass({at_corner(0.0125), even})});
+    EXPECT_NEAR(*beside.contact_pressure, 0.0125 * alone.contacts[0]->pressure, 1e-12);
+}
+
 /// A solution on the same cells changes nothing, and tells nothing.
 TEST(ErrorEstimate, OnTheSameCellsTheEstimateBeforeStands) {
     const std::vector<PassRecord> first{pass({scaled(10, 0.98)}), pass({scaled(20, 1)})};

@@ -58,6 +58,31 @@ TEST(StiffParts, SoIsOneWithFriction) {
     is_known_as_well_as_it_says(0.2);
 }
 
+/// The corner of a leaf that just reaches another one: a force of half a thousandth decides how far that moves.
+TEST(StiffParts, WhatACornerThatIsNearlyMissedMovesIsKnownAsWellAsItSays) {
+    const auto leaves = [](const std::string& level) {
+        return test::answer(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+            "materials": {"steel": {"E": 210000, "nu": 0.3}}, "parts": [
+            {"name": "lower", "material": "steel", "geometry": {"rectangle": {"min": [0, 0], "max": [60, 2]}}},
+            {"name": "upper", "material": "steel", "geometry": {"rectangle": {"min": [0, 2.904], "max": [49.827, 4.904]}}},
+            {"name": "tip", "material": "steel", "geometry": {"circle": {"center": [25, 7.904], "radius": 3}}}],
+            "supports": [{"on": ["lower/left", "upper/left"], "fix": ["x", "y"]}, {"part": "tip", "rigid": {"rotation": 0}}],
+            "loads": [{"part": "tip", "force": [0, -98.281]}],
+            "accuracy": {"level": ")" +
+                            level + R"("}})");
+    };
+    const Result truth = leaves("fine");
+    ASSERT_EQ(truth.status, "ok") << truth.message;
+    for (const char* level : {"draft", "standard"}) {
+        const Result r = leaves(level);
+        ASSERT_EQ(r.status, "ok") << r.message;
+        ASSERT_TRUE(r.contacts.at(0).errors) << level;
+        const double moves = truth.parts.at(0).max_displacement.value;
+        EXPECT_LT(std::abs(r.parts.at(0).max_displacement.value - moves), r.parts[0].max_displacement_error.value_or(0) * moves)
+            << level;
+    }
+}
+
 /// Where statics gives the force, corners that make the parts too stiff do not change it.
 TEST(StiffParts, AForceThatStaticsGivesMissesNothing) {
     const Result r = test::answer(R"({"abut": 1, "materials": {"m": {"E": 1e5, "nu": 0.3}}, "parts": [
