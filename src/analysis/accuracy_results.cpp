@@ -425,14 +425,19 @@ void warn_of_largest_stress(const Outcome& out, Result& result) {
     else if (const LargestStress* beyond = corner_beyond(out, most->max_von_mises.value)) {
         const std::size_t grid = static_cast<std::size_t>(beyond - out.largest.data());
         const std::string& where = result.parts[static_cast<std::size_t>(out.solved.grids[grid].part)].name;
-        tell({{0, most->name,
-               which + " is the largest on this grid: that at the sharp corner " +
-                   (where == most->name ? "" : "of " + where + " ") + "at " +
-                   place_text(beyond->corner->at, model_size(result)) + ", " +
-                   with_unit(beyond->corner->value, 4, result_units(result).stress) +
-                   " here, has no limit and exceeds it on finer ones; round the corner to know the stress there",
-               is_aimed_at ? "the stress at a sharp corner of " + where + " has no limit" : ""}},
-             "corner", result);
+        tell(
+            {{0, most->name,
+              which + " is the largest on this grid: that at the " +
+                  (beyond->corner_is_held ? "end of a support " : "sharp corner ") +
+                  (where == most->name ? "" : "of " + where + " ") + "at " +
+                  place_text(beyond->corner->at, model_size(result)) + ", " +
+                  with_unit(beyond->corner->value, 4, result_units(result).stress) +
+                  " here, has no limit and exceeds it on finer ones" +
+                  (beyond->corner_is_held ? "" : "; round the corner to know the stress there"),
+              is_aimed_at ? "the stress at " + std::string(beyond->corner_is_held ? "the end of a support" : "a sharp corner") +
+                                " of " + where + " has no limit"
+                          : ""}},
+            "corner", result);
     } else if (most->max_von_mises_error.value_or(0) > (is_aimed_at ? result.accuracy.target : doubtful))
         tell({{0, most->name,
                which + " is uncertain by " + percent_text(std::min(*most->max_von_mises_error, 1.0)) +

@@ -96,7 +96,7 @@ bool falls_away(const PartOnGrid& grid, const Eigen::VectorXd& displacement, con
     return around > 0 && at_corner > around / inside * std::pow(cells_away, 0.5 * growth);
 }
 
-/// Notes the stress at a re-entrant corner that is above the largest one on smaller cells; of several the highest there.
+/// Notes the stress at a corner without a limit that is above the largest one on smaller cells; of several the highest there.
 void note_corner(const PartOnGrid& grid, const Eigen::VectorXd& displacement, const solver::StressField& stress,
                  const std::vector<SingularPlace>& places, LargestStress& largest) {
     largest.on_smaller_cells = largest.von_mises.value;
@@ -110,6 +110,7 @@ void note_corner(const PartOnGrid& grid, const Eigen::VectorXd& displacement, co
             continue;
         largest.on_smaller_cells = then;
         largest.corner = ValueAt{now, p.at};
+        largest.corner_is_held = p.is_held;
     }
 }
 

@@ -5,7 +5,8 @@
 // Smoothed stresses, which are those shown, and stresses of the displacement differ where the grid is too coarse for either;
 // with two grids, the peak's change is compared with that. At re-entrant corners, at the ends of supports, under held points
 // and where contact ends at a corner the stress has no limit, and no error. Nor has it one in a part whose largest stress on
-// these grids is elsewhere, but whose stress at a re-entrant corner would be above it on cells ten times smaller.
+// these grids is elsewhere, but whose stress at a re-entrant corner or a support's end would be above it on cells ten times
+// smaller.
 #pragma once
 #include <optional>
 #include <vector>
@@ -30,7 +31,8 @@ struct LargestStress {
     double cell = 0;                ///< size of the cell there
     double smoothing = 0;           ///< von Mises stress of what smoothed stresses and the others differ by in that cell
     bool at_corner = false;         ///< there is no limit there
-    std::optional<ValueAt> corner;  ///< stress at a re-entrant corner, which finer grids take above the largest one
+    std::optional<ValueAt> corner;  ///< stress at a corner without a limit, which finer grids take above the largest one
+    bool corner_is_held = false;    ///< it is the end of a support
     double on_smaller_cells = 0;    ///< stress at that corner on cells ten times smaller
     std::optional<double> error;    ///< of the stress, relative; unset at corners, and where nothing is strained
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "src/base/index.hpp"
@@ -58,6 +59,16 @@ double growth_at_corner(double turn) {
     return 1 - low;
 }
 
+/// Kolosov's constant.
+double kolosov(const solver::Elasticity& d) {
+    return (d.d11 + d.d33) / (d.d11 - d.d33);
+}
+
+/// The same of a corner of which one face slides along a plane: that of the corner with its mirror image.
+double growth_at_guide(double turn) {
+    return growth_at_corner(std::max(2 * turn - std::numbers::pi, -std::numbers::pi));
+}
+
 /// turn: of the boundary where the support ends.
 double at_support_end(double turn) {
     return std::max(missed_at_clamp, missed_at_support * std::pow(std::max(0.0, 1 - 2 * turn / std::numbers::pi), 2));
@@ -71,12 +82,12 @@ bool is_clamp(const Support& support) {
 /// Stress has a limit where a support ends at a corner of at most a right angle and the part slides along it (there the support
 /// is a plane of symmetry of a smooth boundary), and where another support goes on; else it has none.
 void append_support_ends(const Scene& scene, const ResolvedConditions& conditions, int part,
-                         std::vector<SingularPlace>& places) {
+                         const solver::Elasticity& elasticity, std::vector<SingularPlace>& places) {
     struct End {
         Vec2 at;
         bool is_limited;
         int portions;
-        double turn;
+        double turn, growth;
     };
     const geometry::Part& shape = scene.parts[at(part)].part;
     const double merge = merge_length(shape);
@@ -93,24 +104,28 @@ void append_support_ends(const Scene& scene, const ResolvedConditions& condition
                 const double right_angle = 0.5 * std::numbers::pi - 1e-3;
                 const bool is_limited = !is_clamp(scene.supports[s]) && vertex != corners.end() && vertex->turn >= right_angle;
                 const auto known = std::find_if(ends.begin(), ends.end(), is_here);
-                if (known == ends.end())
-                    ends.push_back({place, is_limited, 1, vertex == corners.end() ? 0 : vertex->turn});
-                else
+                if (known != ends.end()) {
                     ++known->portions;
+                    continue;
+                }
+                const double turn = vertex == corners.end() ? 0 : vertex->turn;
+                ends.push_back(
+                    {place, is_limited, 1, turn,
+                     is_clamp(scene.supports[s]) ? growth_at_clamp(turn, kolosov(elasticity)) : growth_at_guide(turn)});
             }
         }
     }
     for (const End& end : ends)
-        if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn)});
+        if (!end.is_limited && end.portions == 1) places.push_back({end.at, at_support_end(end.turn), false, end.growth, true});
 }
 
 /// Has a butt joint that a straight boundary passes square, of these materials, stresses without a limit there (Bogy, J. Appl.
 /// Mech. 35, 1968)? alpha, beta: Dundurs' constants.
 bool is_singular_butt(const solver::Elasticity& a, const solver::Elasticity& b) {
     const auto modulus = [](const solver::Elasticity& d) { return d.d11 - d.d12 * d.d12 / d.d11; };
-    const auto kappa = [](const solver::Elasticity& d) { return (d.d11 + d.d33) / (d.d11 - d.d33); };
     const double alpha = (modulus(a) - modulus(b)) / (modulus(a) + modulus(b)),
-                 beta = (a.d33 * (kappa(b) - 1) - b.d33 * (kappa(a) - 1)) / (a.d33 * (kappa(b) + 1) + b.d33 * (kappa(a) + 1));
+                 beta = (a.d33 * (kolosov(b) - 1) - b.d33 * (kolosov(a) - 1)) /
+                        (a.d33 * (kolosov(b) + 1) + b.d33 * (kolosov(a) + 1));
     return std::abs(alpha) > least_mismatch && alpha * (alpha - 2 * beta) > 0;
 }
 
@@ -156,6 +171,20 @@ bool goes_on_in_mirror(const Scene& scene, const ResolvedConditions& conditions,
 }
 
 }  // namespace
+
+double growth_at_clamp(double turn, double kappa) {
+    constexpr int steps = 1000;
+    const double w = std::numbers::pi - turn;
+    double nearest = 1, least = std::numeric_limits<double>::infinity();
+    for (int k = 1; k < steps && least > 0; ++k) {
+        const double lambda = static_cast<double>(k) / steps, left = 0.25 * (kappa + 1) * (kappa + 1) -
+                                                                     std::pow(lambda * std::sin(w), 2) -
+                                                                     kappa * std::pow(std::sin(lambda * w), 2);
+        if (left < least) nearest = lambda;
+        least = std::min(least, left);
+    }
+    return nearest < 1 - 1.5 / steps ? 1 - nearest : 0;
+}
 
 double turn_at(const geometry::Part& part, const Vec2& place) {
     const double merge = merge_length(part);
@@ -209,7 +238,7 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
     std::vector<SingularPlace> places;
     for (const Vertex& v : vertices(scene.parts[at(part)].part))
         if (v.turn < -sharp_turn) places.push_back({v.at, at_corner(v.turn), false, growth_at_corner(v.turn)});
-    append_support_ends(scene, conditions, part, places);
+    append_support_ends(scene, conditions, part, solved.grids[at(solved.solver_part[at(part)])].input.elasticity, places);
     for (const BondEnd& end : singular_bond_ends(scene, conditions, solved))
         for (const std::size_t side : {0U, 1U})
             if (end.parts[side] == part) places.push_back({end.at[side], end.excess > sharp_turn ? at_corner(end.excess) : 0});

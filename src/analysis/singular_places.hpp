@@ -14,7 +14,8 @@ struct SingularPlace {
     Vec2 at;              ///< assembly coordinates
     double missed_share;  ///< what splines miss of the strain energy in the cells within a cell's size; 0 where not known
     bool is_of_contact = false;
-    double growth = 0;  ///< stress grows like distance^-growth towards a re-entrant corner of the part; 0 at other places
+    double growth = 0;     ///< stress grows like distance^-growth towards a re-entrant corner, or a support's end; 0: not known
+    bool is_held = false;  ///< a support ends there
 };
 
 /// An end of a bond at which tractions have no limit. A bond makes one body of two: their boundaries meet there in a corner,
@@ -38,6 +39,11 @@ std::vector<SingularPlace> singular_places(const Scene& scene, const ResolvedCon
 
 /// A boundary that turns by more, in radians, has a corner: as for the cells at re-entrant corners (grid_design).
 constexpr double sharp_turn = 0.1;
+
+/// Stress grows like distance^-growth towards a corner with one face free and one clamped, where the boundary turns to the left
+/// by so much: 1 - lambda, k sin(lambda w)^2 = (k + 1)^2 / 4 - (lambda sin(w))^2, of material through w = pi - turn, with
+/// Kolosov's constant k, or what comes nearest where lambda is complex [Williams 1952].
+double growth_at_clamp(double turn, double kolosov);
 
 /// How the boundary of a part turns to the left at one of its points; 0 within an edge.
 double turn_at(const geometry::Part& part, const Vec2& place);

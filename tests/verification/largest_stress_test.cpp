@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "src/analysis/analysis.hpp"
+#include "src/analysis/singular_places.hpp"
 #include "src/scene/read_scene.hpp"
 
 namespace abut::largest_stress_test {
@@ -132,6 +133,30 @@ TEST(LargestStress, ThatASharpCornerOfAnotherPartExceedsIsSaidToo) {
     EXPECT_GT(r.parts[1].max_von_mises.value, r.parts[0].max_von_mises.value);
     EXPECT_FALSE(r.parts[1].max_von_mises_at_corner);
     EXPECT_TRUE(warns(r.warnings, "that at the sharp corner of base at (8, 0)"));
+}
+
+/// An arm that a stop holds at its tip: the stop's stress is the largest on the first grids.
+TEST(LargestStress, ThatTheEndOfASupportExceedsIsSaid) {
+    const Result r = analyze(read_scene_text(R"({"abut": 1, "analysis": "plane_stress", "thickness": 10,
+        "materials": {"steel": {"E": 210000, "nu": 0.3}, "brass": {"E": 100000, "nu": 0.34}}, "parts": [
+        {"name": "arm", "material": "steel", "geometry": {"union": [{"rectangle": {"min": [0, 0], "max": [70, 6]}, "name": "a"},
+            {"circle": {"center": [70, 3], "radius": 3}}]}},
+        {"name": "stop", "material": "brass", "geometry": {"rectangle": {"min": [55, -20.279], "max": [90, -0.279]}}}],
+        "supports": [{"on": ["arm/a/left", "stop/bottom"], "fix": ["x", "y"]}],
+        "loads": [{"on": "arm/a/top", "force": [0, -410]}], "accuracy": {"level": "draft"}})",
+                                             "scene.json"),
+                             {});
+    ASSERT_EQ(r.status, "ok") << r.message;
+    EXPECT_GT(r.parts[1].max_von_mises.value, r.parts[0].max_von_mises.value);
+    EXPECT_TRUE(warns(r.warnings, "that at the end of a support of arm at (0, "));
+}
+
+/// Tables: 0.2888 for a right angle, 0.5 (and an oscillation) for half a turn, none for a sharp wedge; nu = 0.3, plane strain.
+TEST(LargestStress, GrowsTowardsClampsAsTheirAnglesSay) {
+    constexpr double kolosov = 3 - 4 * 0.3, pi = 3.141592653589793;
+    EXPECT_NEAR(growth_at_clamp(pi / 2, kolosov), 0.2888, 1e-3);
+    EXPECT_NEAR(growth_at_clamp(0, kolosov), 0.5, 1e-3);
+    EXPECT_EQ(growth_at_clamp(0.75 * pi, kolosov), 0);
 }
 
 TEST(LargestStress, ThatTheGridsCannotShowIsWarnedOf) {
